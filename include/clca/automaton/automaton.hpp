@@ -1,0 +1,70 @@
+#pragma once
+// The connected lattice cellular automaton: one step of the priority-ordered update.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "clca/automaton/occupancy.hpp"
+#include "clca/automaton/state.hpp"
+
+namespace clca::automaton {
+
+/// What one step did.
+struct StepReport {
+  std::size_t moved = 0;
+  std::size_t emitted = 0;
+  std::size_t removed = 0;
+  /// Nothing moved, nothing entered, and no open source has anything to give that finds room: no
+  /// later step can change anything.
+  bool settled = false;
+};
+
+struct Options {
+  /// Threads to use; the result does not depend on it.
+  int threads = 1;
+  /// Steps with fewer awake particles run on one thread.
+  std::size_t parallel_from = 4096;
+  /// Look at every particle in every step, also at those that cannot move. For checks only.
+  bool sleeping = true;
+};
+
+/// How many particles a fill has placed.
+struct FillResult {
+  std::vector<std::size_t> placed;  ///< per species
+  bool complete = true;
+};
+
+/// Runs a State. Copies of the state it hands out are independent of it.
+class Automaton {
+ public:
+  /// Throws std::invalid_argument when the state is not valid (see Occupancy).
+  explicit Automaton(State state, Options options = {});
+  ~Automaton();
+  Automaton(Automaton&&) noexcept;
+  Automaton& operator=(Automaton&&) noexcept;
+
+  const State& state() const;
+  const Occupancy& occupancy() const;
+
+  /// One step: sources, provisional directions, moves in order of priority, outlets.
+  StepReport step();
+
+  /// Places `counts` (per species) particles at random in free sites of `region`, larger species
+  /// first, each in a random orientation. New ids follow the columns from the left, upwards. A
+  /// species that no longer fits anywhere is placed in part.
+  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Takes a wall away; nothing happens when it is gone already.
+  void remove_wall(std::size_t wall);
+  /// Opens or closes a source.
+  void set_source(std::size_t source, bool open);
+  /// Sets the origins of all particles to where they are now.
+  void mark_origins();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace clca::automaton

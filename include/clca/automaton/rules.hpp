@@ -1,0 +1,37 @@
+#pragma once
+// The choices that the paper leaves open (Sakaguchi et al. 2001, section 3).
+
+#include <array>
+#include <cstdint>
+
+#include "clca/lattice/direction.hpp"
+
+namespace clca::automaton {
+
+/// Directions a particle may take by itself: gravity and its two neighbours, or all six.
+enum class Candidates : std::uint8_t { downward, all };
+
+/// Classes of movers for the update order.
+enum class UpdateClass : std::uint8_t { rest, inertia, gravity };
+
+/// How movers of one class that want the same site are ordered: each particle by a draw of its
+/// own, or all movers of one direction together, the directions by a draw per class and step.
+enum class Ties : std::uint8_t { particle, direction };
+
+struct Rules {
+  /// Probability to keep the direction of the previous step, in [0, 1].
+  double inertia = 0.9;
+  /// Probability to take any free direction, all alike, in [0, 1].
+  double scatter = 0;
+  Candidates candidates = Candidates::downward;
+  /// Direction of gravity.
+  lattice::Direction gravity = lattice::Direction::down;
+  /// Each class once, the first to move first.
+  std::array<UpdateClass, 3> update_priority = {UpdateClass::rest, UpdateClass::inertia,
+                                                UpdateClass::gravity};
+  Ties ties = Ties::particle;
+
+  bool operator==(const Rules&) const = default;
+};
+
+}  // namespace clca::automaton

@@ -1,0 +1,40 @@
+#pragma once
+// Rectangles and straight walls as sets of sites.
+
+#include <vector>
+
+#include "clca/lattice/lattice.hpp"
+
+namespace clca::lattice {
+
+/// A rectangle in lattice spacings, left and bottom edges included, right and top ones not.
+struct Rectangle {
+  double left = 0;
+  double bottom = 0;
+  double right = 0;
+  double top = 0;
+
+  bool contains(const Eigen::Vector2d& point) const {
+    return point.x() >= left && point.x() < right && point.y() >= bottom && point.y() < top;
+  }
+  bool operator==(const Rectangle&) const = default;
+};
+
+/// A straight wall from `from` to `to`, `thickness` wide (all in lattice spacings).
+struct Segment {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+  double thickness = 1;
+};
+
+/// The sites of the lattice inside `rectangle`, up the columns from the left.
+std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
+
+/// The sites of the lattice nearer to the segment than half its thickness, and always a connected
+/// chain along it, so that nothing leaks through.
+std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
+
+/// The site nearest to a point given in lattice spacings.
+Site nearest_site(const Eigen::Vector2d& point);
+
+}  // namespace clca::lattice

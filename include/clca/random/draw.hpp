@@ -1,0 +1,44 @@
+#pragma once
+// Counter-based random draws: every draw is a pure function of what it is for.
+
+#include <cstdint>
+
+namespace clca::random {
+
+/// What a draw decides. Two draws of one particle in one step differ by their purpose.
+enum class Purpose : std::uint32_t {
+  scatter = 1,
+  inertia = 2,
+  coin = 3,
+  tie = 4,
+  direction_order = 5,
+  fill_position = 6,
+  fill_orientation = 7,
+  source_species = 8,
+  source_position = 9,
+  scatter_direction = 10,
+};
+
+/// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.
+/// `item` is a particle id, or whatever else the purpose counts.
+std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose);
+
+/// Maps 64 uniform bits to 0, 1, ..., `count` - 1. `count` must be positive.
+std::uint64_t below(std::uint64_t bits, std::uint64_t count);
+
+/// A probability as an integer threshold, so that no floating point decides a move.
+class Probability {
+ public:
+  /// Rounds `value` in [0, 1] to a multiple of 2^-53 or finer; throws std::invalid_argument outside.
+  explicit Probability(double value);
+
+  /// True with this probability for uniform `bits`.
+  bool accepts(std::uint64_t bits) const { return (bits >> 1U) < threshold_; }
+  bool is_zero() const { return threshold_ == 0; }
+  bool operator==(const Probability&) const = default;
+
+ private:
+  std::uint64_t threshold_;  // of 2^63
+};
+
+}  // namespace clca::random

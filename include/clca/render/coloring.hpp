@@ -1,0 +1,34 @@
+#pragma once
+// Colours for particles, safe for colour-blind readers.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "clca/render/painter.hpp"
+
+namespace clca::render {
+
+/// Default colour of the species, layer or wall with this number (Okabe & Ito 2008, repeated).
+Rgb palette_color(std::size_t number);
+
+/// A perceptually uniform colour map (viridis) at `share` in [0, 1], clamped.
+Rgb map_color(double share);
+
+struct NamedColor {
+  std::string name;
+  Rgb color;
+};
+
+Coloring color_by_species(const automaton::State& state, std::span<const NamedColor> species);
+/// Horizontal layers of equal thickness by the height of the origins (State::origins).
+Coloring color_by_layer(const automaton::State& state, int layers);
+/// Distance from the origin; the bar ends at `high` lattice spacings.
+Coloring color_by_displacement(const automaton::State& state, double high);
+/// Moving in the last step, or at rest.
+Coloring color_by_speed(const automaton::State& state);
+/// Neighbouring ids well apart.
+Coloring color_by_id(const automaton::State& state);
+
+}  // namespace clca::render

@@ -1,0 +1,134 @@
+#include "fill.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "clca/random/draw.hpp"
+
+namespace clca::automaton {
+
+namespace {
+
+/// A place to try: a site of the region and a kind of the species.
+struct Trial {
+  lattice::Site site;
+  std::uint16_t kind = 0;
+};
+
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
+  std::vector<std::uint16_t> kinds;
+  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
+    if (state.kinds[kind].species == species) {
+      kinds.push_back(static_cast<std::uint16_t>(kind));
+    }
+  }
+  return kinds;
+}
+
+/// Species indices with the largest shapes first.
+std::vector<std::size_t> largest_first(const State& state, std::size_t species_count) {
+  std::vector<std::size_t> sizes(species_count, 0);
+  for (const Kind& kind : state.kinds) {
+    sizes[kind.species] = kind.shape.size();
+  }
+  std::vector<std::size_t> order(species_count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  return order;
+}
+
+std::vector<Trial> all_trials(const std::vector<lattice::Site>& sites,
+                              const std::vector<std::uint16_t>& kinds) {
+  std::vector<Trial> trials;
+  trials.reserve(sites.size() * kinds.size());
+  for (const lattice::Site site : sites) {
+    for (const std::uint16_t kind : kinds) {
+      trials.push_back({site, kind});
+    }
+  }
+  return trials;
+}
+
+/// Tries every place once in random order (Fisher and Yates, as far as needed): a place that has
+/// failed never fits again, so what is not placed in the end does not fit.
+std::size_t place_species(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+                          std::vector<Trial> trials, std::size_t count) {
+  const auto first_id = static_cast<std::uint32_t>(state.particles.size());
+  std::size_t placed = 0;
+  for (std::size_t i = 0; i < trials.size() && placed < count; ++i) {
+    const std::uint64_t bits =
+        random::draw(state.seed, i, first_id, random::Purpose::fill_position);
+    std::swap(trials[i], trials[i + random::below(bits, trials.size() - i)]);
+    const Particle particle = {
+        .column = trials[i].site.column, .row = trials[i].site.row, .kind = trials[i].kind};
+    if (lies_inside(state, particle, region) && fits(state, occupancy, particle)) {
+      insert(state, occupancy, particle);
+      ++placed;
+    }
+  }
+  return placed;
+}
+
+/// Numbers the particles from `first` on up the columns from the left, so that neighbours in the
+/// box are neighbours in memory.
+void renumber(State& state, Occupancy& occupancy, std::size_t first) {
+  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, state.particles.end(),
+            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
+  for (std::size_t id = first; id < state.particles.size(); ++id) {
+    const Particle& particle = state.particles[id];
+    state.origins[id] = particle.site();
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
+    }
+  }
+}
+
+}  // namespace
+
+bool fits(const State& state, const Occupancy& occupancy, const Particle& particle) {
+  const auto& parts = state.shape(particle).sites();
+  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+    const lattice::Site site = particle.site() + part;
+    return state.lattice.contains(site) && !occupancy.taken(state.lattice.index(site));
+  });
+}
+
+bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
+  const lattice::Site reference = {state.lattice.wrapped(particle.column), particle.row};
+  const auto& parts = state.shape(particle).sites();
+  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+    return region.contains(lattice::position(reference + part));
+  });
+}
+
+void insert(State& state, Occupancy& occupancy, const Particle& particle) {
+  const auto id = static_cast<Owner>(state.particles.size());
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    occupancy.take(state.lattice.index(particle.site() + part), id);
+  }
+  state.particles.push_back(particle);
+  state.origins.push_back(particle.site());
+}
+
+FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+                       std::span<const std::size_t> counts) {
+  const std::size_t first = state.particles.size();
+  const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
+  FillResult result;
+  result.placed.resize(counts.size(), 0);
+  for (const std::size_t species : largest_first(state, counts.size())) {
+    if (counts[species] == 0) {
+      continue;
+    }
+    result.placed[species] =
+        place_species(state, occupancy, region, all_trials(sites, kinds_of(state, species)),
+                      counts[species]);
+    result.complete = result.complete && result.placed[species] == counts[species];
+  }
+  renumber(state, occupancy, first);
+  return result;
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,79 @@
+#include "clca/automaton/occupancy.hpp"
+
+#include <atomic>
+#include <stdexcept>
+
+namespace clca::automaton {
+
+namespace {
+
+constexpr std::size_t kWordBits = 64;
+
+void take_free(Occupancy& occupancy, std::size_t index, Owner owner) {
+  if (occupancy.taken(index)) {
+    throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
+  }
+  occupancy.take(index, owner);
+}
+
+void take_border(Occupancy& occupancy, const lattice::Lattice& lattice) {
+  // A periodic lattice wraps, so its border columns are never looked at.
+  const int first = lattice.periodic() ? 0 : -1;
+  const int last = lattice.periodic() ? lattice.columns() - 1 : lattice.columns();
+  for (int column = first; column <= last; ++column) {
+    occupancy.take(lattice.index({column, -1}), kBorder);
+    occupancy.take(lattice.index({column, lattice.rows()}), kBorder);
+  }
+  if (!lattice.periodic()) {
+    for (int row = 0; row < lattice.rows(); ++row) {
+      occupancy.take(lattice.index({-1, row}), kBorder);
+      occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
+    }
+  }
+}
+
+}  // namespace
+
+Occupancy::Occupancy(const State& state)
+    : words_((state.lattice.memory_size() + kWordBits - 1) / kWordBits, 0),
+      owners_(state.lattice.memory_size(), kFree) {
+  const lattice::Lattice& lattice = state.lattice;
+  take_border(*this, lattice);
+  for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+    for (const lattice::Site site : state.walls[wall].sites) {
+      if (!lattice.contains(site)) {
+        throw std::invalid_argument("a wall leaves the box");
+      }
+      if (state.walls[wall].present) {
+        take(lattice.index(site), kFirstWall - static_cast<Owner>(wall));
+      }
+    }
+  }
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    const Particle& particle = state.particles[id];
+    if (!particle.present) {
+      continue;
+    }
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      const lattice::Site site = particle.site() + part;
+      if (!lattice.contains(site)) {
+        throw std::invalid_argument("a particle leaves the box");
+      }
+      take_free(*this, lattice.index(site), static_cast<Owner>(id));
+    }
+  }
+}
+
+void Occupancy::take_shared(std::size_t index, Owner owner) {
+  std::atomic_ref<std::uint64_t> word(words_[index >> 6U]);
+  word.fetch_or(std::uint64_t{1} << (index & 63U), std::memory_order_relaxed);
+  owners_[index] = owner;
+}
+
+void Occupancy::release_shared(std::size_t index) {
+  std::atomic_ref<std::uint64_t> word(words_[index >> 6U]);
+  word.fetch_and(~(std::uint64_t{1} << (index & 63U)), std::memory_order_relaxed);
+  owners_[index] = kFree;
+}
+
+}  // namespace clca::automaton

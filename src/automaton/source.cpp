@@ -1,0 +1,76 @@
+#include "source.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "clca/random/draw.hpp"
+#include "fill.hpp"
+
+namespace clca::automaton {
+
+namespace {
+
+constexpr std::uint64_t kOne = std::uint64_t{1} << 32U;
+
+std::uint16_t draw_kind(const State& state, const Source& source, std::uint32_t number) {
+  const auto total =
+      std::accumulate(source.weights.begin(), source.weights.end(), std::uint64_t{0});
+  // Keyed by what was emitted before: a particle that waits for room stays the same.
+  const std::uint64_t bits =
+      random::draw(state.seed, source.emitted, number, random::Purpose::source_species);
+  std::uint64_t ticket = random::below(bits, total);
+  std::uint16_t kind = 0;
+  while (ticket >= source.weights[kind]) {
+    ticket -= source.weights[kind++];
+  }
+  return kind;
+}
+
+/// Tries every site of the source once, from a random one on.
+bool emit_one(State& state, Occupancy& occupancy, Source& source, std::uint32_t number) {
+  Particle particle;
+  particle.kind = draw_kind(state, source, number);
+  const std::uint64_t bits = random::draw(state.seed, state.step + source.emitted, number,
+                                          random::Purpose::source_position);
+  const std::size_t start = random::below(bits, source.sites.size());
+  for (std::size_t i = 0; i < source.sites.size(); ++i) {
+    const lattice::Site site = source.sites[(start + i) % source.sites.size()];
+    particle.column = site.column;
+    particle.row = site.row;
+    if (fits(state, occupancy, particle)) {
+      insert(state, occupancy, particle);
+      ++source.emitted;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True unless the source is done or found no room.
+bool run_source(State& state, Occupancy& occupancy, Source& source, std::uint32_t number) {
+  source.credit = std::min(source.credit, kOne) + source.rate;
+  while (source.credit >= kOne && !source.exhausted()) {
+    if (!emit_one(state, occupancy, source, number)) {
+      return false;
+    }
+    source.credit -= kOne;
+  }
+  return !source.exhausted();
+}
+
+}  // namespace
+
+SourceReport run_sources(State& state, Occupancy& occupancy) {
+  SourceReport report;
+  for (std::size_t number = 0; number < state.sources.size(); ++number) {
+    Source& source = state.sources[number];
+    if (source.open && !source.exhausted()) {
+      const bool waits =
+          run_source(state, occupancy, source, static_cast<std::uint32_t>(number));
+      report.waiting = report.waiting || waits;
+    }
+  }
+  return report;
+}
+
+}  // namespace clca::automaton

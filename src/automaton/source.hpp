@@ -1,0 +1,18 @@
+#pragma once
+// Sources: particles that enter during a run.
+
+#include "clca/automaton/occupancy.hpp"
+#include "clca/automaton/state.hpp"
+
+namespace clca::automaton {
+
+struct SourceReport {
+  /// Some open source will give more without anything else changing.
+  bool waiting = false;
+};
+
+/// Lets every open source emit what is due and finds room. What finds none stays due, up to the
+/// next step's share.
+SourceReport run_sources(State& state, Occupancy& occupancy);
+
+}  // namespace clca::automaton

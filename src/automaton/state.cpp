@@ -1,0 +1,63 @@
+#include "clca/automaton/state.hpp"
+
+#include <algorithm>
+
+namespace clca::automaton {
+
+namespace {
+
+/// Hashes a sequence of 64-bit words with the finaliser of SplitMix64 (Steele et al. 2014).
+class WordHash {
+ public:
+  void add(std::uint64_t word) {
+    std::uint64_t mixed = value_ ^ (word + 0x9e3779b97f4a7c15U + (value_ << 6U));
+    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
+    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
+    value_ = mixed ^ (mixed >> 31U);
+  }
+  void add(lattice::Site site) {
+    add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(site.column)) << 32U) |
+        static_cast<std::uint32_t>(site.row));
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0;
+};
+
+}  // namespace
+
+Eigen::Vector2d centre(const State& state, const Particle& particle) {
+  return lattice::position(particle.site()) + state.shape(particle).centroid();
+}
+
+std::size_t present_count(const State& state) {
+  return static_cast<std::size_t>(std::count_if(state.particles.begin(), state.particles.end(),
+                                                [](const Particle& p) { return p.present; }));
+}
+
+std::uint64_t hash(const State& state) {
+  WordHash words;
+  words.add(state.seed);
+  words.add(state.step);
+  words.add(state.particles.size());
+  for (const Particle& particle : state.particles) {
+    words.add(particle.site());
+    words.add((std::uint64_t{particle.kind} << 16U) | (std::uint64_t{particle.previous} << 8U) |
+              (particle.present ? 1U : 0U));
+  }
+  for (const Wall& wall : state.walls) {
+    words.add(wall.present ? 1 : 0);
+  }
+  for (const Source& source : state.sources) {
+    words.add(source.credit);
+    words.add((source.emitted << 1U) | (source.open ? 1U : 0U));
+  }
+  for (const Outlet& outlet : state.outlets) {
+    words.add(outlet.particles);
+    words.add(outlet.sites);
+  }
+  return words.value();
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,38 @@
+#pragma once
+// The order in which movers that want the same site have their turn.
+
+#include <array>
+#include <cstdint>
+
+#include "clca/automaton/footprint.hpp"
+#include "clca/automaton/state.hpp"
+
+namespace clca::automaton {
+
+/// Place in the total order of one step: class, then tie, then id.
+struct UpdateKey {
+  std::uint64_t rank = 0;
+  std::uint64_t tie = 0;
+  std::uint32_t id = 0;
+
+  auto operator<=>(const UpdateKey&) const = default;
+};
+
+class UpdateOrder {
+ public:
+  UpdateOrder(const Rules& rules, std::uint64_t seed);
+
+  /// The key of particle `id` that did `previous` in the last step and now wants to do `move`.
+  UpdateKey key(std::uint32_t id, Move previous, Move move, std::uint64_t step) const;
+
+ private:
+  std::uint64_t class_rank(Move previous, Move move) const;
+  /// Gravity first; of a pair at the same angle the one that a coin per step and class names.
+  std::uint64_t direction_tie(Move move, std::uint64_t rank, std::uint64_t step) const;
+
+  Rules rules_;
+  std::array<std::uint64_t, lattice::kDirectionCount> place_{};  // among the candidates
+  std::uint64_t seed_;
+};
+
+}  // namespace clca::automaton

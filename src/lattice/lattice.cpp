@@ -1,0 +1,48 @@
+#include "clca/lattice/lattice.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace clca::lattice {
+
+namespace {
+constexpr std::size_t kWordBits = 64;
+
+std::size_t stride_for(int rows) {
+  const auto with_border = static_cast<std::size_t>(rows) + 2;
+  return (with_border + kWordBits - 1) / kWordBits * kWordBits;
+}
+}  // namespace
+
+Lattice::Lattice(int columns, int rows, bool periodic)
+    : columns_(columns),
+      rows_(rows),
+      periodic_(periodic),
+      stride_(stride_for(rows)),
+      wrap_(static_cast<std::ptrdiff_t>(stride_) * columns) {
+  if (columns < 1 || rows < 1) {
+    throw std::invalid_argument("a lattice has at least one column and one row");
+  }
+  if (periodic && is_odd(columns)) {
+    throw std::invalid_argument("a periodic lattice has an even number of columns");
+  }
+}
+
+Lattice Lattice::covering(double width, double height, bool periodic) {
+  int columns = static_cast<int>(std::ceil(width / kColumnPitch));
+  if (periodic && is_odd(columns)) {
+    ++columns;
+  }
+  return {columns, static_cast<int>(std::ceil(height)), periodic};
+}
+
+Offset Lattice::offset(Axial vector, bool odd_column) const {
+  const Site from = {odd_column ? 1 : 0, 0};
+  const Site to = from + vector;
+  const int columns = to.column - from.column;
+  const auto linear = static_cast<std::ptrdiff_t>(columns) * static_cast<std::ptrdiff_t>(stride_) +
+                      (to.row - from.row);
+  return {static_cast<std::int32_t>(linear), columns};
+}
+
+}  // namespace clca::lattice
