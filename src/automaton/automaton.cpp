@@ -23,10 +23,10 @@ class Automaton::Impl {
     const SourceReport sources = run_sources(state, occupancy);
     report.emitted = state.particles.size() - before;
     welcome_from(before);
-    stepper.advance(state, occupancy);
-    report.moved = stepper.moved().size();
-    for (const Mover& mover : stepper.moved()) {
-      report.removed += discharge(mover.id) ? 1U : 0U;
+    report.moved = stepper.advance(state, occupancy);
+    if (!state.outlets.empty()) {
+      std::size_t& removed = report.removed;
+      stepper.for_each_moved(state, [&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
     }
     report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting;
     ++state.step;
@@ -99,7 +99,8 @@ class Automaton::Impl {
     occupancy.release(index);
     for (std::size_t other = 0; other < state.walls.size(); ++other) {
       const Wall& wall = state.walls[other];
-      if (wall.present && std::find(wall.sites.begin(), wall.sites.end(), site) != wall.sites.end()) {
+      if (wall.present &&
+          std::find(wall.sites.begin(), wall.sites.end(), site) != wall.sites.end()) {
         occupancy.take(index, kFirstWall - static_cast<Owner>(other));
       }
     }
@@ -125,15 +126,23 @@ Automaton::~Automaton() = default;
 Automaton::Automaton(Automaton&&) noexcept = default;
 Automaton& Automaton::operator=(Automaton&&) noexcept = default;
 
-const State& Automaton::state() const { return impl_->state; }
-const Occupancy& Automaton::occupancy() const { return impl_->occupancy; }
-StepReport Automaton::step() { return impl_->step(); }
+const State& Automaton::state() const {
+  return impl_->state;
+}
+const Occupancy& Automaton::occupancy() const {
+  return impl_->occupancy;
+}
+StepReport Automaton::step() {
+  return impl_->step();
+}
 
 FillResult Automaton::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
   return impl_->fill(region, counts);
 }
 
-void Automaton::remove_wall(std::size_t wall) { impl_->remove_wall(wall); }
+void Automaton::remove_wall(std::size_t wall) {
+  impl_->remove_wall(wall);
+}
 
 void Automaton::set_source(std::size_t source, bool open) {
   impl_->state.sources.at(source).open = open;

@@ -122,9 +122,8 @@ FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectan
     if (counts[species] == 0) {
       continue;
     }
-    result.placed[species] =
-        place_species(state, occupancy, region, all_trials(sites, kinds_of(state, species)),
-                      counts[species]);
+    result.placed[species] = place_species(
+        state, occupancy, region, all_trials(sites, kinds_of(state, species)), counts[species]);
     result.complete = result.complete && result.placed[species] == counts[species];
   }
   renumber(state, occupancy, first);

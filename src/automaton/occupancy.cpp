@@ -1,6 +1,5 @@
 #include "clca/automaton/occupancy.hpp"
 
-#include <atomic>
 #include <stdexcept>
 
 namespace clca::automaton {
@@ -62,18 +61,6 @@ Occupancy::Occupancy(const State& state)
       take_free(*this, lattice.index(site), static_cast<Owner>(id));
     }
   }
-}
-
-void Occupancy::take_shared(std::size_t index, Owner owner) {
-  std::atomic_ref<std::uint64_t> word(words_[index >> 6U]);
-  word.fetch_or(std::uint64_t{1} << (index & 63U), std::memory_order_relaxed);
-  owners_[index] = owner;
-}
-
-void Occupancy::release_shared(std::size_t index) {
-  std::atomic_ref<std::uint64_t> word(words_[index >> 6U]);
-  word.fetch_and(~(std::uint64_t{1} << (index & 63U)), std::memory_order_relaxed);
-  owners_[index] = kFree;
 }
 
 }  // namespace clca::automaton

@@ -65,8 +65,7 @@ SourceReport run_sources(State& state, Occupancy& occupancy) {
   for (std::size_t number = 0; number < state.sources.size(); ++number) {
     Source& source = state.sources[number];
     if (source.open && !source.exhausted()) {
-      const bool waits =
-          run_source(state, occupancy, source, static_cast<std::uint32_t>(number));
+      const bool waits = run_source(state, occupancy, source, static_cast<std::uint32_t>(number));
       report.waiting = report.waiting || waits;
     }
   }

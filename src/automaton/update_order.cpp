@@ -37,8 +37,8 @@ std::uint64_t UpdateOrder::direction_tie(Move move, std::uint64_t rank, std::uin
   if (!has_twin) {
     return place;
   }
-  const auto coin = random::draw(seed_, step, static_cast<std::uint32_t>(rank),
-                                 random::Purpose::direction_order);
+  const auto coin =
+      random::draw(seed_, step, static_cast<std::uint32_t>(rank), random::Purpose::direction_order);
   // Twins stand at places 1, 2 and 3, 4: tails swaps them.
   const bool swapped = (coin & 1U) != 0;
   const std::uint64_t twin = ((place - 1) ^ 1U) + 1;

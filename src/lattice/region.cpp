@@ -76,8 +76,8 @@ std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
   const Eigen::Vector2d low = segment.from.cwiseMin(segment.to) - margin;
   const Eigen::Vector2d high = segment.from.cwiseMax(segment.to) + margin;
   const double beyond = 1e-9;  // rectangles leave out their right and top edges
-  std::vector<Site> sites = sites_in(
-      lattice, {low.x() - beyond, low.y() - beyond, high.x() + beyond, high.y() + beyond});
+  std::vector<Site> sites =
+      sites_in(lattice, {low.x() - beyond, low.y() - beyond, high.x() + beyond, high.y() + beyond});
   std::erase_if(sites, [&](Site site) { return distance(segment, position(site)) > reach; });
   for (const Site site : chain_along(segment)) {
     if (site.column >= 0 && site.column < lattice.columns() && site.row >= 0 &&

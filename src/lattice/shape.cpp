@@ -126,7 +126,9 @@ Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
   }
 }
 
-Shape Shape::hexagon(int radius) { return rod(radius, 1); }
+Shape Shape::hexagon(int radius) {
+  return rod(radius, 1);
+}
 
 Shape Shape::rod(int radius, int length) {
   if (radius < 0 || length < 1) {

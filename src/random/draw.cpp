@@ -10,7 +10,9 @@ namespace {
 constexpr unsigned kWordBits = 32;
 __extension__ using Uint128 = unsigned __int128;
 
-std::uint32_t low_word(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+std::uint32_t low_word(std::uint64_t value) {
+  return static_cast<std::uint32_t>(value);
+}
 std::uint32_t high_word(std::uint64_t value) {
   return static_cast<std::uint32_t>(value >> kWordBits);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Who occupies each site.
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -15,8 +16,12 @@ inline constexpr Owner kFree = -1;
 inline constexpr Owner kFirstWall = -2;
 inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();
 
-constexpr bool is_particle(Owner owner) { return owner >= 0; }
-constexpr bool is_wall(Owner owner) { return owner <= kFirstWall; }
+constexpr bool is_particle(Owner owner) {
+  return owner >= 0;
+}
+constexpr bool is_wall(Owner owner) {
+  return owner <= kFirstWall;
+}
 
 /// Owner of each place of a lattice, and whether it is taken as one bit, both indexed as
 /// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing.
@@ -41,9 +46,20 @@ class Occupancy {
     words_[index >> 6U] &= ~(std::uint64_t{1} << (index & 63U));
     owners_[index] = kFree;
   }
-  /// The same for sites that lie in one word with sites of other threads.
-  void take_shared(std::size_t index, Owner owner);
-  void release_shared(std::size_t index);
+  /// The same while other threads change other sites.
+  Owner owner_shared(std::size_t index) const {
+    return std::atomic_ref(const_cast<Owner&>(owners_[index])).load(std::memory_order_relaxed);
+  }
+  void take_shared(std::size_t index, Owner owner) {
+    std::atomic_ref word(words_[index >> 6U]);
+    word.fetch_or(std::uint64_t{1} << (index & 63U), std::memory_order_relaxed);
+    std::atomic_ref(owners_[index]).store(owner, std::memory_order_relaxed);
+  }
+  void release_shared(std::size_t index) {
+    std::atomic_ref word(words_[index >> 6U]);
+    word.fetch_and(~(std::uint64_t{1} << (index & 63U)), std::memory_order_relaxed);
+    std::atomic_ref(owners_[index]).store(kFree, std::memory_order_relaxed);
+  }
 
   bool operator==(const Occupancy&) const = default;
 

@@ -79,9 +79,7 @@ struct State {
   std::vector<Source> sources;
   std::vector<Outlet> outlets;
 
-  const lattice::Shape& shape(const Particle& particle) const {
-    return kinds[particle.kind].shape;
-  }
+  const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;
 };
 

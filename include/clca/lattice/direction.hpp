@@ -15,7 +15,9 @@ inline constexpr std::array<Direction, kDirectionCount> kDirections = {
     Direction::up,   Direction::up_right,  Direction::down_right,
     Direction::down, Direction::down_left, Direction::up_left};
 
-constexpr std::size_t index_of(Direction direction) { return static_cast<std::size_t>(direction); }
+constexpr std::size_t index_of(Direction direction) {
+  return static_cast<std::size_t>(direction);
+}
 
 /// `direction` turned clockwise by `sixths` times 60 degrees (negative: anticlockwise).
 constexpr Direction rotated(Direction direction, int sixths) {
@@ -23,7 +25,9 @@ constexpr Direction rotated(Direction direction, int sixths) {
   return static_cast<Direction>(turned < 0 ? turned + kDirectionCount : turned);
 }
 
-constexpr Direction opposite(Direction direction) { return rotated(direction, 3); }
+constexpr Direction opposite(Direction direction) {
+  return rotated(direction, 3);
+}
 
 /// A lattice vector in axial coordinates: x steps up_right and q steps up.
 struct Axial {
@@ -43,7 +47,9 @@ constexpr Axial unit(Direction direction) {
 }
 
 /// `vector` turned clockwise by 60 degrees.
-constexpr Axial rotated_clockwise(Axial vector) { return {vector.x + vector.q, -vector.x}; }
+constexpr Axial rotated_clockwise(Axial vector) {
+  return {vector.x + vector.q, -vector.x};
+}
 
 /// Least number of unit steps that make up `vector`.
 constexpr int length(Axial vector) {

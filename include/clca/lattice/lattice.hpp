@@ -20,10 +20,14 @@ struct Site {
   constexpr auto operator<=>(const Site&) const = default;
 };
 
-constexpr bool is_odd(int column) { return (column & 1) != 0; }
+constexpr bool is_odd(int column) {
+  return (column & 1) != 0;
+}
 
 /// Twice the height of a site, in lattice spacings: an integer.
-constexpr int doubled_height(Site site) { return 2 * site.row + (is_odd(site.column) ? 1 : 0); }
+constexpr int doubled_height(Site site) {
+  return 2 * site.row + (is_odd(site.column) ? 1 : 0);
+}
 
 /// Cartesian place of a site in lattice spacings from the lower left site.
 inline Eigen::Vector2d position(Site site) {

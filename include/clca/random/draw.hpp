@@ -29,7 +29,8 @@ std::uint64_t below(std::uint64_t bits, std::uint64_t count);
 /// A probability as an integer threshold, so that no floating point decides a move.
 class Probability {
  public:
-  /// Rounds `value` in [0, 1] to a multiple of 2^-53 or finer; throws std::invalid_argument outside.
+  /// Rounds `value` in [0, 1] to a multiple of 2^-53 or finer; throws std::invalid_argument
+  /// outside.
   explicit Probability(double value);
 
   /// True with this probability for uniform `bits`.

@@ -1,0 +1,31 @@
+#pragma once
+// How far particles have come since the stage began (State::origins).
+
+#include <optional>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::measure {
+
+/// Distance of each particle from its origin by id, in lattice spacings; 0 for removed ones.
+std::vector<double> displacements(const automaton::State& state);
+
+/// Share of the particles still present that are further than `distance` (lattice spacings) from
+/// their origin; 0 where none is present.
+double moved_share(const automaton::State& state, double distance);
+
+/// Diameter of the smallest kind (lattice::Shape::diameter).
+double smallest_diameter(const automaton::State& state);
+
+/// How far the material has spread beyond the columns it stood in at its origins, in lattice
+/// spacings; the larger of both sides, negative when it has drawn back from both.
+struct Runout {
+  double front = 0;       ///< of the outermost site
+  double percent_99 = 0;  ///< of the position that 99 % of the sites do not pass on that side
+};
+
+/// Nothing for an empty box.
+std::optional<Runout> runout(const automaton::State& state);
+
+}  // namespace clca::measure

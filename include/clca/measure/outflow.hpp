@@ -1,0 +1,41 @@
+#pragma once
+// Discharge through outlets over time.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::measure {
+
+/// Particles and sites that all outlets together have removed.
+struct Discharge {
+  std::uint64_t particles = 0;
+  std::uint64_t sites = 0;
+};
+
+Discharge discharge(const automaton::State& state);
+
+/// Records the discharge of a stage, step by step.
+class Outflow {
+ public:
+  /// Starts at `begin`, the totals before the stage.
+  explicit Outflow(Discharge begin) : begin_(begin), last_(begin) {}
+
+  /// Call after each step with the totals so far.
+  void add(Discharge total);
+
+  Discharge during_stage() const {
+    return {last_.particles - begin_.particles, last_.sites - begin_.sites};
+  }
+  /// Sites per step between the moments at which 20 % and 70 % of what has left in the end had
+  /// left: the steady part. 0 where less than two particles have left.
+  double sites_per_step() const;
+
+ private:
+  Discharge begin_;
+  Discharge last_;
+  std::vector<std::uint64_t> sites_;  // left since the stage began, after each step
+};
+
+}  // namespace clca::measure

@@ -1,0 +1,36 @@
+#pragma once
+// The free surface and what is read off it.
+
+#include <optional>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::measure {
+
+/// Height of the free surface above the floor of the box, one value per column from the left, in
+/// lattice spacings: the top of the highest particle site there, 0 where there is none.
+std::vector<double> surface_profile(const automaton::State& state);
+
+/// Mean of the profile over the columns with particles; 0 where there are none.
+double mean_height(const std::vector<double>& profile);
+
+/// Slopes of the flanks of a pile in degrees; a flank that is not there has none.
+struct ReposeAngle {
+  std::optional<double> left;
+  std::optional<double> right;
+
+  /// Mean of the flanks that are there.
+  std::optional<double> mean() const;
+};
+
+/// Straight lines fitted by least squares to the flanks, where the surface lies between 15 % and
+/// 80 % of the pile's height (the 90th percentile of the columns with particles): a flat top or
+/// scattered grains at the toe would spoil the angle. A flank has at least 5 columns.
+ReposeAngle repose_angle(const std::vector<double>& profile);
+
+/// Particle sites over all sites that the bed could fill: per column from the floor or wall under
+/// the lowest particle up to the highest, without walls. Nothing for an empty box.
+std::optional<double> packing_fraction(const automaton::State& state);
+
+}  // namespace clca::measure

@@ -1,0 +1,153 @@
+#include "clca/measure/profile.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace clca::measure {
+
+namespace {
+
+constexpr double kFlankLow = 0.15;
+constexpr double kFlankHigh = 0.80;
+constexpr double kHeightPercentile = 0.90;
+constexpr std::size_t kFlankColumns = 5;
+constexpr double kSiteTop = 1.0;  // from the floor at y = -1/2 to the top of a site at y: y + 1
+
+/// Lowest and highest row with a particle, per column.
+struct Span {
+  int low = -1;
+  int high = -1;
+  bool empty() const { return high < 0; }
+};
+
+void for_each_site(const automaton::State& state, const std::function<void(lattice::Site)>& visit) {
+  for (const automaton::Particle& particle : state.particles) {
+    if (!particle.present) {
+      continue;
+    }
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      lattice::Site site = particle.site() + part;
+      site.column = state.lattice.wrapped(site.column);
+      visit(site);
+    }
+  }
+}
+
+std::vector<Span> column_spans(const automaton::State& state) {
+  std::vector<Span> spans(static_cast<std::size_t>(state.lattice.columns()));
+  for_each_site(state, [&](lattice::Site site) {
+    Span& span = spans[static_cast<std::size_t>(site.column)];
+    span.low = span.empty() ? site.row : std::min(span.low, site.row);
+    span.high = std::max(span.high, site.row);
+  });
+  return spans;
+}
+
+/// Height that stands for the whole pile: robust against single grains on top.
+double pile_height(const std::vector<double>& profile) {
+  std::vector<double> heights;
+  std::copy_if(profile.begin(), profile.end(), std::back_inserter(heights),
+               [](double height) { return height > 0; });
+  if (heights.empty()) {
+    return 0;
+  }
+  const auto rank =
+      static_cast<std::ptrdiff_t>(kHeightPercentile * static_cast<double>(heights.size() - 1));
+  std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
+  return heights[static_cast<std::size_t>(rank)];
+}
+
+/// Angle in degrees of the flank that falls towards the end of `profile`.
+std::optional<double> falling_flank(const std::vector<double>& profile) {
+  const double height = pile_height(profile);
+  const auto last_high = std::find_if(profile.rbegin(), profile.rend(),
+                                      [&](double value) { return value >= kFlankHigh * height; });
+  if (height <= 0 || last_high == profile.rend()) {
+    return std::nullopt;
+  }
+  const auto start = last_high.base();
+  const auto end =
+      std::find_if(start, profile.end(), [&](double value) { return value < kFlankLow * height; });
+  const auto count = static_cast<std::size_t>(end - start);
+  if (count < kFlankColumns) {
+    return std::nullopt;
+  }
+  const auto rows = static_cast<Eigen::Index>(count);
+  Eigen::MatrixX2d design(rows, 2);
+  design.col(0).setOnes();
+  design.col(1) = Eigen::VectorXd::LinSpaced(rows, 0, static_cast<double>(count - 1));
+  design.col(1) *= lattice::kColumnPitch;
+  const Eigen::Map<const Eigen::VectorXd> values(&*start, rows);
+  const Eigen::Vector2d line = design.colPivHouseholderQr().solve(values);
+  const double angle = std::atan(-line[1]) * 180.0 / std::numbers::pi;
+  return angle > 0 ? std::optional(angle) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> surface_profile(const automaton::State& state) {
+  const std::vector<Span> spans = column_spans(state);
+  std::vector<double> profile(spans.size(), 0.0);
+  for (std::size_t column = 0; column < spans.size(); ++column) {
+    if (!spans[column].empty()) {
+      const lattice::Site top = {static_cast<int>(column), spans[column].high};
+      profile[column] = lattice::position(top).y() + kSiteTop;
+    }
+  }
+  return profile;
+}
+
+double mean_height(const std::vector<double>& profile) {
+  double sum = 0;
+  double count = 0;
+  for (const double height : profile) {
+    sum += height;
+    count += height > 0 ? 1 : 0;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+std::optional<double> ReposeAngle::mean() const {
+  if (left && right) {
+    return (*left + *right) / 2;
+  }
+  return left ? left : right;
+}
+
+ReposeAngle repose_angle(const std::vector<double>& profile) {
+  const std::vector<double> mirrored(profile.rbegin(), profile.rend());
+  return {.left = falling_flank(mirrored), .right = falling_flank(profile)};
+}
+
+std::optional<double> packing_fraction(const automaton::State& state) {
+  const std::vector<Span> spans = column_spans(state);
+  std::vector<int> floor(spans.size(), -1);  // row of the highest wall site under the bed
+  std::vector<int> walled(spans.size(), 0);  // wall sites within the bed
+  for (const automaton::Wall& wall : state.walls) {
+    if (!wall.present) {
+      continue;
+    }
+    for (const lattice::Site site : wall.sites) {
+      const auto column = static_cast<std::size_t>(site.column);
+      if (site.row < spans[column].low) {
+        floor[column] = std::max(floor[column], site.row);
+      } else if (site.row < spans[column].high) {
+        ++walled[column];
+      }
+    }
+  }
+  double available = 0;
+  for (std::size_t column = 0; column < spans.size(); ++column) {
+    if (!spans[column].empty()) {
+      available += spans[column].high - floor[column] - walled[column];
+    }
+  }
+  double filled = 0;
+  for_each_site(state, [&](lattice::Site) { filled += 1; });
+  return available > 0 ? std::optional(filled / available) : std::nullopt;
+}
+
+}  // namespace clca::measure
