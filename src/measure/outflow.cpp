@@ -13,6 +13,30 @@ Discharge discharge(const automaton::State& state) {
   return total;
 }
 
+bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy) {
+  const lattice::Lattice& lattice = state.lattice;
+  bool hanging = false;
+  for (const automaton::Outlet& outlet : state.outlets) {
+    for (int column = 0; column < lattice.columns(); ++column) {
+      lattice::Site site = {column, 0};
+      if (lattice::position(site).x() < outlet.region.left ||
+          lattice::position(site).x() >= outlet.region.right) {
+        continue;
+      }
+      while (site.row < lattice.rows() &&
+             (lattice::position(site).y() < outlet.region.bottom ||
+              occupancy.owner(lattice.index(site)) == automaton::kFree)) {
+        ++site.row;
+      }
+      if (site.row == lattice.rows()) {
+        return false;
+      }
+      hanging = hanging || automaton::is_particle(occupancy.owner(lattice.index(site)));
+    }
+  }
+  return hanging;
+}
+
 void Outflow::add(Discharge total) {
   last_ = total;
   sites_.push_back(total.sites - begin_.sites);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
 
 namespace clca::measure {
@@ -15,6 +16,9 @@ struct Discharge {
 };
 
 Discharge discharge(const automaton::State& state);
+
+/// True when nothing can fall out: over every column that opens into an outlet hangs a particle.
+bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy);
 
 /// Records the discharge of a stage, step by step.
 class Outflow {

@@ -1,0 +1,58 @@
+#pragma once
+// Runs a scene from its first stage to its last and leaves a run folder.
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "clca/scene/scene.hpp"
+#include "clca/store/summary.hpp"
+
+namespace clca::run {
+
+/// A scene that cannot be run as it stands: a fill that does not fit, a picture that the driver
+/// cannot draw. what() is one line with the place in the scene file.
+class ScenePlaceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// How a run is going.
+struct Progress {
+  std::string stage;
+  std::size_t stage_number = 0;  ///< from 1
+  std::size_t stage_count = 0;
+  std::uint64_t step = 0;
+  std::size_t particles = 0;
+  double moving_share = 0;        ///< of the particles, in the last step
+  double updates_per_second = 0;  ///< particles x steps / time in steps
+  /// Seconds to the end of the stage, a guess; none while nothing can be said.
+  std::optional<double> seconds_left;
+};
+
+struct RunOptions {
+  std::filesystem::path folder;
+  int threads = 1;
+  /// Looked at once a step: when it is not zero the run ends with what it has, written whole.
+  const std::atomic<int>* stop = nullptr;
+};
+
+/// All optional; called from the thread that runs.
+struct RunEvents {
+  std::function<void(const Progress&)> progress;  ///< some ten times a second
+  std::function<void(const std::string&)> message;
+  std::function<void(const std::string&)> warning;
+};
+
+/// Throws ScenePlaceError or store::StoreError. No folder is made for a scene whose first stage
+/// cannot begin.
+store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
+                      const RunEvents& events = {});
+
+/// Version of the program, as in CMakeLists.txt.
+std::string version();
+
+}  // namespace clca::run

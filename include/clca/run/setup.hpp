@@ -1,0 +1,13 @@
+#pragma once
+// From a scene to the state it starts in.
+
+#include "clca/automaton/state.hpp"
+#include "clca/scene/scene.hpp"
+
+namespace clca::run {
+
+/// The box with its walls, sources (closed) and outlets; no particles yet. Orientations that look
+/// alike become one kind.
+automaton::State initial_state(const scene::Scene& scene);
+
+}  // namespace clca::run

@@ -1,0 +1,27 @@
+#pragma once
+// Files that appear whole or not at all.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace clca::store {
+
+/// A file or folder that cannot be read or written. what() is one line with the path and why.
+class StoreError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes beside `path`, flushes to the disk and renames. Throws StoreError; then `path` is as it
+/// was and nothing is left beside it.
+void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// All bytes of a file. Throws StoreError.
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path);
+
+}  // namespace clca::store

@@ -1,0 +1,33 @@
+#pragma once
+// The folder that a run leaves.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace clca::store {
+
+class RunFolder {
+ public:
+  /// Makes the folder if need be. Where a run.json says that a run has been here before, clears
+  /// what it has left: its pictures, tables, scene.yaml and run.json. Other files stay. Throws
+  /// StoreError.
+  explicit RunFolder(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// `frames/NAME-000120.png`
+  std::filesystem::path frame(const std::string& scene, std::uint64_t step) const;
+
+  std::filesystem::path scene() const { return path_ / "scene.yaml"; }
+  std::filesystem::path summary() const { return path_ / "run.json"; }
+  std::filesystem::path series() const { return path_ / "series.csv"; }
+  std::filesystem::path log() const { return path_ / "log.txt"; }
+  std::filesystem::path profile(const std::string& stage) const {
+    return path_ / ("profile-" + stage + ".csv");
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace clca::store

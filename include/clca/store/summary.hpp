@@ -1,0 +1,42 @@
+#pragma once
+// run.json: what a run was and what came out.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace clca::store {
+
+/// A number, yes or no, or nothing where the state has none (written as null).
+using MeasureValue = std::variant<std::monostate, double, bool>;
+using NamedMeasure = std::pair<std::string, MeasureValue>;
+
+struct StageSummary {
+  std::string name;
+  std::uint64_t steps = 0;
+  std::string ended;  ///< settled, steps, discharged, bound or interrupted
+  std::vector<NamedMeasure> measures;
+};
+
+struct RunSummary {
+  std::string version;
+  std::string scene;
+  std::uint64_t seed = 0;
+  int threads = 1;
+  std::string status;  ///< running, done, interrupted or failed
+  std::uint64_t particles = 0;
+  std::uint64_t steps = 0;
+  double wall_seconds = 0;
+  double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
+  double particle_updates_per_second = 0;
+  std::uint64_t state_hash = 0;
+  std::string compiler;
+  std::string build_type;
+  std::vector<StageSummary> stages;
+};
+
+std::string to_json(const RunSummary& summary);
+
+}  // namespace clca::store

@@ -1,0 +1,14 @@
+#pragma once
+// The commands; each sets `code` to the exit code when it has run.
+
+namespace CLI {
+class App;
+}
+
+namespace clca::cli {
+
+void add_run_command(CLI::App& app, int& code);
+void add_check_command(CLI::App& app, int& code);
+void add_diff_command(CLI::App& app, int& code);
+
+}  // namespace clca::cli

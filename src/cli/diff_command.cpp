@@ -1,0 +1,88 @@
+// clca diff: how two pictures differ.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "clca/render/compare.hpp"
+#include "clca/render/png.hpp"
+#include "clca/store/file.hpp"
+#include "commands.hpp"
+#include "exit_code.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct DiffOptions {
+  std::string first;
+  std::string second;
+  std::string out;
+  int tolerance = 0;
+  std::size_t pixels = 0;
+};
+
+render::Image read_picture(const std::string& file) {
+  try {
+    return render::decode_png(store::read_whole(file)).image;
+  } catch (const store::StoreError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+ExitCode diff(const DiffOptions& options) {
+  const render::Image first = read_picture(options.first);
+  const render::Image second = read_picture(options.second);
+  if (first.width != second.width || first.height != second.height) {
+    fmt::print("sizes differ: {} x {} and {} x {}\n", first.width, first.height, second.width,
+               second.height);
+    return ExitCode::failed;
+  }
+  const render::Difference difference = render::compare(first, second, options.tolerance);
+  if (!options.out.empty()) {
+    store::write_whole(options.out, render::encode_png(difference.picture, {}));
+  }
+  if (difference.pixels == 0) {
+    fmt::print("alike (largest channel difference {})\n", difference.largest);
+    return ExitCode::done;
+  }
+  fmt::print("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
+             difference.largest, difference.left, difference.right, difference.top,
+             difference.bottom);
+  return difference.pixels <= options.pixels ? ExitCode::done : ExitCode::failed;
+}
+
+/// As diff(), pictures that cannot be read being wrong input.
+ExitCode diff_or_complain(const DiffOptions& options) {
+  try {
+    return diff(options);
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "clca: error: {}\n", error.what());
+    return ExitCode::wrong_input;
+  }
+}
+
+}  // namespace
+
+void add_diff_command(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "diff", "Compare two pictures; exit code 0 when they are alike, 1 when they differ");
+  auto options = std::make_shared<DiffOptions>();
+  command->add_option("A", options->first, "First PNG file")->required();
+  command->add_option("B", options->second, "Second PNG file")->required();
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "Channel difference up to which two pixels count as alike")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Write a picture that shows where");
+  command->callback([options, &code] { code = static_cast<int>(diff_or_complain(*options)); });
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,60 @@
+// clca: the table of contents of the program. One command, one file.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "clca/run/run.hpp"
+#include "clca/scene/parse.hpp"
+#include "commands.hpp"
+#include "exit_code.hpp"
+
+namespace {
+
+using clca::cli::ExitCode;
+
+/// One line on standard error.
+int fail(ExitCode code, const std::string& line) {
+  fmt::print(stderr, "{}\n", line);
+  return static_cast<int>(code);
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Granular flow patterns by the Connected Lattice Cellular Automaton.", "clca");
+  app.set_version_flag("--version", "clca " + clca::run::version());
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  app.footer(
+      "Exit codes: 0 done; 1 the run failed, or pictures differ; 2 wrong input;\n"
+      "130 or 143 interrupted, with what was done so far written whole.");
+
+  int code = 0;
+  clca::cli::add_run_command(app, code);
+  clca::cli::add_check_command(app, code);
+  clca::cli::add_diff_command(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_input);
+  }
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const clca::scene::SceneError& error) {
+    return fail(ExitCode::wrong_input, error.what());
+  } catch (const clca::run::ScenePlaceError& error) {
+    return fail(ExitCode::wrong_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::failed, "clca: error: out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::failed, fmt::format("clca: error: {}", error.what()));
+  }
+}

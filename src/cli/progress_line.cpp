@@ -1,0 +1,66 @@
+#include "progress_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace clca::cli {
+
+namespace {
+
+constexpr std::chrono::seconds kPlainInterval(10);
+
+std::string to_text(const run::Progress& progress) {
+  const std::string left =
+      progress.seconds_left ? fmt::format(", about {} left", duration(*progress.seconds_left)) : "";
+  return fmt::format("{} ({}/{}): step {}, {:.1f} % moving, {:.1f} million updates/s{}",
+                     progress.stage, progress.stage_number, progress.stage_count, progress.step,
+                     100 * progress.moving_share, progress.updates_per_second / 1e6, left);
+}
+
+}  // namespace
+
+std::string duration(double seconds) {
+  constexpr double kMost = 1e9;
+  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, kMost)));
+  if (whole < 60) {
+    return fmt::format("{} s", whole);
+  }
+  if (whole < 3600) {
+    return fmt::format("{} min {} s", whole / 60, whole % 60);
+  }
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+ProgressLine::ProgressLine()
+    : terminal_(::isatty(STDERR_FILENO) != 0),
+      next_plain_(std::chrono::steady_clock::now() + kPlainInterval) {}
+
+void ProgressLine::show(const run::Progress& progress) {
+  const std::string text = to_text(progress);
+  if (terminal_) {
+    fmt::print(stderr, "\r{:<{}}", text, width_);
+    std::fflush(stderr);
+    width_ = text.size();
+  } else if (std::chrono::steady_clock::now() >= next_plain_) {
+    next_plain_ = std::chrono::steady_clock::now() + kPlainInterval;
+    fmt::print(stderr, "{}\n", text);
+  }
+}
+
+void ProgressLine::print(const std::string& line) {
+  clear();
+  fmt::print(stderr, "{}\n", line);
+}
+
+void ProgressLine::clear() {
+  if (terminal_ && width_ > 0) {
+    fmt::print(stderr, "\r{:<{}}\r", "", width_);
+    width_ = 0;
+  }
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,30 @@
+#pragma once
+// Shows how a run is going: one line that is written over on a terminal, plain lines elsewhere.
+
+#include <chrono>
+#include <string>
+
+#include "clca/run/run.hpp"
+
+namespace clca::cli {
+
+class ProgressLine {
+ public:
+  ProgressLine();
+
+  void show(const run::Progress& progress);
+  /// A line that stays, on standard error.
+  void print(const std::string& line);
+
+ private:
+  void clear();
+
+  bool terminal_;
+  std::size_t width_ = 0;  // of the line that stands there now
+  std::chrono::steady_clock::time_point next_plain_;
+};
+
+/// "12 s", "3 min 20 s", "5 h 10 min".
+std::string duration(double seconds);
+
+}  // namespace clca::cli

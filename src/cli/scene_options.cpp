@@ -1,0 +1,68 @@
+#include "scene_options.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+constexpr double kShareOfMemory = 0.8;
+constexpr double kMebibyte = 1 << 20;
+
+double available_bytes() {
+  const auto pages = static_cast<double>(::sysconf(_SC_AVPHYS_PAGES));
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+void check_memory(const scene::Scene& scene, const std::optional<std::uint64_t>& asked) {
+  const double limit = asked ? static_cast<double>(*asked) : kShareOfMemory * available_bytes();
+  const scene::Size size = scene::size_of(scene);
+  if (size.bytes > limit) {
+    throw scene::SceneError(fmt::format(
+        "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
+        "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
+        scene.box.place, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
+        limit / kMebibyte));
+  }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.file, "Scene file (YAML)")->required();
+  command
+      .add_option("--set", options.overrides,
+                  "Put VALUE (YAML) in place of what the scene says, as in rules.inertia=0 or "
+                  "stages.flow.max_steps=500; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's");
+  command.add_option("--frames-every", options.frames_every,
+                     "A picture every N steps; 0: no pictures");
+  command
+      .add_option("--memory-limit", options.memory_limit,
+                  "Refuse scenes that need more, as in 4GiB [80 % of what is free]")
+      ->transform(CLI::AsSizeValue(false));
+}
+
+scene::Scene load_scene(const SceneOptions& options) {
+  std::vector<scene::Override> overrides = options.overrides;
+  if (options.seed) {
+    overrides.push_back(fmt::format("seed={}", *options.seed));
+  }
+  if (options.frames_every.value_or(0) > 0) {
+    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
+  }
+  scene::Scene scene = scene::parse_file(options.file, overrides);
+  if (options.frames_every == std::uint64_t{0}) {
+    scene.output.frames.reset();
+  }
+  check_memory(scene, options.memory_limit);
+  return scene;
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,28 @@
+#pragma once
+// What the commands that take a scene have in common.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/scene/scene.hpp"
+
+namespace clca::cli {
+
+struct SceneOptions {
+  std::string file;
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> frames_every;
+  std::optional<std::uint64_t> memory_limit;  ///< bytes
+};
+
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// The scene with the options applied. Throws scene::SceneError, also when it would need more
+/// memory than the limit.
+scene::Scene load_scene(const SceneOptions& options);
+
+}  // namespace clca::cli

@@ -1,0 +1,27 @@
+#include "signals.hpp"
+
+#include <csignal>
+
+namespace clca::cli {
+
+namespace {
+
+std::atomic<int> caught = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only do so much");
+
+extern "C" void remember(int signal) {
+  caught = signal;
+}
+
+}  // namespace
+
+const std::atomic<int>& catch_stop_signals() {
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return caught;
+}
+
+}  // namespace clca::cli

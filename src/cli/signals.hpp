@@ -1,0 +1,12 @@
+#pragma once
+// Ctrl-C and its kin.
+
+#include <atomic>
+
+namespace clca::cli {
+
+/// From now on the first SIGINT or SIGTERM only sets the returned value to its number; the second
+/// ends the program at once.
+const std::atomic<int>& catch_stop_signals();
+
+}  // namespace clca::cli

@@ -1,0 +1,68 @@
+#include "frame_writer.hpp"
+
+#include <utility>
+
+#include "clca/store/file.hpp"
+
+namespace clca::run {
+
+namespace {
+constexpr std::size_t kMostWaiting = 4;
+}
+
+FrameWriter::FrameWriter() : thread_([this] { work(); }) {}
+
+FrameWriter::~FrameWriter() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void FrameWriter::write(std::filesystem::path path, render::Image image, render::PngText text) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
+  rethrow_failure();
+  jobs_.push_back({std::move(path), std::move(image), std::move(text)});
+  changed_.notify_all();
+}
+
+void FrameWriter::finish() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return (jobs_.empty() && !busy_) || failure_; });
+  rethrow_failure();
+}
+
+void FrameWriter::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return closing_ || !jobs_.empty(); });
+    if (jobs_.empty() || failure_) {
+      return;
+    }
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    busy_ = true;
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      store::write_whole(job.path, render::encode_png(job.image, job.text));
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    busy_ = false;
+    failure_ = failure;
+    changed_.notify_all();
+  }
+}
+
+void FrameWriter::rethrow_failure() {
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
+}
+
+}  // namespace clca::run

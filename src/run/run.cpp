@@ -1,0 +1,183 @@
+#include "clca/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clca/measure/profile.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/store/file.hpp"
+#include "log.hpp"
+#include "meter.hpp"
+#include "outputs.hpp"
+#include "stage.hpp"
+
+namespace clca::run {
+
+namespace {
+
+class Run {
+ public:
+  Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events)
+      : scene_(scene),
+        options_(options),
+        events_(events),
+        automaton_(initial_state(scene), {.threads = options.threads}),
+        outputs_(scene, automaton_.state()) {
+    prepare_stage(automaton_, scene, scene.stages.front());
+    folder_.emplace(options.folder);
+    log_.emplace(folder_->log(), events);
+  }
+
+  store::RunSummary execute();
+
+ private:
+  void run_stages();
+  void run_stage(const scene::Stage& stage, std::size_t number);
+  /// Steps until the stage ends; returns why.
+  std::string run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history);
+  void show_progress(const scene::Stage& stage, std::size_t number, double moving_share,
+                     std::optional<double> seconds_left);
+  store::RunSummary summary(const std::string& status) const;
+  void write_summary(const std::string& status) const {
+    store::write_whole(folder_->summary(), store::to_json(summary(status)));
+  }
+
+  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+  double rate() const { return step_clock_.seconds() > 0 ? updates_ / step_clock_.seconds() : 0; }
+
+  const scene::Scene& scene_;
+  const RunOptions& options_;
+  const RunEvents& events_;
+  WallClock wall_clock_;
+  Stopwatch step_clock_;
+  automaton::Automaton automaton_;
+  Outputs outputs_;
+  std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
+  std::optional<Log> log_;
+  Ticker ticker_{std::chrono::milliseconds(100)};
+  double updates_ = 0;  // particles x steps
+  std::uint64_t steps_in_stage_ = 0;
+  std::size_t moving_ = 0;  // in the last step
+  std::vector<store::StageSummary> stages_;
+};
+
+store::RunSummary Run::execute() {
+  write_summary("running");
+  try {
+    run_stages();
+  } catch (const std::exception& error) {
+    log_->error(error.what());
+    write_summary("failed");
+    throw;
+  }
+  const std::string status = stop_asked() ? "interrupted" : "done";
+  write_summary(status);
+  return summary(status);
+}
+
+void Run::run_stages() {
+  outputs_.open(*folder_);
+  if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
+    log_->warning(render::font_problem());
+  }
+  for (std::size_t i = 0; i < scene_.stages.size() && !stop_asked(); ++i) {
+    if (i > 0) {
+      prepare_stage(automaton_, scene_, scene_.stages[i]);
+    }
+    run_stage(scene_.stages[i], i + 1);
+  }
+  outputs_.finish();
+}
+
+void Run::run_stage(const scene::Stage& stage, std::size_t number) {
+  StageHistory history = {.profile_at_start = measure::surface_profile(automaton_.state()),
+                          .particles_at_start = automaton::present_count(automaton_.state()),
+                          .emitted = 0,
+                          .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
+  outputs_.begin_stage(stage, automaton_);
+  const std::string ended = run_steps(stage, number, history);
+  outputs_.end_stage(stage, automaton_, moving_, history);
+  stages_.push_back({.name = stage.name,
+                     .steps = steps_in_stage_,
+                     .ended = ended,
+                     .measures = stage_measures(scene_.measures, automaton_, history)});
+  const std::string line =
+      fmt::format("stage {}: {} steps, ended: {}", stage.name, steps_in_stage_, ended);
+  log_->info(line);
+  if (ended == "bound") {
+    log_->warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
+                              stage.name, stage.max_steps));
+  }
+}
+
+std::string Run::run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history) {
+  Forecast forecast;
+  double most_moving = 0;
+  for (steps_in_stage_ = 0; !stop_asked();) {
+    step_clock_.start();
+    const automaton::StepReport report = automaton_.step();
+    step_clock_.stop();
+    ++steps_in_stage_;
+    moving_ = report.moved;
+    history.emitted += report.emitted;
+    history.outflow.add(measure::discharge(automaton_.state()));
+    const auto particles = static_cast<double>(automaton_.state().particles.size());
+    updates_ += particles;
+    outputs_.after_step(stage, automaton_, steps_in_stage_, report.moved);
+    if (const auto ended = stage_end(stage, steps_in_stage_, report, history)) {
+      return *ended;
+    }
+    const double moving_share = static_cast<double>(report.moved) / std::max(1.0, particles);
+    most_moving = std::max(most_moving, moving_share);
+    if (ticker_.due()) {
+      forecast.update(done_share(stage, steps_in_stage_, moving_share, most_moving, history));
+      show_progress(stage, number, moving_share, forecast.seconds_left());
+    }
+  }
+  return "interrupted";
+}
+
+void Run::show_progress(const scene::Stage& stage, std::size_t number, double moving_share,
+                        std::optional<double> seconds_left) {
+  if (events_.progress) {
+    events_.progress({.stage = stage.name,
+                      .stage_number = number,
+                      .stage_count = scene_.stages.size(),
+                      .step = automaton_.state().step,
+                      .particles = automaton_.state().particles.size(),
+                      .moving_share = moving_share,
+                      .updates_per_second = rate(),
+                      .seconds_left = seconds_left});
+  }
+}
+
+store::RunSummary Run::summary(const std::string& status) const {
+  return {.version = version(),
+          .scene = scene_.name,
+          .seed = scene_.seed,
+          .threads = options_.threads,
+          .status = status,
+          .particles = automaton_.state().particles.size(),
+          .steps = automaton_.state().step,
+          .wall_seconds = wall_clock_.seconds(),
+          .step_seconds = step_clock_.seconds(),
+          .particle_updates_per_second = rate(),
+          .state_hash = automaton::hash(automaton_.state()),
+          .compiler = CLCA_COMPILER,
+          .build_type = CLCA_BUILD_TYPE,
+          .stages = stages_};
+}
+
+}  // namespace
+
+store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
+                      const RunEvents& events) {
+  return Run(scene, options, events).execute();
+}
+
+std::string version() {
+  return CLCA_VERSION;
+}
+
+}  // namespace clca::run

@@ -1,0 +1,94 @@
+#include "clca/run/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clca::run {
+
+namespace {
+
+constexpr int kDegreesPerTurn = 60;
+
+std::vector<automaton::Kind> kinds_of(const scene::Species& species, std::uint16_t number) {
+  std::vector<automaton::Kind> kinds;
+  for (const int degrees : species.orientations) {
+    automaton::Kind kind = {species.shape.rotated(degrees / kDegreesPerTurn), number};
+    const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const automaton::Kind& other) {
+      return other.shape.congruent(kind.shape);
+    });
+    if (!known) {
+      kinds.push_back(std::move(kind));
+    }
+  }
+  return kinds;
+}
+
+std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const scene::Wall& wall) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
+    return lattice::sites_in(lattice, *box);
+  }
+  return lattice::sites_along(lattice, std::get<lattice::Segment>(wall.form));
+}
+
+/// A species' weight shared among its kinds, all in whole numbers.
+std::vector<std::uint32_t> kind_weights(const automaton::State& state,
+                                        const std::vector<std::uint32_t>& species_weights) {
+  constexpr std::uint32_t kCommon = 60;  // divisible by 1 to 6
+  std::vector<std::uint32_t> count(species_weights.size(), 0);
+  for (const automaton::Kind& kind : state.kinds) {
+    ++count[kind.species];
+  }
+  std::vector<std::uint32_t> weights;
+  for (const automaton::Kind& kind : state.kinds) {
+    weights.push_back(species_weights[kind.species] * (kCommon / count[kind.species]));
+  }
+  return weights;
+}
+
+automaton::Source make_source(const automaton::State& state, const scene::Source& source) {
+  automaton::Source result;
+  if (const auto* point = std::get_if<Eigen::Vector2d>(&source.place)) {
+    result.sites = {lattice::nearest_site(*point)};
+  } else {
+    result.sites = lattice::sites_in(state.lattice, std::get<lattice::Rectangle>(source.place));
+  }
+  result.weights = kind_weights(state, source.weights);
+  result.rate = static_cast<std::uint64_t>(std::llround(source.rate * 0x1p32));
+  result.count = source.count.value_or(std::numeric_limits<std::uint64_t>::max());
+  return result;
+}
+
+}  // namespace
+
+automaton::State initial_state(const scene::Scene& scene) {
+  automaton::State state{
+      .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
+      .rules = scene.rules,
+      .seed = scene.seed,
+      .step = 0,
+      .kinds = {},
+      .particles = {},
+      .origins = {},
+      .walls = {},
+      .sources = {},
+      .outlets = {}};
+  for (std::size_t number = 0; number < scene.species.size(); ++number) {
+    for (automaton::Kind& kind :
+         kinds_of(scene.species[number], static_cast<std::uint16_t>(number))) {
+      state.kinds.push_back(std::move(kind));
+    }
+  }
+  for (const scene::Wall& wall : scene.walls) {
+    state.walls.push_back({.sites = wall_sites(state.lattice, wall), .present = true});
+  }
+  for (const scene::Source& source : scene.sources) {
+    state.sources.push_back(make_source(state, source));
+  }
+  for (const scene::Outlet& outlet : scene.outlets) {
+    state.outlets.push_back({.region = outlet.region});
+  }
+  return state;
+}
+
+}  // namespace clca::run

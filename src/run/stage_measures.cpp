@@ -1,0 +1,96 @@
+#include "stage_measures.hpp"
+
+#include "clca/measure/displacement.hpp"
+#include "clca/measure/profile.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+namespace {
+
+using Results = std::vector<store::NamedMeasure>;
+
+store::MeasureValue value_or_null(const std::optional<double>& value) {
+  return value ? store::MeasureValue(*value) : store::MeasureValue();
+}
+
+void add_repose(Results& results, const automaton::State& state) {
+  const auto angle = measure::repose_angle(measure::surface_profile(state));
+  results.emplace_back("repose_angle_deg", value_or_null(angle.mean()));
+  results.emplace_back("repose_left_deg", value_or_null(angle.left));
+  results.emplace_back("repose_right_deg", value_or_null(angle.right));
+}
+
+void add_runout(Results& results, const automaton::State& state) {
+  const auto runout = measure::runout(state);
+  results.emplace_back("runout_99",
+                       runout ? store::MeasureValue(runout->percent_99) : store::MeasureValue());
+  results.emplace_back("runout_front",
+                       runout ? store::MeasureValue(runout->front) : store::MeasureValue());
+}
+
+void add_packing(Results& results, const automaton::State& state) {
+  results.emplace_back("packing_fraction", value_or_null(measure::packing_fraction(state)));
+  results.emplace_back("height_mean", measure::mean_height(measure::surface_profile(state)));
+}
+
+void add_moved(Results& results, const automaton::State& state) {
+  results.emplace_back("moved_share",
+                       measure::moved_share(state, measure::smallest_diameter(state)));
+  results.emplace_back("moved_share_2", measure::moved_share(state, 2));
+}
+
+void add_outflow(Results& results, const automaton::Automaton& automaton,
+                 const StageHistory& history) {
+  results.emplace_back("outflow_sites_per_step", history.outflow.sites_per_step());
+  if (!automaton.state().outlets.empty()) {
+    results.emplace_back("discharged_share", history.discharged_share());
+    results.emplace_back("clogged", measure::blocked(automaton.state(), automaton.occupancy()));
+  }
+}
+
+}  // namespace
+
+double StageHistory::discharged_share() const {
+  const auto all = static_cast<double>(particles_at_start + emitted);
+  return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
+}
+
+Results stage_measures(const std::vector<scene::Measure>& wanted,
+                       const automaton::Automaton& automaton, const StageHistory& history) {
+  const automaton::State& state = automaton.state();
+  Results results;
+  for (const scene::Measure measure : wanted) {
+    switch (measure) {
+      case scene::Measure::profile:
+        break;  // a table of its own
+      case scene::Measure::repose:
+        add_repose(results, state);
+        break;
+      case scene::Measure::runout:
+        add_runout(results, state);
+        break;
+      case scene::Measure::packing:
+        add_packing(results, state);
+        break;
+      case scene::Measure::moved:
+        add_moved(results, state);
+        break;
+      case scene::Measure::outflow:
+        add_outflow(results, automaton, history);
+        break;
+    }
+  }
+  return results;
+}
+
+std::string profile_table(const std::vector<double>& start, const std::vector<double>& end) {
+  store::Table table({"x", "height_start", "height_end"});
+  for (std::size_t column = 0; column < end.size(); ++column) {
+    table.add_row(
+        {lattice::kColumnPitch * static_cast<double>(column), start[column], end[column]});
+  }
+  return table.to_csv();
+}
+
+}  // namespace clca::run

@@ -1,0 +1,31 @@
+#pragma once
+// The measures that a scene asks for, taken at the end of a stage.
+
+#include <vector>
+
+#include "clca/automaton/automaton.hpp"
+#include "clca/measure/outflow.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/summary.hpp"
+
+namespace clca::run {
+
+/// What is known of a stage besides its final state.
+struct StageHistory {
+  std::vector<double> profile_at_start;  ///< measure::surface_profile
+  std::size_t particles_at_start = 0;
+  std::size_t emitted = 0;
+  measure::Outflow outflow;
+
+  /// Share of the particles that were or came in during the stage that have left.
+  double discharged_share() const;
+};
+
+std::vector<store::NamedMeasure> stage_measures(const std::vector<scene::Measure>& wanted,
+                                                const automaton::Automaton& automaton,
+                                                const StageHistory& history);
+
+/// Columns x, height_start, height_end: lattice spacings, one line per lattice column.
+std::string profile_table(const std::vector<double>& start, const std::vector<double>& end);
+
+}  // namespace clca::run

@@ -1,0 +1,70 @@
+#include "clca/store/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <vector>
+
+#include "clca/store/file.hpp"
+
+namespace clca::store {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `act` with an error code and turns a failure into a StoreError.
+template <class Act>
+void checked(const char* what, const fs::path& path, Act act) {
+  std::error_code error;
+  act(error);
+  if (error) {
+    throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), error.message()));
+  }
+}
+
+/// The files that a run writes itself: NAME-000120.png, or named as RunFolder names them.
+bool is_frame(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t dash = stem.rfind('-');
+  return file.extension() == ".png" && dash != std::string::npos && stem.size() - dash > 6 &&
+         stem.find_first_not_of("0123456789", dash + 1) == std::string::npos;
+}
+
+bool is_table(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name == "series.csv" || name == "run.json" || name == "scene.yaml" || name == "log.txt" ||
+         (name.starts_with("profile-") && file.extension() == ".csv");
+}
+
+void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {
+  std::vector<fs::path> found;
+  checked("read the folder", folder, [&](std::error_code& error) {
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      if (matches(it->path())) {
+        found.push_back(it->path());
+      }
+    }
+  });
+  for (const fs::path& file : found) {
+    checked("remove", file, [&](std::error_code& error) { fs::remove(file, error); });
+  }
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
+  const fs::path frames = path_ / "frames";
+  checked("make the folder", frames,
+          [&](std::error_code& error) { fs::create_directories(frames, error); });
+  if (fs::exists(summary())) {
+    remove_matching(frames, is_frame);
+    remove_matching(path_, is_table);
+  }
+}
+
+fs::path RunFolder::frame(const std::string& scene, std::uint64_t step) const {
+  return path_ / "frames" / fmt::format("{}-{:06}.png", scene, step);
+}
+
+}  // namespace clca::store
