@@ -1,0 +1,23 @@
+# Installs the program, the scenes and the library; others use it by find_package(clca).
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clca)
+
+if(TARGET clca_program)
+  install(TARGETS clca_program RUNTIME)
+endif()
+install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/scenes
+        FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
+
+install(TARGETS clca EXPORT clcaTargets ARCHIVE)
+install(DIRECTORY include/ TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT clcaTargets NAMESPACE clca:: DESTINATION ${package_dir})
+
+# Version 0 promises nothing beyond its minor version.
+write_basic_package_version_file(clcaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+file(WRITE ${PROJECT_BINARY_DIR}/clcaConfig.cmake
+     [[include(${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/clcaTargets.cmake)
+]])
+install(FILES ${PROJECT_BINARY_DIR}/clcaConfig.cmake ${PROJECT_BINARY_DIR}/clcaConfigVersion.cmake
+              cmake/Dependencies.cmake
+        DESTINATION ${package_dir})

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "fill.hpp"
-#include "source.hpp"
-#include "stepper.hpp"
+#include "automaton/fill.hpp"
+#include "automaton/source.hpp"
+#include "automaton/stepper.hpp"
 
 namespace clca::automaton {
 

@@ -23,15 +23,6 @@ class AwakeSet {
     }
   }
 
-  bool empty() const {
-    for (const std::uint64_t word : words_) {
-      if (word != 0) {
-        return false;
-      }
-    }
-    return true;
-  }
-
   /// Moves all ids into `ids`, ascending.
   void drain(std::vector<std::uint32_t>& ids) {
     ids.clear();

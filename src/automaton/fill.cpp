@@ -1,4 +1,4 @@
-#include "fill.hpp"
+#include "automaton/fill.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,10 +1,10 @@
-#include "source.hpp"
+#include "automaton/source.hpp"
 
 #include <algorithm>
 #include <numeric>
 
+#include "automaton/fill.hpp"
 #include "clca/random/draw.hpp"
-#include "fill.hpp"
 
 namespace clca::automaton {
 

@@ -1,4 +1,4 @@
-#include "stepper.hpp"
+#include "automaton/stepper.hpp"
 
 #include <algorithm>
 #include <span>

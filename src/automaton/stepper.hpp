@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "active_rule.hpp"
-#include "awake_set.hpp"
-#include "claims.hpp"
+#include "automaton/active_rule.hpp"
+#include "automaton/awake_set.hpp"
+#include "automaton/claims.hpp"
+#include "automaton/update_order.hpp"
 #include "clca/automaton/automaton.hpp"
 #include "clca/automaton/footprint.hpp"
 #include "clca/automaton/occupancy.hpp"
-#include "update_order.hpp"
 
 namespace clca::automaton {
 

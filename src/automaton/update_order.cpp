@@ -1,4 +1,4 @@
-#include "update_order.hpp"
+#include "automaton/update_order.hpp"
 
 #include "clca/random/draw.hpp"
 

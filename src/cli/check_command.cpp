@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "clca/scene/resolve.hpp"
-#include "commands.hpp"
-#include "exit_code.hpp"
-#include "scene_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/scene_options.hpp"
 
 namespace clca::cli {
 

@@ -9,8 +9,8 @@
 #include "clca/render/compare.hpp"
 #include "clca/render/png.hpp"
 #include "clca/store/file.hpp"
-#include "commands.hpp"
-#include "exit_code.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 
 namespace clca::cli {
 

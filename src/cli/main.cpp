@@ -9,8 +9,9 @@
 
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
-#include "commands.hpp"
-#include "exit_code.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/signals.hpp"
 
 namespace {
 
@@ -46,6 +47,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  clca::cli::ignore_file_size_signal();
   try {
     return run_program(argc, argv);
   } catch (const clca::scene::SceneError& error) {

@@ -7,11 +7,11 @@
 #include <thread>
 
 #include "clca/run/run.hpp"
-#include "commands.hpp"
-#include "exit_code.hpp"
-#include "progress_line.hpp"
-#include "scene_options.hpp"
-#include "signals.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/signals.hpp"
 
 namespace clca::cli {
 
@@ -47,8 +47,8 @@ int run_scene(const RunCommandOptions& options) {
   if (!options.quiet) {
     print_totals(summary, folder);
   }
-  return stop == 0 ? static_cast<int>(ExitCode::done)
-                   : static_cast<int>(ExitCode::signal_base) + stop;
+  return summary.status == "done" ? static_cast<int>(ExitCode::done)
+                                  : static_cast<int>(ExitCode::signal_base) + stop;
 }
 
 }  // namespace

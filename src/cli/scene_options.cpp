@@ -1,4 +1,4 @@
-#include "scene_options.hpp"
+#include "cli/scene_options.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -9,4 +9,7 @@ namespace clca::cli {
 /// ends the program at once.
 const std::atomic<int>& catch_stop_signals();
 
+/// A file that would pass the limit on its size is an error of that write, not the end.
+void ignore_file_size_signal();
+
 }  // namespace clca::cli

@@ -102,7 +102,7 @@ bool on_or_inside(std::span<const Axial> corners, Axial site) {
     }
     if ((from.q > site.q) != (to.q > site.q)) {
       const bool left = cross(from, to, site) > 0;
-      inside ^= left == (to.q > from.q);
+      inside = inside != (left == (to.q > from.q));
     }
   }
   return inside;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kFlankLow = 0.15;
 constexpr double kFlankHigh = 0.80;
-constexpr double kHeightPercentile = 0.90;
 constexpr std::size_t kFlankColumns = 5;
 constexpr double kSiteTop = 1.0;  // from the floor at y = -1/2 to the top of a site at y: y + 1
 
@@ -46,44 +45,43 @@ std::vector<Span> column_spans(const automaton::State& state) {
   return spans;
 }
 
-/// Height that stands for the whole pile: robust against single grains on top.
-double pile_height(const std::vector<double>& profile) {
-  std::vector<double> heights;
-  std::copy_if(profile.begin(), profile.end(), std::back_inserter(heights),
-               [](double height) { return height > 0; });
-  if (heights.empty()) {
-    return 0;
-  }
-  const auto rank =
-      static_cast<std::ptrdiff_t>(kHeightPercentile * static_cast<double>(heights.size() - 1));
-  std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
-  return heights[static_cast<std::size_t>(rank)];
-}
-
-/// Angle in degrees of the flank that falls towards the end of `profile`.
-std::optional<double> falling_flank(const std::vector<double>& profile) {
-  const double height = pile_height(profile);
-  const auto last_high = std::find_if(profile.rbegin(), profile.rend(),
-                                      [&](double value) { return value >= kFlankHigh * height; });
-  if (height <= 0 || last_high == profile.rend()) {
-    return std::nullopt;
-  }
-  const auto start = last_high.base();
-  const auto end =
-      std::find_if(start, profile.end(), [&](double value) { return value < kFlankLow * height; });
-  const auto count = static_cast<std::size_t>(end - start);
-  if (count < kFlankColumns) {
-    return std::nullopt;
-  }
-  const auto rows = static_cast<Eigen::Index>(count);
+/// Angle in degrees of the line of least squares through the points; none if it does not fall.
+std::optional<double> falling_slope(const std::vector<double>& x,
+                                    const std::vector<double>& height) {
+  const auto rows = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX2d design(rows, 2);
   design.col(0).setOnes();
-  design.col(1) = Eigen::VectorXd::LinSpaced(rows, 0, static_cast<double>(count - 1));
-  design.col(1) *= lattice::kColumnPitch;
-  const Eigen::Map<const Eigen::VectorXd> values(&*start, rows);
+  design.col(1) = Eigen::Map<const Eigen::VectorXd>(x.data(), rows);
+  const Eigen::Map<const Eigen::VectorXd> values(height.data(), rows);
   const Eigen::Vector2d line = design.colPivHouseholderQr().solve(values);
   const double angle = std::atan(-line[1]) * 180.0 / std::numbers::pi;
   return angle > 0 ? std::optional(angle) : std::nullopt;
+}
+
+/// Angle in degrees of the flank that falls towards the end of `profile`: a line through all
+/// columns beyond the middle of the top that lie between the bounds.
+std::optional<double> falling_flank(const std::vector<double>& profile) {
+  const double highest = *std::max_element(profile.begin(), profile.end());
+  const double high = kFlankHigh * highest;
+  const double low = kFlankLow * highest;
+  double top_sum = 0;
+  double top_count = 0;
+  for (std::size_t column = 0; column < profile.size(); ++column) {
+    if (profile[column] >= high) {
+      top_sum += static_cast<double>(column);
+      top_count += 1;
+    }
+  }
+  std::vector<double> x;
+  std::vector<double> height;
+  for (std::size_t column = 0; column < profile.size(); ++column) {
+    if (static_cast<double>(column) * top_count > top_sum && profile[column] < high &&
+        profile[column] >= low) {
+      x.push_back(lattice::kColumnPitch * static_cast<double>(column));
+      height.push_back(profile[column]);
+    }
+  }
+  return x.size() >= kFlankColumns ? falling_slope(x, height) : std::nullopt;
 }
 
 }  // namespace

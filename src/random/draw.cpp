@@ -30,7 +30,7 @@ std::uint64_t below(std::uint64_t bits, std::uint64_t count) {
   return static_cast<std::uint64_t>((static_cast<Uint128>(bits) * count) >> 64U);
 }
 
-Probability::Probability(double value) : threshold_(0) {
+Probability::Probability(double value) {
   if (!(value >= 0.0 && value <= 1.0)) {
     throw std::invalid_argument("a probability lies in [0, 1]");
   }

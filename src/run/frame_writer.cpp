@@ -1,4 +1,4 @@
-#include "frame_writer.hpp"
+#include "run/frame_writer.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "log.hpp"
+#include "run/log.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/basic_file_sink.h>

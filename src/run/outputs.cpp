@@ -1,4 +1,4 @@
-#include "outputs.hpp"
+#include "run/outputs.hpp"
 
 #include <algorithm>
 

@@ -6,9 +6,9 @@
 #include "clca/automaton/automaton.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
-#include "pictures.hpp"
-#include "series.hpp"
-#include "stage_measures.hpp"
+#include "run/pictures.hpp"
+#include "run/series.hpp"
+#include "run/stage_measures.hpp"
 
 namespace clca::run {
 

@@ -1,4 +1,4 @@
-#include "pictures.hpp"
+#include "run/pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,6 @@
 namespace clca::run {
 
 namespace {
-
-lattice::Rectangle whole_box(const lattice::Lattice& lattice) {
-  // A spacing around the outermost sites, so that floor and side walls show.
-  return {.left = -1.5,
-          .bottom = -1.5,
-          .right = lattice::kColumnPitch * (lattice.columns() - 1) + 1.5,
-          .top = static_cast<double>(lattice.rows())};
-}
 
 render::Drawing drawing_of(scene::Drawing drawing) {
   switch (drawing) {
@@ -36,7 +28,7 @@ render::Painter make_painter(const scene::Scene& scene, const automaton::State& 
                                .height = frames.height,
                                .supersampling = frames.supersampling,
                                .drawing = drawing_of(frames.drawing),
-                               .view = frames.view.value_or(whole_box(state.lattice)),
+                               .view = frames.view.value_or(render::whole_box(state.lattice)),
                                .annotations = frames.caption};
   try {
     return {style, state.lattice, state.kinds};

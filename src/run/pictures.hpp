@@ -9,7 +9,7 @@
 #include "clca/render/painter.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
-#include "frame_writer.hpp"
+#include "run/frame_writer.hpp"
 
 namespace clca::run {
 

@@ -7,14 +7,16 @@
 #include "clca/measure/profile.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
-#include "log.hpp"
-#include "meter.hpp"
-#include "outputs.hpp"
-#include "stage.hpp"
+#include "run/log.hpp"
+#include "run/meter.hpp"
+#include "run/outputs.hpp"
+#include "run/stage.hpp"
 
 namespace clca::run {
 
 namespace {
+
+constexpr const char* kInterrupted = "interrupted";
 
 class Run {
  public:
@@ -71,7 +73,9 @@ store::RunSummary Run::execute() {
     write_summary("failed");
     throw;
   }
-  const std::string status = stop_asked() ? "interrupted" : "done";
+  const bool complete =
+      stages_.size() == scene_.stages.size() && stages_.back().ended != kInterrupted;
+  const std::string status = complete ? "done" : kInterrupted;
   write_summary(status);
   return summary(status);
 }
@@ -135,7 +139,7 @@ std::string Run::run_steps(const scene::Stage& stage, std::size_t number, StageH
       show_progress(stage, number, moving_share, forecast.seconds_left());
     }
   }
-  return "interrupted";
+  return kInterrupted;
 }
 
 void Run::show_progress(const scene::Stage& stage, std::size_t number, double moving_share,

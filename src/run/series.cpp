@@ -1,4 +1,4 @@
-#include "series.hpp"
+#include "run/series.hpp"
 
 #include "clca/measure/outflow.hpp"
 

@@ -65,14 +65,7 @@ automaton::State initial_state(const scene::Scene& scene) {
   automaton::State state{
       .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
       .rules = scene.rules,
-      .seed = scene.seed,
-      .step = 0,
-      .kinds = {},
-      .particles = {},
-      .origins = {},
-      .walls = {},
-      .sources = {},
-      .outlets = {}};
+      .seed = scene.seed};
   for (std::size_t number = 0; number < scene.species.size(); ++number) {
     for (automaton::Kind& kind :
          kinds_of(scene.species[number], static_cast<std::uint16_t>(number))) {

@@ -1,4 +1,4 @@
-#include "stage.hpp"
+#include "run/stage.hpp"
 
 #include <fmt/format.h>
 

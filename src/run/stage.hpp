@@ -6,7 +6,7 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/scene/scene.hpp"
-#include "stage_measures.hpp"
+#include "run/stage_measures.hpp"
 
 namespace clca::run {
 

@@ -1,4 +1,4 @@
-#include "stage_measures.hpp"
+#include "run/stage_measures.hpp"
 
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"

@@ -25,7 +25,7 @@ struct Options {
   /// Threads to use; the result does not depend on it.
   int threads = 1;
   /// Steps with fewer awake particles run on one thread.
-  std::size_t parallel_from = 4096;
+  std::size_t parallel_from = 32768;
   /// Look at every particle in every step, also at those that cannot move. For checks only.
   bool sleeping = true;
 };
@@ -42,6 +42,8 @@ class Automaton {
   /// Throws std::invalid_argument when the state is not valid (see Occupancy).
   explicit Automaton(State state, Options options = {});
   ~Automaton();
+  Automaton(const Automaton&) = delete;
+  Automaton& operator=(const Automaton&) = delete;
   Automaton(Automaton&&) noexcept;
   Automaton& operator=(Automaton&&) noexcept;
 

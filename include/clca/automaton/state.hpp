@@ -37,7 +37,7 @@ struct Particle {
 
 /// A fixed obstacle; its sites lie inside the box.
 struct Wall {
-  std::vector<lattice::Site> sites;
+  std::vector<lattice::Site> sites = {};
   bool present = true;
 
   bool operator==(const Wall&) const = default;
@@ -45,11 +45,11 @@ struct Wall {
 
 /// Emits particles while it is open.
 struct Source {
-  std::vector<lattice::Site> sites;    ///< where the reference site of a new particle may lie
-  std::vector<std::uint32_t> weights;  ///< per kind; a kind is drawn in proportion
-  std::uint64_t rate = 0;              ///< particles per step, times 2^32
-  std::uint64_t count = 0;             ///< closes for good after so many particles
-  std::uint64_t credit = 0;            ///< particles due, times 2^32
+  std::vector<lattice::Site> sites = {};  ///< where the reference site of a new particle may lie
+  std::vector<std::uint32_t> weights;     ///< per kind; a kind is drawn in proportion
+  std::uint64_t rate = 0;                 ///< particles per step, times 2^32
+  std::uint64_t count = 0;                ///< closes for good after so many particles
+  std::uint64_t credit = 0;               ///< particles due, times 2^32
   std::uint64_t emitted = 0;
   bool open = false;
 
@@ -59,7 +59,7 @@ struct Source {
 
 /// Removes and counts every particle that lies wholly inside.
 struct Outlet {
-  lattice::Rectangle region;
+  lattice::Rectangle region = {};
   std::uint64_t particles = 0;
   std::uint64_t sites = 0;
 
@@ -68,16 +68,16 @@ struct Outlet {
 
 struct State {
   lattice::Lattice lattice;
-  Rules rules;
+  Rules rules = {};
   std::uint64_t seed = 0;
   std::uint64_t step = 0;
-  std::vector<Kind> kinds;
-  std::vector<Particle> particles;
+  std::vector<Kind> kinds = {};
+  std::vector<Particle> particles = {};
   /// Where each particle was when the stage began or when it entered, by id.
-  std::vector<lattice::Site> origins;
-  std::vector<Wall> walls;
-  std::vector<Source> sources;
-  std::vector<Outlet> outlets;
+  std::vector<lattice::Site> origins = {};
+  std::vector<Wall> walls = {};
+  std::vector<Source> sources = {};
+  std::vector<Outlet> outlets = {};
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;

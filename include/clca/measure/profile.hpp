@@ -24,9 +24,9 @@ struct ReposeAngle {
   std::optional<double> mean() const;
 };
 
-/// Straight lines fitted by least squares to the flanks, where the surface lies between 15 % and
-/// 80 % of the pile's height (the 90th percentile of the columns with particles): a flat top or
-/// scattered grains at the toe would spoil the angle. A flank has at least 5 columns.
+/// Straight lines fitted by least squares to the columns on either side of the top whose height is
+/// between 15 % and 80 % of the highest column's: a flat top or scattered grains at the toe would
+/// spoil the angle. A flank has at least 5 columns.
 ReposeAngle repose_angle(const std::vector<double>& profile);
 
 /// Particle sites over all sites that the bed could fill: per column from the floor or wall under

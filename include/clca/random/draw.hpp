@@ -39,7 +39,7 @@ class Probability {
   bool operator==(const Probability&) const = default;
 
  private:
-  std::uint64_t threshold_;  // of 2^63
+  std::uint64_t threshold_ = 0;  // of 2^63
 };
 
 }  // namespace clca::random

@@ -28,7 +28,8 @@ struct Style {
   int height = 720;
   int supersampling = 2;  ///< samples a pixel along each axis, 1 to 4
   Drawing drawing = Drawing::automatic;
-  lattice::Rectangle view;  ///< part of the plane to show, lattice spacings
+  /// Part of the plane to show, lattice spacings. Left empty: all of the box (whole_box).
+  lattice::Rectangle view;
   bool annotations = true;  ///< captions, scale bar, legend; needs a font
 };
 
@@ -74,6 +75,9 @@ class Painter {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The box and its frame, floor and side walls drawn a few spacings thick.
+lattice::Rectangle whole_box(const lattice::Lattice& lattice);
 
 /// Warning that annotations cannot be drawn, empty when they can: no font was found.
 std::string font_problem();

@@ -42,9 +42,9 @@ struct RunOptions {
 
 /// All optional; called from the thread that runs.
 struct RunEvents {
-  std::function<void(const Progress&)> progress;  ///< some ten times a second
-  std::function<void(const std::string&)> message;
-  std::function<void(const std::string&)> warning;
+  std::function<void(const Progress&)> progress = {};  ///< some ten times a second
+  std::function<void(const std::string&)> message = {};
+  std::function<void(const std::string&)> warning = {};
 };
 
 /// Throws ScenePlaceError or store::StoreError. No folder is made for a scene whose first stage

@@ -1,6 +1,7 @@
 #pragma once
 // A scene: everything about a run, as plain validated values. Lengths in lattice spacings from the
-// lower left site, time in steps, angles in degrees.
+// lower left site, time in steps, angles in degrees. Scenes are equal when they say the same, under
+// whatever file name and wherever in it.
 
 #include <cstdint>
 #include <map>
@@ -27,20 +28,31 @@ struct Box {
   double width = 0;
   double height = 0;
   bool periodic = false;
+  std::string place;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
+
+  bool operator==(const Box& other) const;
 };
 
 struct HexagonSpec {
   int radius = 0;
+
+  bool operator==(const HexagonSpec&) const = default;
 };
 struct SitesSpec {
   std::vector<lattice::Axial> sites;
+
+  bool operator==(const SitesSpec&) const = default;
 };
 struct PolygonSpec {
   std::vector<lattice::Axial> corners;
+
+  bool operator==(const PolygonSpec&) const = default;
 };
 struct RodSpec {
   int radius = 0;
   int length = 1;
+
+  bool operator==(const RodSpec&) const = default;
 };
 using ShapeSpec = std::variant<HexagonSpec, SitesSpec, PolygonSpec, RodSpec>;
 
@@ -50,11 +62,15 @@ struct Species {
   lattice::Shape shape;
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
   std::optional<Color> color;           ///< none: from the default palette
+
+  bool operator==(const Species&) const = default;
 };
 
 struct Wall {
   std::string name;
   std::variant<lattice::Rectangle, lattice::Segment> form;
+
+  bool operator==(const Wall& other) const;
 };
 
 struct Source {
@@ -63,25 +79,38 @@ struct Source {
   std::vector<std::uint32_t> weights;  ///< per species, not all zero
   double rate = 0;                     ///< particles per step
   std::optional<std::uint64_t> count;  ///< none: goes on for ever
+
+  bool operator==(const Source&) const = default;
 };
 
 struct Outlet {
   std::string name;
   lattice::Rectangle region;
+
+  bool operator==(const Outlet&) const = default;
 };
 
 struct Fill {
   lattice::Rectangle region;
   std::vector<std::size_t> counts;  ///< per species
+  std::string place;
+
+  bool operator==(const Fill& other) const;
 };
 
-struct UntilSettled {};
+struct UntilSettled {
+  bool operator==(const UntilSettled&) const = default;
+};
 struct UntilSteps {
   std::uint64_t steps = 0;
+
+  bool operator==(const UntilSteps&) const = default;
 };
 /// Ends when this share of the particles that were or came in during the stage has left.
 struct UntilDischarged {
   double share = 0;
+
+  bool operator==(const UntilDischarged&) const = default;
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged>;
 
@@ -92,6 +121,8 @@ struct Stage {
   std::vector<std::size_t> sources;  ///< open during this stage, by index
   Until until;
   std::uint64_t max_steps = 1'000'000;
+
+  bool operator==(const Stage&) const = default;
 };
 
 enum class Measure : std::uint8_t { profile, repose, runout, packing, moved, outflow };
@@ -104,20 +135,27 @@ struct Frames {
   int width = 1280;
   int height = 720;
   ColorBy color_by = ColorBy::species;
-  int layers = 8;  ///< for ColorBy::stage_layer
-  std::optional<lattice::Rectangle> view;  ///< none: the whole box
+  int layers = 8;                               ///< for ColorBy::stage_layer
+  std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
   Drawing drawing = Drawing::automatic;
   int supersampling = 2;
   bool caption = true;
+  std::string place;
+
+  bool operator==(const Frames& other) const;
 };
 
 struct Series {
   std::uint64_t every = 1;
+
+  bool operator==(const Series&) const = default;
 };
 
 struct Output {
   std::optional<Frames> frames;
   std::optional<Series> series;
+
+  bool operator==(const Output&) const = default;
 };
 
 struct Scene {
@@ -133,6 +171,8 @@ struct Scene {
   std::vector<Stage> stages;
   std::vector<Measure> measures;
   Output output;
+
+  bool operator==(const Scene& other) const;
 };
 
 }  // namespace clca::scene

@@ -1,0 +1,169 @@
+#include "render/body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <map>
+#include <utility>
+
+namespace clca::render {
+
+namespace {
+
+using lattice::Axial;
+
+/// Half of the cell of the half-spacing lattice whose lower left corner is `cell`.
+struct SmallTriangle {
+  Axial cell;
+  bool upper = false;
+
+  auto operator<=>(const SmallTriangle&) const = default;
+
+  /// Anticlockwise.
+  std::array<Axial, 3> corners() const {
+    const Axial right = cell + Axial{1, 0};
+    const Axial above = cell + Axial{0, 1};
+    return upper ? std::array{cell + Axial{1, 1}, above, right} : std::array{cell, right, above};
+  }
+};
+
+template <class T>
+void sort_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+void add_around(Axial point, std::vector<SmallTriangle>& triangles) {
+  const auto [x, q] = point;
+  triangles.insert(triangles.end(), {{{x, q}, false},
+                                     {{x - 1, q}, false},
+                                     {{x, q - 1}, false},
+                                     {{x - 1, q - 1}, true},
+                                     {{x, q - 1}, true},
+                                     {{x - 1, q}, true}});
+}
+
+std::vector<SmallTriangle> small_triangles(const lattice::Shape& shape) {
+  std::vector<SmallTriangle> triangles;
+  for (const Axial site : shape.sites()) {
+    const Axial point = site + site;
+    add_around(point, triangles);
+    for (const lattice::Direction direction :
+         {lattice::Direction::up, lattice::Direction::up_right, lattice::Direction::down_right}) {
+      const Axial step = lattice::unit(direction);
+      if (shape.contains(site + step)) {
+        add_around(point + step, triangles);
+      }
+    }
+  }
+  sort_unique(triangles);
+  return triangles;
+}
+
+GridPoint grid_point_of(Axial point) {
+  return {point.x, 2 * point.q + point.x};
+}
+
+using Edge = std::pair<Axial, Axial>;
+
+/// Edges of one triangle only, from each start to its ends.
+std::multimap<Axial, Axial> boundary(const std::vector<SmallTriangle>& triangles) {
+  std::vector<Edge> edges;
+  for (const SmallTriangle& triangle : triangles) {
+    const auto corners = triangle.corners();
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.emplace_back(corners[i], corners[(i + 1) % 3]);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::multimap<Axial, Axial> result;
+  for (const auto& [from, to] : edges) {
+    if (!std::binary_search(edges.begin(), edges.end(), Edge{to, from})) {
+      result.emplace(from, to);
+    }
+  }
+  return result;
+}
+
+/// Takes a closed way out of `edges`.
+std::vector<Axial> take_loop(std::multimap<Axial, Axial>& edges) {
+  std::vector<Axial> loop;
+  for (auto edge = edges.begin(); edge != edges.end(); edge = edges.find(loop.back())) {
+    loop.push_back(edge->second);
+    edges.erase(edge);
+  }
+  return loop;
+}
+
+Outline without_straight_corners(const std::vector<Axial>& loop) {
+  Outline outline;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Axial before = loop[(i + loop.size() - 1) % loop.size()];
+    const Axial after = loop[(i + 1) % loop.size()];
+    if (loop[i] - before != after - loop[i]) {
+      outline.push_back(grid_point_of(loop[i]));
+    }
+  }
+  return outline;
+}
+
+/// The triangles from `first` to `last`, without a gap above each other.
+Trapezoid column_piece(const SmallTriangle& first, const SmallTriangle& last) {
+  const int left = first.cell.x;
+  const int low = grid_point_of(first.cell).v;
+  const int high = grid_point_of(last.cell).v + 2;
+  return {.left_low = {left, first.upper ? low + 2 : low},
+          .left_high = {left, high},
+          .right_low = {left + 1, low + 1},
+          .right_high = {left + 1, last.upper ? high + 1 : high - 1}};
+}
+
+/// Whether the edge from `a` to `b` goes straight on to `c`.
+bool straight(GridPoint a, GridPoint b, GridPoint c) {
+  return (b.v - a.v) * (c.u - b.u) == (c.v - b.v) * (b.u - a.u);
+}
+
+bool continues(const Trapezoid& left, const Trapezoid& right) {
+  return left.right_low == right.left_low && left.right_high == right.left_high &&
+         straight(left.left_low, left.right_low, right.right_low) &&
+         straight(left.left_high, left.right_high, right.right_high);
+}
+
+}  // namespace
+
+std::vector<Outline> outlines(const lattice::Shape& shape) {
+  auto edges = boundary(small_triangles(shape));
+  std::vector<Outline> result;
+  while (!edges.empty()) {
+    result.push_back(without_straight_corners(take_loop(edges)));
+  }
+  return result;
+}
+
+std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {
+  const std::vector<SmallTriangle> triangles = small_triangles(shape);  // up the columns
+  const auto follows = [](const SmallTriangle& lower, const SmallTriangle& upper) {
+    return lower.upper ? upper == SmallTriangle{lower.cell + Axial{0, 1}, false}
+                       : upper == SmallTriangle{lower.cell, true};
+  };
+  std::vector<Trapezoid> result;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i + 1 < triangles.size() && follows(triangles[i], triangles[i + 1])) {
+      continue;
+    }
+    const Trapezoid piece = column_piece(triangles[first], triangles[i]);
+    const auto left = std::find_if(result.begin(), result.end(),
+                                   [&](const Trapezoid& other) { return continues(other, piece); });
+    if (left != result.end()) {
+      left->right_low = piece.right_low;
+      left->right_high = piece.right_high;
+    } else {
+      result.push_back(piece);
+    }
+    first = i + 1;
+  }
+  return result;
+}
+
+}  // namespace clca::render

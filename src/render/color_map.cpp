@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "clca/render/coloring.hpp"
+#include "render/colors.hpp"
+
+namespace clca::render {
+
+namespace {
+
+// Okabe & Ito 2008, "Color Universal Design", without black, the soft colours first.
+constexpr std::array<Rgb, 8> kOkabeIto = {{{86, 180, 233},
+                                           {230, 159, 0},
+                                           {0, 158, 115},
+                                           {213, 94, 0},
+                                           {0, 114, 178},
+                                           {204, 121, 167},
+                                           {240, 228, 66},
+                                           {153, 153, 153}}};
+
+// van der Walt & Smith 2015, "A better default colormap for Matplotlib" (viridis): every
+// seventeenth of its 256 entries.
+constexpr std::array<Rgb, 16> kViridis = {{{68, 1, 84},
+                                           {72, 26, 108},
+                                           {71, 47, 125},
+                                           {65, 68, 135},
+                                           {57, 86, 140},
+                                           {49, 104, 142},
+                                           {42, 120, 142},
+                                           {35, 136, 142},
+                                           {31, 152, 139},
+                                           {34, 168, 132},
+                                           {53, 183, 121},
+                                           {84, 197, 104},
+                                           {122, 209, 81},
+                                           {165, 219, 54},
+                                           {210, 226, 27},
+                                           {253, 231, 37}}};
+
+}  // namespace
+
+Rgb palette_color(std::size_t number) {
+  return kOkabeIto[number % kOkabeIto.size()];
+}
+
+Rgb map_color(double share) {
+  // Written so that no value, NaN included, leads out of the table.
+  const double place = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
+  const auto low = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  const double part = place - static_cast<double>(low);
+  const auto mixed = [part](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
+  };
+  const Rgb a = kViridis[low];
+  const Rgb b = kViridis[low + 1];
+  return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
+}
+
+Rgb outline_color(Rgb fill) {
+  const bool dark = 0.299 * fill.red + 0.587 * fill.green + 0.114 * fill.blue < 0.25 * 255;
+  const auto shaded = [dark](std::uint8_t channel) {
+    return static_cast<std::uint8_t>(
+        std::lround(dark ? 0.65 * channel + 0.35 * 255 : 0.55 * channel));
+  };
+  return {shaded(fill.red), shaded(fill.green), shaded(fill.blue)};
+}
+
+}  // namespace clca::render

@@ -1,0 +1,25 @@
+#pragma once
+// Fixed colours of a picture.
+
+#include "clca/render/image.hpp"
+
+namespace clca::render {
+
+inline constexpr Rgb kPaper = {255, 255, 255};
+inline constexpr Rgb kWallColor = {74, 78, 84};
+inline constexpr Rgb kInk = {28, 31, 36};
+inline constexpr Rgb kPaleInk = {96, 102, 110};
+
+/// Colour of the outline around `fill` at this strength, from 0 (none) to 1, all in [0, 1]: a
+/// darker shade, but a paler one of colours so dark that it would not show.
+inline constexpr const char* kOutlineColorSource = R"(
+vec3 outline_color(vec3 fill, float strength) {
+  float lightness = dot(fill, vec3(0.299, 0.587, 0.114));
+  return lightness < 0.25 ? mix(fill, vec3(1.0), 0.35 * strength) : fill * (1.0 - 0.45 * strength);
+}
+)";
+
+/// The same at full strength.
+Rgb outline_color(Rgb fill);
+
+}  // namespace clca::render

@@ -1,0 +1,37 @@
+#pragma once
+// An off-screen OpenGL 3.3 core context. The only place that knows OSMesa: where it is no longer
+// shipped, EGL without a surface can stand here.
+
+#include <array>
+#include <cstdint>
+
+namespace clca::render {
+
+class Context {
+ public:
+  using Function = void (*)();
+
+  /// Throws RenderError.
+  Context();
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// Address of an OpenGL function, null when there is none of that name.
+  static Function function(const char* name);
+
+  /// Makes a context the current one of this thread for its own life.
+  class Current {
+   public:
+    explicit Current(Context& context);
+    ~Current();
+    Current(const Current&) = delete;
+    Current& operator=(const Current&) = delete;
+  };
+
+ private:
+  void* handle_;
+  std::array<std::uint8_t, 4> pixel_ = {};  // OSMesa wants a buffer; drawing goes elsewhere
+};
+
+}  // namespace clca::render

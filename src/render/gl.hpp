@@ -1,0 +1,90 @@
+#pragma once
+// The OpenGL functions in use, loaded by name, and the few calls that are worth a wrapper.
+
+#include <GL/glcorearb.h>
+
+#include <cstddef>
+#include <initializer_list>
+
+#include "render/context.hpp"
+
+// Name without "gl", and the type of the function.
+#define CLCA_GL_FUNCTIONS(X)                          \
+  X(ActiveTexture, ACTIVETEXTURE)                     \
+  X(AttachShader, ATTACHSHADER)                       \
+  X(BindBuffer, BINDBUFFER)                           \
+  X(BindFramebuffer, BINDFRAMEBUFFER)                 \
+  X(BindRenderbuffer, BINDRENDERBUFFER)               \
+  X(BindTexture, BINDTEXTURE)                         \
+  X(BindVertexArray, BINDVERTEXARRAY)                 \
+  X(BlitFramebuffer, BLITFRAMEBUFFER)                 \
+  X(BufferData, BUFFERDATA)                           \
+  X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS)   \
+  X(Clear, CLEAR)                                     \
+  X(ClearColor, CLEARCOLOR)                           \
+  X(CompileShader, COMPILESHADER)                     \
+  X(CreateProgram, CREATEPROGRAM)                     \
+  X(CreateShader, CREATESHADER)                       \
+  X(DeleteShader, DELETESHADER)                       \
+  X(Disable, DISABLE)                                 \
+  X(DrawArrays, DRAWARRAYS)                           \
+  X(DrawElementsInstanced, DRAWELEMENTSINSTANCED)     \
+  X(Enable, ENABLE)                                   \
+  X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
+  X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER) \
+  X(GenBuffers, GENBUFFERS)                           \
+  X(GenFramebuffers, GENFRAMEBUFFERS)                 \
+  X(GenRenderbuffers, GENRENDERBUFFERS)               \
+  X(GenTextures, GENTEXTURES)                         \
+  X(GenVertexArrays, GENVERTEXARRAYS)                 \
+  X(GetError, GETERROR)                               \
+  X(GetIntegerv, GETINTEGERV)                         \
+  X(GetProgramInfoLog, GETPROGRAMINFOLOG)             \
+  X(GetProgramiv, GETPROGRAMIV)                       \
+  X(GetShaderInfoLog, GETSHADERINFOLOG)               \
+  X(GetShaderiv, GETSHADERIV)                         \
+  X(GetUniformLocation, GETUNIFORMLOCATION)           \
+  X(LinkProgram, LINKPROGRAM)                         \
+  X(PixelStorei, PIXELSTOREI)                         \
+  X(ReadPixels, READPIXELS)                           \
+  X(RenderbufferStorage, RENDERBUFFERSTORAGE)         \
+  X(Scissor, SCISSOR)                                 \
+  X(ShaderSource, SHADERSOURCE)                       \
+  X(TexImage2D, TEXIMAGE2D)                           \
+  X(TexParameteri, TEXPARAMETERI)                     \
+  X(TexSubImage2D, TEXSUBIMAGE2D)                     \
+  X(Uniform1f, UNIFORM1F)                             \
+  X(Uniform1i, UNIFORM1I)                             \
+  X(Uniform2f, UNIFORM2F)                             \
+  X(Uniform2i, UNIFORM2I)                             \
+  X(Uniform4f, UNIFORM4F)                             \
+  X(UseProgram, USEPROGRAM)                           \
+  X(VertexAttribDivisor, VERTEXATTRIBDIVISOR)         \
+  X(VertexAttribIPointer, VERTEXATTRIBIPOINTER)       \
+  X(VertexAttribPointer, VERTEXATTRIBPOINTER)         \
+  X(Viewport, VIEWPORT)
+
+namespace clca::render {
+
+/// OpenGL objects live as long as their context; nothing here deletes them one by one.
+struct Gl {
+  /// Needs a current context. Throws RenderError when a function is missing.
+  Gl();
+
+#define CLCA_GL_DECLARE(name, type) PFNGL##type##PROC name = nullptr;
+  CLCA_GL_FUNCTIONS(CLCA_GL_DECLARE)
+#undef CLCA_GL_DECLARE
+
+  GLint integer(GLenum name) const;
+  GLuint buffer() const;
+  GLuint vertex_array() const;
+  /// A texture for texelFetch, bound to the active unit.
+  GLuint texture() const;
+  /// From the parts of two shaders in GLSL 3.30. Throws RenderError with the compiler's words.
+  using Source = std::initializer_list<const char*>;
+  GLuint program(Source vertex, Source fragment) const;
+  /// Throws RenderError that says what failed when OpenGL has met an error.
+  void check(const char* what) const;
+};
+
+}  // namespace clca::render

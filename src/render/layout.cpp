@@ -1,0 +1,55 @@
+#include "render/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clca::render {
+
+namespace {
+
+// In text sizes.
+constexpr double kMargin = 1.0;
+constexpr double kTopStrip = 2.4;
+constexpr double kBottomStrip = 3.0;
+constexpr double kLeastPanel = 6.0;
+
+constexpr int kLeastTextSize = 9;  // pixels, below which letters cannot be read
+constexpr double kTextSizesInHeight = 42;
+
+Layout fit(int width, int height, const lattice::Rectangle& view, int text_size) {
+  const auto pixels = [&](double text_sizes) {
+    return static_cast<int>(std::lround(text_sizes * text_size));
+  };
+  const int margin = pixels(kMargin);
+  const int top = pixels(kTopStrip);
+  const int room_width = width - 2 * margin;
+  const int room_height = height - top - pixels(kBottomStrip);
+  const double view_width = view.right - view.left;
+  const double view_height = view.top - view.bottom;
+
+  Layout layout;
+  layout.text_size = text_size;
+  layout.scale = std::min(room_width / view_width, room_height / view_height);
+  PixelBox& panel = layout.panel;
+  panel.width = std::max(1, static_cast<int>(std::lround(view_width * layout.scale)));
+  panel.height = std::max(1, static_cast<int>(std::lround(view_height * layout.scale)));
+  panel.x = margin + (room_width - panel.width) / 2;
+  panel.y = top + (room_height - panel.height) / 2;
+  // In line with the view, unless it is too narrow for a caption.
+  const bool wide = panel.width * 2 >= width;
+  layout.text_left = wide ? panel.x : margin;
+  layout.text_right = wide ? panel.x + panel.width : width - margin;
+  return layout;
+}
+
+}  // namespace
+
+Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations) {
+  const int text_size =
+      std::max(kLeastTextSize, static_cast<int>(std::lround(height / kTextSizesInHeight)));
+  const bool room = width >= (2 * kMargin + kLeastPanel) * text_size &&
+                    height >= (kTopStrip + kBottomStrip + kLeastPanel) * text_size;
+  return fit(width, height, view, annotations && room ? text_size : 0);
+}
+
+}  // namespace clca::render

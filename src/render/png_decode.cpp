@@ -1,0 +1,179 @@
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+
+#include "clca/render/png.hpp"
+#include "render/png_error.hpp"
+#include "render/utf8.hpp"
+
+namespace clca::render {
+
+namespace {
+
+constexpr png_uint_32 kLargestSide = 1U << 20U;
+constexpr std::size_t kLargestText = 1U << 22U;
+constexpr png_uint_32 kMostChunks = 1000;
+constexpr std::size_t kMostInflated = 1040;  // times; deflate packs 1032 times at best
+
+/// Everything that libpng reads from or writes to; resized only outside of its calls.
+struct ReadJob {
+  std::span<const std::uint8_t> bytes;
+  std::size_t place = 0;
+  std::vector<png_byte> rgba;
+  std::vector<png_bytep> rows;
+  PngError error;
+};
+
+void take(png_structp png, png_bytep data, png_size_t size) {
+  auto* job = static_cast<ReadJob*>(png_get_io_ptr(png));
+  if (size > job->bytes.size() - job->place) {
+    png_error(png, "the file ends too soon");
+  }
+  std::memcpy(data, job->bytes.data() + job->place, size);
+  job->place += size;
+}
+
+/// libpng allocates what a chunk claims to hold before it reads; here no chunk may claim more than
+/// the file has. Whether it is a PNG file at all is left to libpng.
+void require_honest_chunks(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kFrame = 12;  // length, name, checksum
+  std::size_t place = kSignature;
+  while (place + kFrame <= bytes.size()) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = (length << 8U) | bytes[place + i];
+    }
+    if (length > bytes.size() - place - kFrame) {
+      throw std::runtime_error("cannot read a PNG file: it is cut off or no PNG file");
+    }
+    place += kFrame + length;
+  }
+}
+
+/// Returns false after an error. No object with a destructor may live here: errors long-jump.
+bool read_header(png_structp png, png_infop info, ReadJob& job) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
+  }
+  png_set_user_limits(png, kLargestSide, kLargestSide);
+  png_set_chunk_malloc_max(png, std::min(kLargestText, kMostInflated * job.bytes.size()));
+  png_set_chunk_cache_max(png, kMostChunks);
+  png_set_read_fn(png, &job, take);
+  png_read_info(png, info);
+  return true;
+}
+
+/// The same for the pixels, as RGBA8 into job.rows.
+bool read_pixels(png_structp png, png_infop info, ReadJob& job) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
+  }
+  png_set_expand(png);
+  png_set_scale_16(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  if (png_get_rowbytes(png, info) * job.rows.size() != job.rgba.size()) {
+    png_error(png, "unexpected layout of pixels");
+  }
+  png_read_image(png, job.rows.data());
+  png_read_end(png, info);
+  return true;
+}
+
+/// Makes room for the pixels, once it is clear that the file can hold them.
+void reserve(png_structp png, png_infop info, std::size_t max_pixels, ReadJob& job) {
+  const std::size_t width = png_get_image_width(png, info);
+  const std::size_t height = png_get_image_height(png, info);
+  if (width > max_pixels / height) {
+    throw std::runtime_error("the picture in a PNG file is too large: " + std::to_string(width) +
+                             " x " + std::to_string(height) + " pixels");
+  }
+  if (png_get_rowbytes(png, info) > job.bytes.size() * kMostInflated / height) {
+    throw std::runtime_error("cannot read a PNG file: too short for its picture");
+  }
+  job.rgba.resize(4 * width * height);
+  job.rows.resize(height);
+  for (std::size_t y = 0; y < height; ++y) {
+    job.rows[y] = job.rgba.data() + 4 * width * y;
+  }
+}
+
+Image on_white(png_structp png, png_infop info, const std::vector<png_byte>& rgba) {
+  Image image(static_cast<int>(png_get_image_width(png, info)),
+              static_cast<int>(png_get_image_height(png, info)), Rgb{});
+  const png_byte* from = rgba.data();
+  for (Rgb& pixel : image.pixels) {
+    const unsigned alpha = from[3];
+    const auto mixed = [alpha](unsigned channel) {
+      return static_cast<std::uint8_t>((channel * alpha + 255 * (255 - alpha) + 127) / 255);
+    };
+    pixel = {mixed(from[0]), mixed(from[1]), mixed(from[2])};
+    from += 4;
+  }
+  return image;
+}
+
+std::string from_latin1(std::string_view text) {
+  std::u32string letters;
+  for (const char letter : text) {
+    letters.push_back(static_cast<unsigned char>(letter));
+  }
+  return encode_utf8(letters);
+}
+
+PngText text_of(png_structp png, png_infop info) {
+  png_textp chunks = nullptr;
+  int count = 0;
+  png_get_text(png, info, &chunks, &count);
+  PngText text;
+  for (int i = 0; i < count; ++i) {
+    const png_text& chunk = chunks[i];
+    if (chunk.key == nullptr || chunk.text == nullptr) {
+      continue;
+    }
+    const bool utf8 = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
+    text.emplace(from_latin1(chunk.key),
+                 utf8 ? encode_utf8(decode_utf8(chunk.text)) : from_latin1(chunk.text));
+  }
+  return text;
+}
+
+/// Frees what libpng has allocated.
+struct Reader {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+
+  explicit Reader(ReadJob& job)
+      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &job.error, fail, ignore)),
+        info(png == nullptr ? nullptr : png_create_info_struct(png)) {}
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+};
+
+}  // namespace
+
+DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
+  require_honest_chunks(bytes);
+  ReadJob job;
+  job.bytes = bytes;
+  const Reader reader(job);
+  const auto require = [&](bool done) {
+    if (!done) {
+      throw std::runtime_error(job.error.message("cannot read a PNG file"));
+    }
+  };
+  require(reader.info != nullptr && read_header(reader.png, reader.info, job));
+  reserve(reader.png, reader.info, max_pixels, job);
+  require(read_pixels(reader.png, reader.info, job));
+  return {on_white(reader.png, reader.info, job.rgba), text_of(reader.png, reader.info)};
+}
+
+}  // namespace clca::render

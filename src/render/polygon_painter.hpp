@@ -1,0 +1,52 @@
+#pragma once
+// Draws each particle as an instance of the mesh of its kind.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "clca/render/image.hpp"
+#include "render/gl.hpp"
+#include "render/mesh.hpp"
+#include "render/projection.hpp"
+
+namespace clca::render {
+
+class PolygonPainter {
+ public:
+  PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
+                 std::span<const automaton::Kind> kinds);
+
+  void draw(const Projection& projection, const automaton::State& state,
+            std::span<const Rgb> colors);
+  /// Number of triangles that draw() would draw, were all particles in view.
+  std::size_t triangles(const Projection& projection, const automaton::State& state) const;
+
+ private:
+  struct Instance {
+    std::int32_t u = 0;  ///< of the reference site from the anchor, as GridPoint
+    std::int32_t v = 0;
+    std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
+  };
+  struct Model {
+    Mesh mesh;
+    GLuint vertex_array = 0;
+    GLuint instance_buffer = 0;
+    std::vector<Instance> instances;
+  };
+
+  Model model(const lattice::Shape& shape) const;
+  void collect(const Projection& projection, const automaton::State& state,
+               std::span<const Rgb> colors);
+  static std::size_t index_count(const Mesh& mesh, const Projection& projection);
+  void draw(Model& model, std::size_t index_count) const;
+  GLint place(const char* name) const { return gl_->GetUniformLocation(program_, name); }
+
+  const Gl* gl_;
+  lattice::Lattice lattice_;
+  GLuint program_;
+  std::vector<Model> models_;
+};
+
+}  // namespace clca::render

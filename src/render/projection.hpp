@@ -1,0 +1,61 @@
+#pragma once
+// From the plane of the lattice to the samples of the canvas.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "clca/lattice/region.hpp"
+#include "render/body.hpp"
+
+namespace clca::render {
+
+/// A rectangle of samples, the lower left one first.
+struct SampleBox {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// Shaders count in single precision, so places are given from an anchor site near the middle of
+/// the view: only the size of the view limits how exact they are.
+struct Projection {
+  int width = 0;  ///< samples
+  int height = 0;
+  double scale = 1;             ///< samples a lattice spacing
+  Eigen::Vector2d corner;       ///< of the canvas, lower left, in lattice spacings
+  lattice::Site anchor;         ///< in an even column
+  double outline_width = 0;     ///< lattice spacings
+  double outline_strength = 0;  ///< 0 draws no outline, 1 the darkest one
+
+  /// Place of the lower left corner of the canvas seen from the anchor.
+  Eigen::Vector2d corner_from_anchor() const { return corner - lattice::position(anchor); }
+
+  /// The part of the plane that the canvas shows.
+  lattice::Rectangle view() const {
+    return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
+  }
+
+  /// Factors and shift from a GridPoint seen from the anchor to clip space: scale u, v, shift u, v.
+  std::array<double, 4> clip_from_grid() const {
+    const Eigen::Vector2d unit = position(GridPoint{1, 1});
+    const Eigen::Vector2d shift = corner_from_anchor() * scale;
+    return {2 * unit.x() * scale / width, 2 * unit.y() * scale / height, -2 * shift.x() / width - 1,
+            -2 * shift.y() / height - 1};
+  }
+
+  /// The samples whose middle lies in `rectangle`.
+  SampleBox samples_in(const lattice::Rectangle& rectangle) const {
+    const auto first = [](double place, int count) {
+      return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(count)));
+    };
+    const int left = first((rectangle.left - corner.x()) * scale, width);
+    const int right = first((rectangle.right - corner.x()) * scale, width);
+    const int bottom = first((rectangle.bottom - corner.y()) * scale, height);
+    const int top = first((rectangle.top - corner.y()) * scale, height);
+    return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
+  }
+};
+
+}  // namespace clca::render

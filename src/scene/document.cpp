@@ -1,0 +1,277 @@
+#include "scene/document.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <unordered_map>
+#include <utility>
+
+#include "scene/source_text.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kMostValues = 2'000'000;
+
+constexpr std::string_view kNoAliases =
+    "aliases ('*') are not part of the format; repeat the value";
+
+/// What yaml-cpp says, and how to say it to someone who has never written a parser.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPlainWords = {{
+    {"illegal map value", "a ':' that belongs to no key (check indentation, or quote the text)"},
+    {"end of map not found", "expected 'KEY: VALUE' here (check the indentation)"},
+    {"end of sequence not found", "expected '- ITEM' here (check the indentation)"},
+    {"illegal block entry", "a '-' that belongs to no list (check the indentation)"},
+    {"illegal flow end", "a closing bracket that was never opened"},
+    {"illegal EOF in scalar", "the text ends inside quotes"},
+    {"unknown token", "a character that no value can begin with; quote the text"},
+    {"the referenced anchor is not defined", kNoAliases},
+    {"illegal map key", "a key that is not allowed here (check the indentation)"},
+}};
+
+/// Builds the tree from the parser's events and refuses what the format does not know.
+class TreeBuilder final : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(const SourceText& source) : source_(source) {}
+
+  /// The tree, once the text has ended.
+  Value take();
+  /// Turns an error of the parser into ours.
+  [[noreturn]] void explain(const YAML::Exception& error) const;
+
+  void OnDocumentStart(const YAML::Mark& mark) override;
+  void OnDocumentEnd() override { ended_ = true; }
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override;
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override;
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override;
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& text) override;
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override;
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value style) override;
+  void OnMapEnd() override { close(); }
+
+ private:
+  /// A list or map whose end has not come yet.
+  struct Open {
+    Value value;
+    bool bracketed = false;
+    std::optional<Entry> entry;                            // key read, value to come
+    std::unordered_map<std::string, std::size_t> line_of;  // of each key
+  };
+
+  std::size_t position(const YAML::Mark& mark) const {
+    return std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), source_.text().size());
+  }
+  Place place(const YAML::Mark& mark) const { return source_.place(position(mark)); }
+  /// The text from `mark` on.
+  std::string_view rest(const YAML::Mark& mark) const {
+    return source_.text().substr(position(mark));
+  }
+  bool awaits_key() const {
+    return !open_.empty() && open_.back().value.is(Value::Kind::map) && !open_.back().entry;
+  }
+  void check_tag(const YAML::Mark& mark, const std::string& tag) const;
+  void check_closing_quote(const YAML::Mark& mark) const;
+  void open(Value::Kind kind, const YAML::Mark& mark, bool bracketed);
+  void close();
+  void add(Value value);
+  void begin_entry(Value key);
+
+  const SourceText& source_;
+  std::vector<Open> open_;
+  std::optional<Value> root_;
+  // A key that is not text. Thrown at the end, since an unclosed bracket also looks like one.
+  std::optional<std::pair<Place, std::string>> bad_key_;
+  std::size_t values_ = 0;
+  bool ended_ = false;
+};
+
+Value TreeBuilder::take() {
+  if (bad_key_) {
+    fail(bad_key_->first, bad_key_->second);
+  }
+  if (root_) {
+    return std::move(*root_);
+  }
+  Value nothing;
+  nothing.place = source_.place(0);
+  return nothing;
+}
+
+void TreeBuilder::explain(const YAML::Exception& error) const {
+  if (error.msg.ends_with("flow not found")) {
+    const auto level = std::find_if(open_.rbegin(), open_.rend(),
+                                    [](const Open& candidate) { return candidate.bracketed; });
+    if (level != open_.rend()) {
+      const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
+      fail(level->value.place,
+           fmt::format("the '{}' is not closed, or a ',' is missing after it", bracket));
+    }
+  }
+  for (const auto& [theirs, ours] : kPlainWords) {
+    if (error.msg == theirs) {
+      fail(place(error.mark), ours);
+    }
+  }
+  fail(place(error.mark), "not valid YAML: " + printable(error.msg));
+}
+
+void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
+  if (ended_) {
+    fail(place(mark), "a second document, or text after the end of the first");
+  }
+}
+
+void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
+  Value value;
+  value.place = place(mark);
+  // Where nothing is written, the mark is that of whatever comes next.
+  const std::string_view next = rest(mark);
+  const bool written = next.starts_with('~') || next.starts_with('n') || next.starts_with('N');
+  if (!written && !open_.empty() && open_.back().entry) {
+    value.place = open_.back().entry->place;
+  }
+  add(std::move(value));
+}
+
+void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
+  fail(place(mark), kNoAliases);
+}
+
+void TreeBuilder::OnAnchor(const YAML::Mark& mark, const std::string& /*name*/) {
+  fail(place(mark), "anchors ('&') are not part of the format");
+}
+
+void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag,
+                           YAML::anchor_t /*anchor*/, const std::string& text) {
+  check_tag(mark, tag);
+  Value value;
+  value.kind = Value::Kind::scalar;
+  value.place = place(mark);
+  value.text = text;
+  value.quoted = tag == "!";
+  if (value.quoted) {
+    check_closing_quote(mark);
+  }
+  add(std::move(value));
+}
+
+void TreeBuilder::OnSequenceStart(const YAML::Mark& mark, const std::string& tag,
+                                  YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value style) {
+  check_tag(mark, tag);
+  open(Value::Kind::list, mark, style == YAML::EmitterStyle::Flow);
+}
+
+void TreeBuilder::OnMapStart(const YAML::Mark& mark, const std::string& tag,
+                             YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value style) {
+  check_tag(mark, tag);
+  open(Value::Kind::map, mark, style == YAML::EmitterStyle::Flow);
+}
+
+/// "?" stands for no tag and "!" for quotes, but also for a bare '!' in the text.
+void TreeBuilder::check_tag(const YAML::Mark& mark, const std::string& tag) const {
+  if (rest(mark).starts_with('!') || (!tag.empty() && tag != "?" && tag != "!")) {
+    fail(place(mark), "tags ('!') are not part of the format");
+  }
+}
+
+/// yaml-cpp lets a quote run to the end of the text.
+void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
+  const std::string_view text = rest(mark);
+  const char quote = text.empty() ? '\0' : text.front();
+  if (quote != '"' && quote != '\'') {
+    return;  // a block of lines after '|' or '>'
+  }
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == quote) {
+      if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) {
+        return;
+      }
+      ++i;  // '' is a quote inside quotes
+    } else if (text[i] == '\\' && quote == '"') {
+      ++i;
+    }
+  }
+  fail(place(mark), "the quote that opens here is not closed");
+}
+
+void TreeBuilder::open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
+  if (open_.size() >= kDeepest) {
+    fail(place(mark), fmt::format("nested deeper than {} levels", kDeepest));
+  }
+  Open level;
+  level.value.kind = kind;
+  level.value.place = place(mark);
+  level.bracketed = bracketed;
+  open_.push_back(std::move(level));
+}
+
+void TreeBuilder::close() {
+  Value value = std::move(open_.back().value);
+  open_.pop_back();
+  add(std::move(value));
+}
+
+void TreeBuilder::add(Value value) {
+  if (++values_ > kMostValues) {
+    fail(value.place, fmt::format("more than {} values", kMostValues));
+  }
+  if (open_.empty()) {
+    root_ = std::move(value);
+  } else if (awaits_key()) {
+    begin_entry(std::move(value));
+  } else if (Open& level = open_.back(); level.value.is(Value::Kind::list)) {
+    level.value.items.push_back(std::move(value));
+  } else {
+    level.entry->value = std::move(value);
+    level.value.entries.push_back(std::move(*level.entry));
+    level.entry.reset();
+  }
+}
+
+void TreeBuilder::begin_entry(Value key) {
+  Open& level = open_.back();
+  if (!key.is(Value::Kind::scalar)) {
+    if (!bad_key_) {
+      bad_key_ = {key.place, fmt::format("a key is text, found {}", found(key))};
+    }
+  } else if (key.text == "<<" && !key.quoted) {
+    fail(key.place, "merge keys ('<<') are not part of the format");
+  } else if (const auto [first, added] = level.line_of.emplace(key.text, key.place.line); !added) {
+    const bool lines = key.place.origin->has_lines;
+    fail(key.place, fmt::format("duplicate key {}{}", shown(key.text),
+                                lines ? fmt::format(" (first on line {})", first->second) : ""));
+  }
+  level.entry = Entry{std::move(key.text), std::move(key.place), {}};
+}
+
+}  // namespace
+
+Value read_document(std::string_view text, std::shared_ptr<const Origin> origin) {
+  const SourceText source(text, std::move(origin));
+  std::istringstream stream{std::string(text)};
+  TreeBuilder builder(source);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& error) {
+    builder.explain(error);
+  }
+  return builder.take();
+}
+
+}  // namespace clca::scene

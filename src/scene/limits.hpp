@@ -1,0 +1,38 @@
+#pragma once
+// The ranges that the format allows, for the parser and its messages.
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace clca::scene {
+
+inline constexpr std::uint64_t kVersion = 1;
+inline constexpr std::size_t kLongestTitle = 200;
+inline constexpr std::size_t kLongestName = 64;
+/// Of species, walls, sources, outlets and stages, each.
+inline constexpr std::size_t kMostThings = 1000;
+
+inline constexpr double kWidest = 866'025;  ///< at most 1,000,000 columns
+inline constexpr double kHighest = 1'000'000;
+inline constexpr double kFarthest = 1'000'000;  ///< of a coordinate in lattice spacings
+inline constexpr double kThickest = 100;
+
+inline constexpr int kLargestRadius = 100;
+inline constexpr int kLongestRod = 1000;
+inline constexpr int kFarthestSite = 1000;  ///< of a coordinate of a shape
+inline constexpr std::size_t kMostSites = 100'000;
+inline constexpr std::size_t kMostCorners = 1000;
+
+inline constexpr std::uint64_t kMostParticles = std::numeric_limits<std::int32_t>::max();
+inline constexpr std::uint64_t kHeaviest = 1'000'000;  ///< weight of a species in a source
+inline constexpr double kLeastRate = 1e-6;
+inline constexpr double kGreatestRate = 1000;
+inline constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
+
+inline constexpr int kLeastPixels = 16;
+inline constexpr int kMostPixels = 65'536;
+inline constexpr int kMostLayers = 256;
+inline constexpr int kMostSupersampling = 4;
+
+}  // namespace clca::scene

@@ -1,0 +1,92 @@
+#pragma once
+// The words of the format: keys of each map and names of each choice.
+
+#include <array>
+#include <string_view>
+
+#include "clca/scene/scene.hpp"
+
+namespace clca::scene {
+
+inline constexpr std::array<std::string_view, 12> kSceneKeys = {
+    "clca",  "title",   "seed",    "box",    "species", "rules",
+    "walls", "sources", "outlets", "stages", "measure", "output"};
+inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
+inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
+inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
+                                                               "rod"};
+inline constexpr std::array<std::string_view, 2> kRodKeys = {"radius", "length"};
+inline constexpr std::array<std::string_view, 6> kRulesKeys = {
+    "inertia", "scatter", "candidates", "gravity", "update_priority", "ties"};
+inline constexpr std::array<std::string_view, 2> kWallKeys = {"box", "line"};
+inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
+inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", "species", "rate",
+                                                                "count"};
+inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
+inline constexpr std::array<std::string_view, 6> kStageKeys = {"name",    "fill",  "remove",
+                                                               "sources", "until", "max_steps"};
+inline constexpr std::array<std::string_view, 2> kFillKeys = {"region", "counts"};
+inline constexpr std::array<std::string_view, 2> kUntilKeys = {"steps", "discharged"};
+inline constexpr std::array<std::string_view, 2> kOutputKeys = {"frames", "series"};
+inline constexpr std::array<std::string_view, 9> kFramesKeys = {
+    "every", "width",   "height",        "color_by", "layers",
+    "view",  "drawing", "supersampling", "caption"};
+inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
+
+/// A word of the format and what it stands for.
+template <class T>
+struct Named {
+  std::string_view name;
+  T value;
+};
+
+inline constexpr std::array<Named<automaton::Candidates>, 2> kCandidateNames = {
+    {{"downward", automaton::Candidates::downward}, {"all", automaton::Candidates::all}}};
+inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
+    {{"down", lattice::Direction::down},
+     {"up", lattice::Direction::up},
+     {"up_right", lattice::Direction::up_right},
+     {"down_right", lattice::Direction::down_right},
+     {"down_left", lattice::Direction::down_left},
+     {"up_left", lattice::Direction::up_left}}};
+inline constexpr std::array<Named<automaton::UpdateClass>, 3> kUpdateClassNames = {
+    {{"rest", automaton::UpdateClass::rest},
+     {"inertia", automaton::UpdateClass::inertia},
+     {"gravity", automaton::UpdateClass::gravity}}};
+inline constexpr std::array<Named<automaton::Ties>, 2> kTiesNames = {
+    {{"particle", automaton::Ties::particle}, {"direction", automaton::Ties::direction}}};
+inline constexpr std::array<Named<Measure>, 6> kMeasureNames = {{{"profile", Measure::profile},
+                                                                 {"repose", Measure::repose},
+                                                                 {"runout", Measure::runout},
+                                                                 {"packing", Measure::packing},
+                                                                 {"moved", Measure::moved},
+                                                                 {"outflow", Measure::outflow}}};
+inline constexpr std::array<Named<ColorBy>, 5> kColorByNames = {
+    {{"species", ColorBy::species},
+     {"stage_layer", ColorBy::stage_layer},
+     {"displacement", ColorBy::displacement},
+     {"speed", ColorBy::speed},
+     {"id", ColorBy::id}}};
+inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
+    {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
+
+template <class T, std::size_t kCount>
+constexpr std::string_view name_of(const std::array<Named<T>, kCount>& names, T value) {
+  for (const Named<T>& named : names) {
+    if (named.value == value) {
+      return named.name;
+    }
+  }
+  return {};
+}
+
+template <class T, std::size_t kCount>
+constexpr std::array<std::string_view, kCount> words(const std::array<Named<T>, kCount>& names) {
+  std::array<std::string_view, kCount> result;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    result[i] = names[i].name;
+  }
+  return result;
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,118 @@
+#include "scene/override.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "scene/document.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr std::size_t kDeepestPath = 32;
+
+/// The parts of a dotted path.
+std::vector<std::string> split(std::string_view path, const Place& place) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.emplace_back(path.substr(start, dot - start));
+    if (parts.back().empty()) {
+      fail(place, "expected KEY=VALUE with a key like rules.inertia");
+    }
+    start = dot + 1;
+  }
+  return parts;
+}
+
+/// True for the maps that hold one key out of several: a new key takes the place of the old one.
+bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
+  return depth == 3 && ((parts[0] == "stages" && parts[2] == "until") ||
+                        (parts[0] == "species" && parts[2] == "shape"));
+}
+
+Value empty_map(const Place& place) {
+  Value map;
+  map.kind = Value::Kind::map;
+  map.place = place;
+  return map;
+}
+
+/// The item of a list that `part` means: by number, or by name.
+Value& item(Value& list, const std::string& part, const std::string& path, const Place& place) {
+  std::size_t number = 0;
+  const char* end = part.data() + part.size();
+  const auto [stop, error] = std::from_chars(part.data(), end, number);
+  if (stop == end && error == std::errc() && number < list.items.size()) {
+    return list.items[number];
+  }
+  std::vector<std::string_view> names;
+  for (Value& candidate : list.items) {
+    const Value* name = candidate.find("name");
+    if (name != nullptr && name->is(Value::Kind::scalar)) {
+      if (name->text == part) {
+        return candidate;
+      }
+      names.push_back(name->text);
+    }
+  }
+  const std::string called = names.empty() ? "" : ", named " + printable(listed(names));
+  fail(place, fmt::format("{} has no item {}; it has {}, numbered from 0{}{}", path, shown(part),
+                          list.items.size(), called, suggestion(part, names)));
+}
+
+/// The value under `part`; a map gets the key when it has none.
+Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t depth,
+             const Place& place) {
+  const std::string& part = parts[depth];
+  const std::string path = printable(fmt::format(
+      "{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(depth), ".")));
+  if (is_choice(parts, depth) && parent.find(part) == nullptr) {
+    parent = empty_map(place);
+  }
+  if (parent.is(Value::Kind::list)) {
+    return item(parent, part, path, place);
+  }
+  if (parent.is(Value::Kind::nothing)) {
+    parent = empty_map(place);
+  }
+  if (parent.is(Value::Kind::scalar)) {
+    fail(place,
+         fmt::format("{} is {}, nothing lies inside it; set it as a whole", path, found(parent)));
+  }
+  if (Value* known = parent.find(part)) {
+    return *known;
+  }
+  parent.entries.push_back({part, place, {}});
+  parent.entries.back().value.place = place;
+  return parent.entries.back().value;
+}
+
+}  // namespace
+
+void apply_override(Value& root, const std::string& text) {
+  const auto origin =
+      std::make_shared<const Origin>(Origin{fmt::format("--set {}", printable(text)), false});
+  const Place place = {origin, 1, 1};
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    fail(place, "expected KEY=VALUE with a key like rules.inertia");
+  }
+  const std::string_view whole = text;
+  const std::vector<std::string> parts = split(whole.substr(0, equals), place);
+  if (parts.size() > kDeepestPath) {
+    fail(place, fmt::format("a key of more than {} parts", kDeepestPath));
+  }
+  Value value = read_document(whole.substr(equals + 1), origin);
+  Value* target = &root;
+  for (std::size_t depth = 0; depth < parts.size(); ++depth) {
+    target = &child(*target, parts, depth, place);
+  }
+  *target = std::move(value);
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,13 @@
+#pragma once
+// `--set KEY=VALUE`: a value of the command line in place of what the file says.
+
+#include <string>
+
+#include "scene/value.hpp"
+
+namespace clca::scene {
+
+/// Puts the value of `text` into the tree. Throws SceneError that names `--set KEY=VALUE`.
+void apply_override(Value& root, const std::string& text);
+
+}  // namespace clca::scene

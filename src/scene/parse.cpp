@@ -1,0 +1,117 @@
+#include "clca/scene/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <limits>
+#include <system_error>
+
+#include "scene/document.hpp"
+#include "scene/fields.hpp"
+#include "scene/limits.hpp"
+#include "scene/override.hpp"
+#include "scene/sections.hpp"
+#include "scene/source_text.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+void check_version(const Fields& fields) {
+  const Value& version = fields.at("clca");
+  if (!version.is(Value::Kind::scalar) || version.quoted ||
+      version.text != std::to_string(kVersion)) {
+    fail(version.place, fmt::format("clca: expected version {} of the format, found {}", kVersion,
+                                    found(version)));
+  }
+}
+
+std::string name_of_file(const std::string& file) {
+  const std::string stem = printable(std::filesystem::path(file).stem().string());
+  return stem.empty() ? "scene" : stem;
+}
+
+std::vector<Measure> all_measures() {
+  std::vector<Measure> measures;
+  for (const auto& named : kMeasureNames) {
+    measures.push_back(named.value);
+  }
+  return measures;
+}
+
+/// Reads what is there under `key`; leaves the default where nothing is.
+template <class T, class Read, class... More>
+void read_into(T& target, const Fields& fields, std::string_view key, Read read,
+               const More&... more) {
+  if (const Value* value = fields.find(key)) {
+    target = read(*value, more...);
+  }
+}
+
+Scene read_scene(const Value& root, const std::string& file) {
+  const Fields fields(root, "", kSceneKeys);
+  check_version(fields);
+  Scene scene;
+  scene.name = name_of_file(file);
+  scene.title = first_characters(scene.name, kLongestTitle);
+  scene.measures = all_measures();
+  read_into(scene.title, fields, "title", read_title);
+  scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
+  scene.box = read_box(fields.at("box"));
+  scene.species = read_species(fields.at("species"));
+  read_into(scene.rules, fields, "rules", read_rules);
+  read_into(scene.walls, fields, "walls", read_walls, scene);
+  read_into(scene.sources, fields, "sources", read_sources, scene);
+  read_into(scene.outlets, fields, "outlets", read_outlets, scene);
+  scene.stages = read_stages(fields.at("stages"), scene);
+  read_into(scene.measures, fields, "measure", read_measures);
+  read_into(scene.output, fields, "output", read_output);
+  check_use(scene, root);
+  return scene;
+}
+
+/// The text of a file, cut once it is too long to be a scene.
+std::string read_text_of(const std::filesystem::path& file, const Place& place) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    fail(place, "this is a folder, not a scene file");
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(kLargestText + 1, '\0');
+  if (stream) {
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  }
+  if (stream.bad() || !stream.is_open()) {
+    fail(place, fmt::format("cannot read the file: {}",
+                            std::generic_category().message(errno == 0 ? EIO : errno)));
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+}  // namespace
+
+Scene parse(std::string_view text, const std::string& file,
+            const std::vector<Override>& overrides) {
+  const auto origin = std::make_shared<const Origin>(Origin{printable(file), true});
+  Value root = read_document(text, origin);
+  if (!root.is(Value::Kind::map)) {
+    fail(root.place, fmt::format("expected a scene, which begins with 'clca: {}', found {}",
+                                 kVersion, found(root)));
+  }
+  for (const Override& text_of_override : overrides) {
+    apply_override(root, text_of_override);
+  }
+  return read_scene(root, file);
+}
+
+Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
+                       1};
+  return parse(read_text_of(file, start), file.string(), overrides);
+}
+
+}  // namespace clca::scene

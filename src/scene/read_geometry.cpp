@@ -1,0 +1,207 @@
+// Places in the box: rectangles and points, walls, outlets, sources.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/fields.hpp"
+#include "scene/limits.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+std::string shown(const lattice::Rectangle& edges) {
+  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
+}
+
+/// The part of the segment, from 0 to 1, that lies in the rectangle; low > high when none does.
+std::pair<double, double> clipped(const lattice::Segment& segment,
+                                  const lattice::Rectangle& rectangle) {
+  double low = 0;
+  double high = 1;
+  const auto clip = [&](double from, double along, double least, double most) {
+    if (along == 0) {
+      high = from >= least && from <= most ? high : -1;
+      return;
+    }
+    const auto [enter, leave] = std::minmax({(least - from) / along, (most - from) / along});
+    low = std::max(low, enter);
+    high = std::min(high, leave);
+  };
+  const Eigen::Vector2d along = segment.to - segment.from;
+  clip(segment.from.x(), along.x(), rectangle.left, rectangle.right);
+  clip(segment.from.y(), along.y(), rectangle.bottom, rectangle.top);
+  return {low, high};
+}
+
+bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
+  // Further inside than two spacings there is a site beside every point; this spares counting all
+  // sites of a long wall.
+  const lattice::Rectangle inside = {2, 2, lattice::kColumnPitch * lattice.columns() - 3,
+                                     lattice.rows() - 3.0};
+  const auto [low, high] = clipped(segment, inside);
+  const bool crosses = inside.left < inside.right && inside.bottom < inside.top && low <= high;
+  return !crosses && lattice::sites_along(lattice, segment).empty();
+}
+
+lattice::Segment read_line(const Value& value, const std::string& path) {
+  const Fields fields(value, path, kLineKeys);
+  lattice::Segment segment = {.from = read_point(fields.at("from"), fields.path("from")),
+                              .to = read_point(fields.at("to"), fields.path("to")),
+                              .thickness = fields.number("thickness", 0, kThickest, 1)};
+  if (segment.from == segment.to) {
+    fail(fields.at("to").place, fmt::format("{}: from and to are the same point", path));
+  }
+  return segment;
+}
+
+Wall read_wall(const Entry& entry, const Box& box) {
+  const Fields fields(entry.value, join_path("walls", entry.key), kWallKeys);
+  const std::string_view key = fields.only({"box", "line"});
+  Wall wall{.name = entry.key, .form = {}};
+  if (key == "box") {
+    wall.form = read_region(fields.at(key), fields.path(key), box);
+    return wall;
+  }
+  const lattice::Segment segment = read_line(fields.at(key), fields.path(key));
+  if (covers_no_site(lattice_of(box), segment)) {
+    fail(fields.at(key).place,
+         fmt::format("{}: no site of the box, {} wide and {} high, lies on it", fields.path(key),
+                     box.width, box.height));
+  }
+  wall.form = segment;
+  return wall;
+}
+
+Eigen::Vector2d read_source_point(const Value& value, const std::string& path, const Box& box) {
+  Eigen::Vector2d point = read_point(value, path);
+  if (!lattice_of(box).contains(lattice::nearest_site(point))) {
+    fail(value.place, fmt::format("{}: expected a point in the box, {} wide and {} high, found "
+                                  "[{}, {}]",
+                                  path, box.width, box.height, point.x(), point.y()));
+  }
+  return point;
+}
+
+lattice::Rectangle read_source_region(const Value& value, const std::string& path, const Box& box) {
+  const lattice::Rectangle region = read_region(value, path, box);
+  if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
+    fail(value.place, fmt::format("{}: expected a region in the box, {} wide and {} high, found {}",
+                                  path, box.width, box.height, shown(region)));
+  }
+  return region;
+}
+
+std::vector<std::uint32_t> read_weights(const Value& value, const std::string& path,
+                                        const std::vector<std::string_view>& names) {
+  std::vector<std::uint32_t> weights(names.size(), 0);
+  for (const Entry& entry : read_map(value, path)) {
+    const std::size_t species = read_reference(entry.key, entry.place, path, "species", names);
+    weights[species] = static_cast<std::uint32_t>(
+        read_count(entry.value, join_path(path, entry.key), 0, kHeaviest));
+  }
+  if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
+    fail(value.place, fmt::format("{}: expected a weight above 0", path));
+  }
+  return weights;
+}
+
+Source read_source(const Entry& entry, const Scene& scene) {
+  const Fields fields(entry.value, join_path("sources", entry.key), kSourceKeys);
+  Source source;
+  source.name = entry.key;
+  const std::string_view key = fields.only({"at", "region"});
+  if (key == "at") {
+    source.place = read_source_point(fields.at(key), fields.path(key), scene.box);
+  } else {
+    source.place = read_source_region(fields.at(key), fields.path(key), scene.box);
+  }
+  const Value* weights = fields.find("species");
+  source.weights = weights == nullptr
+                       ? std::vector<std::uint32_t>(scene.species.size(), 1)
+                       : read_weights(*weights, fields.path("species"), names_of(scene.species));
+  source.rate = fields.number("rate", kLeastRate, kGreatestRate);
+  if (fields.find("count") != nullptr) {
+    source.count = fields.count("count", 1, kMostParticles);
+  }
+  return source;
+}
+
+}  // namespace
+
+Eigen::Vector2d read_point(const Value& value, const std::string& path) {
+  const std::vector<Value>& items = read_list(value, path, 2, 2);
+  return {read_number(items[0], path, -kFarthest, kFarthest),
+          read_number(items[1], path, -kFarthest, kFarthest)};
+}
+
+lattice::Rectangle read_rectangle(const Value& value, const std::string& path) {
+  const std::vector<Value>& items = read_list(value, path, 4, 4);
+  std::array<double, 4> edges = {};
+  std::transform(items.begin(), items.end(), edges.begin(),
+                 [&](const Value& item) { return read_number(item, path, -kFarthest, kFarthest); });
+  const auto [left, bottom, right, top] = edges;
+  if (left >= right || bottom >= top) {
+    fail(value.place, fmt::format("{}: expected [left, bottom, right, top] with left < right and "
+                                  "bottom < top, found [{}, {}, {}, {}]",
+                                  path, left, bottom, right, top));
+  }
+  return {left, bottom, right, top};
+}
+
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
+  // Columns of one parity are alike, so the first inside of each decides.
+  const auto bounded = [](double value, int most) {
+    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
+  };
+  const int column = bounded(rectangle.left / lattice::kColumnPitch - 1, lattice.columns());
+  const int row = bounded(rectangle.bottom - 1, lattice.rows());
+  for (int i = column; i < std::min(column + 5, lattice.columns()); ++i) {
+    for (int j = row; j < std::min(row + 4, lattice.rows()); ++j) {
+      if (rectangle.contains(lattice::position(lattice::Site{i, j}))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+lattice::Rectangle read_region(const Value& value, const std::string& path, const Box& box) {
+  const lattice::Rectangle region = read_rectangle(value, path);
+  if (holds_no_site(lattice_of(box), region)) {
+    fail(value.place, fmt::format("{}: no site of the box, {} wide and {} high, lies in {}", path,
+                                  box.width, box.height, shown(region)));
+  }
+  return region;
+}
+
+std::vector<Wall> read_walls(const Value& value, const Scene& scene) {
+  std::vector<Wall> walls;
+  for (const Entry& entry : read_named(value, "walls")) {
+    walls.push_back(read_wall(entry, scene.box));
+  }
+  return walls;
+}
+
+std::vector<Source> read_sources(const Value& value, const Scene& scene) {
+  std::vector<Source> sources;
+  for (const Entry& entry : read_named(value, "sources")) {
+    sources.push_back(read_source(entry, scene));
+  }
+  return sources;
+}
+
+std::vector<Outlet> read_outlets(const Value& value, const Scene& scene) {
+  std::vector<Outlet> outlets;
+  for (const Entry& entry : read_named(value, "outlets")) {
+    const Fields fields(entry.value, join_path("outlets", entry.key), kOutletKeys);
+    outlets.push_back(
+        {entry.key, read_region(fields.at("region"), fields.path("region"), scene.box)});
+  }
+  return outlets;
+}
+
+}  // namespace clca::scene

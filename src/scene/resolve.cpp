@@ -1,0 +1,213 @@
+#include "clca/scene/resolve.hpp"
+
+#include <fmt/format.h>
+
+#include "scene/names.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+/// In quotes: a title may hold anything that is one line.
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') {
+      result += '\\';
+    }
+    result += letter;
+  }
+  return result + "\"";
+}
+
+/// Names are plain, but for the few that YAML takes for something else.
+std::string name(std::string_view text) {
+  const bool special = text.starts_with('-') || text == "null" || text == "Null" || text == "NULL";
+  return special ? quoted(text) : std::string(text);
+}
+
+/// `open`, the texts of the items with commas between, `close`.
+template <class Items, class Text>
+std::string enclosed(char open, const Items& items, char close, Text text) {
+  std::string result(1, open);
+  for (const auto& item : items) {
+    result += result.size() > 1 ? ", " : "";
+    result += text(item);
+  }
+  return result + close;
+}
+
+template <class Items, class Text>
+std::string list(const Items& items, Text text) {
+  return enclosed('[', items, ']', text);
+}
+
+std::string rectangle(const lattice::Rectangle& edges) {
+  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
+}
+
+std::string point(const Eigen::Vector2d& place) {
+  return fmt::format("[{}, {}]", place.x(), place.y());
+}
+
+std::string sites(const std::vector<lattice::Axial>& all) {
+  return list(all, [](lattice::Axial site) { return fmt::format("[{}, {}]", site.x, site.q); });
+}
+
+std::string shape(const HexagonSpec& spec) {
+  return fmt::format("{{hexagon: {}}}", spec.radius);
+}
+std::string shape(const SitesSpec& spec) {
+  return fmt::format("{{sites: {}}}", sites(spec.sites));
+}
+std::string shape(const PolygonSpec& spec) {
+  return fmt::format("{{polygon: {}}}", sites(spec.corners));
+}
+std::string shape(const RodSpec& spec) {
+  return fmt::format("{{rod: {{radius: {}, length: {}}}}}", spec.radius, spec.length);
+}
+
+std::string species_line(const Species& species) {
+  const bool any = species.orientations == std::vector<int>{0, 60, 120, 180, 240, 300};
+  const auto degrees = [](int angle) { return std::to_string(angle); };
+  std::string line =
+      fmt::format("  {}: {{shape: {}, orientations: {}", name(species.name),
+                  std::visit([](const auto& spec) { return shape(spec); }, species.shape_spec),
+                  any ? "any" : list(species.orientations, degrees));
+  if (species.color) {
+    line += fmt::format(", color: \"#{:02x}{:02x}{:02x}\"", species.color->red,
+                        species.color->green, species.color->blue);
+  }
+  return line + "}\n";
+}
+
+std::string rules_block(const automaton::Rules& rules) {
+  const auto text = [](automaton::UpdateClass one) { return name_of(kUpdateClassNames, one); };
+  return fmt::format(
+      "\nrules:\n  inertia: {}\n  scatter: {}\n  candidates: {}\n  gravity: {}\n"
+      "  update_priority: {}\n  ties: {}\n",
+      rules.inertia, rules.scatter, name_of(kCandidateNames, rules.candidates),
+      name_of(kDirectionNames, rules.gravity), list(rules.update_priority, text),
+      name_of(kTiesNames, rules.ties));
+}
+
+std::string wall_line(const Wall& wall) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
+    return fmt::format("  {}: {{box: {}}}\n", name(wall.name), rectangle(*box));
+  }
+  const auto& line = std::get<lattice::Segment>(wall.form);
+  return fmt::format("  {}: {{line: {{from: {}, to: {}, thickness: {}}}}}\n", name(wall.name),
+                     point(line.from), point(line.to), line.thickness);
+}
+
+/// `{small: 3, large: 1}` without the species that are 0.
+template <class Number>
+std::string per_species(const std::vector<Number>& numbers, const Scene& scene) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] != 0) {
+      parts.push_back(fmt::format("{}: {}", name(scene.species[i].name), numbers[i]));
+    }
+  }
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::string source_line(const Source& source, const Scene& scene) {
+  const auto* at = std::get_if<Eigen::Vector2d>(&source.place);
+  std::string line = fmt::format(
+      "  {}: {{{}, species: {}, rate: {}", name(source.name),
+      at != nullptr
+          ? fmt::format("at: {}", point(*at))
+          : fmt::format("region: {}", rectangle(std::get<lattice::Rectangle>(source.place))),
+      per_species(source.weights, scene), source.rate);
+  if (source.count) {
+    line += fmt::format(", count: {}", *source.count);
+  }
+  return line + "}\n";
+}
+
+std::string outlet_line(const Outlet& outlet) {
+  return fmt::format("  {}: {{region: {}}}\n", name(outlet.name), rectangle(outlet.region));
+}
+
+std::string until(const UntilSettled& /*end*/) {
+  return "settled";
+}
+std::string until(const UntilSteps& end) {
+  return fmt::format("{{steps: {}}}", end.steps);
+}
+std::string until(const UntilDischarged& end) {
+  return fmt::format("{{discharged: {}}}", end.share);
+}
+
+template <class Thing>
+std::string references(std::string_view key, const std::vector<std::size_t>& places,
+                       const std::vector<Thing>& things) {
+  const auto text = [&](std::size_t place) { return name(things[place].name); };
+  return places.empty() ? "" : fmt::format("    {}: {}\n", key, list(places, text));
+}
+
+std::string stage_block(const Stage& stage, const Scene& scene) {
+  std::string block = fmt::format("  - name: {}\n", name(stage.name));
+  if (stage.fill) {
+    block += fmt::format("    fill: {{region: {}, counts: {}}}\n", rectangle(stage.fill->region),
+                         per_species(stage.fill->counts, scene));
+  }
+  block += references("remove", stage.remove, scene.walls);
+  block += references("sources", stage.sources, scene.sources);
+  return block + fmt::format("    until: {}\n    max_steps: {}\n",
+                             std::visit([](const auto& end) { return until(end); }, stage.until),
+                             stage.max_steps);
+}
+
+std::string frames_block(const Frames& frames) {
+  std::string block = fmt::format(
+      "  frames:\n    every: {}\n    width: {}\n    height: {}\n    color_by: {}\n    layers: {}\n",
+      frames.every, frames.width, frames.height, name_of(kColorByNames, frames.color_by),
+      frames.layers);
+  if (frames.view) {
+    block += fmt::format("    view: {}\n", rectangle(*frames.view));
+  }
+  return block + fmt::format("    drawing: {}\n    supersampling: {}\n    caption: {}\n",
+                             name_of(kDrawingNames, frames.drawing), frames.supersampling,
+                             frames.caption);
+}
+
+std::string output_block(const Output& output) {
+  return fmt::format("output:\n{}{}",
+                     output.frames ? frames_block(*output.frames) : "  frames: none\n",
+                     output.series ? fmt::format("  series: {{every: {}}}\n", output.series->every)
+                                   : "  series: none\n");
+}
+
+/// `title:` and a line or block for each thing; nothing when there is none.
+template <class Thing, class Text>
+std::string section(std::string_view title, const std::vector<Thing>& things, Text text) {
+  std::string result = things.empty() ? "" : fmt::format("\n{}:\n", title);
+  for (const Thing& thing : things) {
+    result += text(thing);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string to_yaml(const Scene& scene) {
+  const auto measure = [](Measure one) { return name_of(kMeasureNames, one); };
+  std::string text =
+      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", quoted(scene.title), scene.seed);
+  text += fmt::format("box: {{width: {}, height: {}, periodic: {}}}\n", scene.box.width,
+                      scene.box.height, scene.box.periodic);
+  text += section("species", scene.species, species_line);
+  text += rules_block(scene.rules);
+  text += section("walls", scene.walls, wall_line);
+  text += section("sources", scene.sources,
+                  [&](const Source& source) { return source_line(source, scene); });
+  text += section("outlets", scene.outlets, outlet_line);
+  text += section("stages", scene.stages,
+                  [&](const Stage& stage) { return stage_block(stage, scene); });
+  text += fmt::format("\nmeasure: {}\n", list(scene.measures, measure));
+  return text + output_block(scene.output);
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,62 @@
+#include "clca/scene/scene.hpp"
+
+#include <tuple>
+
+namespace clca::scene {
+
+namespace {
+
+// What counts when two are compared: everything but names of files and places in them.
+
+auto content(const Box& box) {
+  return std::tie(box.width, box.height, box.periodic);
+}
+
+auto content(const Fill& fill) {
+  return std::tie(fill.region, fill.counts);
+}
+
+auto content(const lattice::Segment& line) {
+  return std::tie(line.from, line.to, line.thickness);
+}
+
+auto content(const Frames& frames) {
+  return std::tie(frames.every, frames.width, frames.height, frames.color_by, frames.layers,
+                  frames.view, frames.drawing, frames.supersampling, frames.caption);
+}
+
+auto content(const Scene& scene) {
+  return std::tie(scene.title, scene.seed, scene.box, scene.species, scene.rules, scene.walls,
+                  scene.sources, scene.outlets, scene.stages, scene.measures, scene.output);
+}
+
+}  // namespace
+
+bool Box::operator==(const Box& other) const {
+  return content(*this) == content(other);
+}
+
+bool Fill::operator==(const Fill& other) const {
+  return content(*this) == content(other);
+}
+
+bool Frames::operator==(const Frames& other) const {
+  return content(*this) == content(other);
+}
+
+bool Scene::operator==(const Scene& other) const {
+  return content(*this) == content(other);
+}
+
+bool Wall::operator==(const Wall& other) const {
+  if (name != other.name || form.index() != other.form.index()) {
+    return false;
+  }
+  if (const auto* box = std::get_if<lattice::Rectangle>(&form)) {
+    return *box == std::get<lattice::Rectangle>(other.form);
+  }
+  return content(std::get<lattice::Segment>(form)) ==
+         content(std::get<lattice::Segment>(other.form));
+}
+
+}  // namespace clca::scene

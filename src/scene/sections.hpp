@@ -1,0 +1,44 @@
+#pragma once
+// The parts of a scene, each from its value in the tree. All throw SceneError.
+
+#include "clca/lattice/lattice.hpp"
+#include "clca/scene/scene.hpp"
+#include "scene/value.hpp"
+
+namespace clca::scene {
+
+std::string read_title(const Value& value);
+Box read_box(const Value& value);
+lattice::Lattice lattice_of(const Box& box);
+
+/// The shape and how it was given.
+struct ReadShape {
+  ShapeSpec spec;
+  lattice::Shape shape;
+};
+ReadShape read_shape(const Value& value, const std::string& path);
+std::vector<Species> read_species(const Value& value);
+automaton::Rules read_rules(const Value& value);
+
+/// [left, bottom, right, top], not empty.
+lattice::Rectangle read_rectangle(const Value& value, const std::string& path);
+/// A rectangle that holds at least one site of the box.
+lattice::Rectangle read_region(const Value& value, const std::string& path, const Box& box);
+/// [x, y]
+Eigen::Vector2d read_point(const Value& value, const std::string& path);
+/// True when no site of the lattice lies in the rectangle; costs nothing.
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
+
+// These take the scene as far as it has been read: its box and whatever they refer to by name.
+std::vector<Wall> read_walls(const Value& value, const Scene& scene);
+std::vector<Source> read_sources(const Value& value, const Scene& scene);
+std::vector<Outlet> read_outlets(const Value& value, const Scene& scene);
+std::vector<Stage> read_stages(const Value& value, const Scene& scene);
+
+std::vector<Measure> read_measures(const Value& value);
+Output read_output(const Value& value);
+
+/// What concerns the scene as a whole: every species and source is used, there are particles.
+void check_use(const Scene& scene, const Value& root);
+
+}  // namespace clca::scene

@@ -1,0 +1,112 @@
+// What a scene will need, from above.
+
+#include <algorithm>
+#include <cmath>
+
+#include "automaton/claims.hpp"
+#include "clca/automaton/occupancy.hpp"
+#include "clca/scene/resolve.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 120;
+constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
+constexpr double kPixelBytes = 8;                          // colour and depth
+
+double filled(const Scene& scene) {
+  double sum = 0;
+  for (const Stage& stage : scene.stages) {
+    if (stage.fill) {
+      for (const std::size_t count : stage.fill->counts) {
+        sum += static_cast<double>(count);
+      }
+    }
+  }
+  return sum;
+}
+
+/// Most particles that a source can emit while it is open.
+double emitted(const Scene& scene, std::size_t source) {
+  double steps = 0;
+  for (const Stage& stage : scene.stages) {
+    if (std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end()) {
+      const auto* until = std::get_if<UntilSteps>(&stage.until);
+      steps += static_cast<double>(until == nullptr ? stage.max_steps : until->steps);
+    }
+  }
+  const double most = std::ceil(steps * scene.sources[source].rate);
+  const auto& count = scene.sources[source].count;
+  return count ? std::min(most, static_cast<double>(*count)) : most;
+}
+
+/// Sites of the box in the rectangle, from above.
+double most_sites(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
+  const auto share = [](double low, double high, double most) {
+    return std::clamp(high, 0.0, most) - std::clamp(low, 0.0, most);
+  };
+  const double columns = share(rectangle.left / lattice::kColumnPitch - 1,
+                               rectangle.right / lattice::kColumnPitch + 1, lattice.columns());
+  return columns * share(rectangle.bottom - 1, rectangle.top + 1, lattice.rows());
+}
+
+double wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
+    return most_sites(lattice, *box);
+  }
+  // The corners of the line: all sites between are looked at.
+  const auto& line = std::get<lattice::Segment>(wall.form);
+  const Eigen::Vector2d reach(line.thickness, line.thickness);
+  const Eigen::Vector2d low = line.from.cwiseMin(line.to) - reach;
+  const Eigen::Vector2d high = line.from.cwiseMax(line.to) + reach;
+  return most_sites(lattice, {low.x(), low.y(), high.x(), high.y()});
+}
+
+/// The list of places that the largest fill tries.
+double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
+  double most = 0;
+  for (const Stage& stage : scene.stages) {
+    for (std::size_t i = 0; stage.fill && i < scene.species.size(); ++i) {
+      const auto kinds = static_cast<double>(scene.species[i].orientations.size());
+      const double places = stage.fill->counts[i] > 0 ? most_sites(lattice, stage.fill->region) : 0;
+      most = std::max(most, places * (sizeof(lattice::Site) + kTrialBytes * kinds));
+    }
+  }
+  return most;
+}
+
+double picture_bytes(const Output& output) {
+  if (!output.frames) {
+    return 0;
+  }
+  const Frames& frames = *output.frames;
+  return kPixelBytes * frames.width * frames.height * frames.supersampling * frames.supersampling;
+}
+
+}  // namespace
+
+Size size_of(const Scene& scene) {
+  const lattice::Lattice lattice = lattice_of(scene.box);
+  double particles = filled(scene);
+  for (std::size_t source = 0; source < scene.sources.size(); ++source) {
+    particles += emitted(scene, source);
+  }
+  if (scene.outlets.empty()) {  // all of them have to find room
+    particles = std::min(particles, static_cast<double>(lattice.columns()) * lattice.rows());
+  }
+  const auto places = static_cast<double>(lattice.memory_size());
+  double bytes = automaton::Occupancy::bytes_for(places) + automaton::Claims::bytes_for(places) +
+                 kParticleBytes * particles + fill_bytes(scene, lattice) +
+                 picture_bytes(scene.output);
+  for (const Wall& wall : scene.walls) {
+    bytes += sizeof(lattice::Site) * wall_sites(lattice, wall);
+  }
+  return {.columns = lattice.columns(),
+          .rows = lattice.rows(),
+          .particles = static_cast<std::uint64_t>(particles),
+          .bytes = bytes};
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,96 @@
+#include "scene/source_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr std::size_t kBlock = 1024;
+
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;  // not the middle of one
+  }));
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
+    : text_(text), origin_(std::move(origin)) {
+  if (text_.size() > kLargestText) {
+    fail({origin_, 1, 1}, "the text is larger than 16 MiB");
+  }
+  characters_ = {0};
+  for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
+    characters_.push_back(characters_.back() + count_characters(text_.substr(i, kBlock)));
+  }
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (text_[i] == '\n') {
+      line_starts_.push_back(i + 1);
+    }
+  }
+  check_characters();
+  check_directives();
+}
+
+Place SourceText::place(std::size_t position) const {
+  const std::size_t end = std::min(position, text_.size());
+  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), end);
+  const auto line = static_cast<std::size_t>(next - line_starts_.begin());
+  return {origin_, line, characters_before(end) - characters_before(line_starts_[line - 1]) + 1};
+}
+
+std::size_t SourceText::characters_before(std::size_t position) const {
+  const std::size_t block = position / kBlock;
+  return characters_[block] +
+         count_characters(text_.substr(block * kBlock, position - block * kBlock));
+}
+
+void SourceText::check_character(std::size_t position, std::size_t length) const {
+  if (length == 0) {
+    fail(place(position), fmt::format("the byte 0x{:02x} is not UTF-8 text",
+                                      static_cast<unsigned char>(text_[position])));
+  }
+  const char32_t character = character_at(text_, position, length);
+  if (position == 0 && character == 0xFEFF) {
+    fail(place(0), "a byte order mark; save the file as UTF-8 without it");
+  }
+  const bool line_end = text_.substr(position, 2) == "\r\n";
+  if (is_control(character) && character != '\n' && character != '\t' && !line_end) {
+    fail(place(position), fmt::format("the control character U+{:04X} is not allowed",
+                                      static_cast<unsigned>(character)));
+  }
+}
+
+void SourceText::check_characters() const {
+  bool comment = false;
+  for (std::size_t i = 0; i < text_.size();) {
+    const std::size_t length = character_length(text_, i);
+    check_character(i, length);
+    if (text_[i] == '\t' && !comment) {
+      fail(place(i), "a tab; indent and align with spaces");
+    }
+    comment = text_[i] != '\n' && (comment || text_[i] == '#');
+    i += length;
+  }
+}
+
+void SourceText::check_directives() const {
+  for (const std::size_t start : line_starts_) {
+    const std::string_view rest = text_.substr(start);
+    if (rest.starts_with('%')) {
+      fail(place(start), "YAML directives ('%') are not part of the format");
+    }
+    const std::size_t first = std::min(rest.find_first_not_of(" \r"), rest.size());
+    if (first < rest.size() && rest[first] != '\n' && rest[first] != '#') {
+      return;
+    }
+  }
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,47 @@
+#include "scene/value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "clca/scene/parse.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+std::string to_string(const Place& place) {
+  const Origin& origin = *place.origin;
+  return origin.has_lines ? fmt::format("{}:{}:{}", origin.label, place.line, place.column)
+                          : origin.label;
+}
+
+void fail(const Place& place, std::string_view message) {
+  throw SceneError(fmt::format("{}: error: {}", to_string(place), message));
+}
+
+const Value* Value::find(std::string_view key) const {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [key](const Entry& other) { return other.key == key; });
+  return entry == entries.end() ? nullptr : &entry->value;
+}
+
+Value* Value::find(std::string_view key) {
+  return const_cast<Value*>(std::as_const(*this).find(key));
+}
+
+std::string found(const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::nothing:
+      return "nothing";
+    case Value::Kind::list:
+      return "a list";
+    case Value::Kind::map:
+      return "a map";
+    case Value::Kind::scalar:
+      break;
+  }
+  return shown(value.text) + (value.quoted ? " in quotes" : "");
+}
+
+}  // namespace clca::scene

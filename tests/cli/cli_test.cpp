@@ -1,0 +1,249 @@
+// The program as a user meets it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "clca/render/png.hpp"
+#include "clca/store/file.hpp"
+#include "support/program.hpp"
+#include "support/runs.hpp"
+
+namespace clca {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kScene = R"(clca: 1
+seed: 5
+box: {width: 60, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+walls:
+  gate: {box: [30, 0, 31, 60]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 60], counts: {small: 30}}
+  - name: flow
+    remove: [gate]
+output:
+  frames: {every: 20, width: 160, height: 120}
+  series: {every: 1}
+)";
+
+/// A particle gas that never rests.
+constexpr const char* kEndless = R"(clca: 1
+box: {width: 60, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+rules: {candidates: all}
+stages:
+  - name: gas
+    fill: {region: [0, 0, 60, 60], counts: {small: 100}}
+    max_steps: 1000000000000
+output:
+  series: {every: 1000}
+)";
+
+class CliTest : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+  }
+  testing::ProgramResult run(const std::vector<std::string>& arguments,
+                             testing::ProgramSetting setting = {}) const {
+    setting.folder = folder_.path().string();
+    return testing::run_program(arguments, setting);
+  }
+  nlohmann::json summary(const std::string& run) const {
+    return nlohmann::json::parse(store::read_whole(folder_.path() / run / "run.json"));
+  }
+  /// Checks that the call is refused with one line on standard error, and nothing else.
+  void expect_refused(const testing::ProgramResult& result, int code,
+                      const ::testing::Matcher<std::string>& message) const {
+    EXPECT_EQ(result.code, code);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, message);
+    EXPECT_EQ(result.out, "");
+    EXPECT_FALSE(fs::exists(folder_.path() / "renders"));
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
+  const auto help = run({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("run"), HasSubstr("check"), HasSubstr("diff"),
+                              HasSubstr("Exit codes")));
+  EXPECT_THAT(run({"run", "--help"}).out, AllOf(HasSubstr("--set"), HasSubstr("--threads")));
+  EXPECT_THAT(run({"--version"}).out, StartsWith("clca "));
+}
+
+TEST_F(CliTest, WrongUsageIsExitCodeTwo) {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"fly"},
+                                             {"run"},
+                                             {"run", "a", "b"},
+                                             {"run", "a.yaml", "--threads", "0"},
+                                             {"run", "a.yaml", "--seed", "-1"},
+                                             {"diff", "a.png"}}) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err, "");
+  }
+}
+
+TEST_F(CliTest, RunWritesIntoRendersByDefaultAndEndsWithTheHash) {
+  write("small.yaml", kScene);
+  const auto result = run({"run", "small.yaml"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto json = summary("renders/small");
+  EXPECT_THAT(result.out, HasSubstr("state " + json["state_hash"].get<std::string>()));
+  EXPECT_THAT(result.out, HasSubstr("particle-updates/s"));
+}
+
+TEST_F(CliTest, RunAgainIntoTheSameFolderReplacesTheRun) {
+  write("small.yaml", kScene);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "out"}).code, 0);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "out", "--frames-every", "0"}).code, 0);
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "out" / "frames"));
+}
+
+TEST_F(CliTest, QuietPrintsNothing) {
+  write("small.yaml", kScene);
+  const auto result = run({"run", "small.yaml", "--quiet"});
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(CliTest, SeedAndSetChangeTheRunAndAreKeptInTheResolvedScene) {
+  write("small.yaml", kScene);
+  run({"run", "small.yaml", "-o", "a"});
+  run({"run", "small.yaml", "-o", "b", "--seed", "6", "--set", "rules.inertia=0.5"});
+  EXPECT_NE(summary("a")["state_hash"], summary("b")["state_hash"]);
+  EXPECT_EQ(run({"run", "b/scene.yaml", "-o", "c"}).code, 0);
+  EXPECT_EQ(summary("b")["state_hash"], summary("c")["state_hash"]);
+}
+
+TEST_F(CliTest, CheckPrintsASceneThatRunsToTheSameState) {
+  write("small.yaml", kScene);
+  const auto check = run({"check", "small.yaml"});
+  EXPECT_EQ(check.code, 0);
+  EXPECT_THAT(check.out, AllOf(HasSubstr("inertia: 0.9"), HasSubstr("MiB of memory")));
+  EXPECT_FALSE(fs::exists(folder_.path() / "renders"));
+  write("resolved.yaml", check.out);
+  run({"run", "small.yaml", "-o", "a"});
+  run({"run", "resolved.yaml", "-o", "b"});
+  EXPECT_EQ(summary("a")["state_hash"], summary("b")["state_hash"]);
+}
+
+TEST_F(CliTest, AMistakeInASceneIsOneLineWithItsPlace) {
+  std::string scene = kScene;
+  scene.replace(scene.find("hexagon"), 7, "hexagno");
+  write("small.yaml", scene);
+  expect_refused(run({"run", "small.yaml"}), 2,
+                 AllOf(StartsWith("small.yaml:5:19: error: "), HasSubstr("hexagon")));
+  expect_refused(run({"check", "missing.yaml"}), 2, StartsWith("missing.yaml:1:1: error: "));
+  write("good.yaml", kScene);
+  expect_refused(run({"run", "good.yaml", "--set", "rules.inertia=2"}), 2,
+                 StartsWith("--set rules.inertia=2: error: "));
+}
+
+TEST_F(CliTest, AFillThatDoesNotFitIsWrongInputWithItsPlace) {
+  write("small.yaml", kScene);
+  expect_refused(run({"run", "small.yaml", "--set", "stages.packing.fill.counts.small=9999"}), 2,
+                 AllOf(HasSubstr("small.yaml:10:"), HasSubstr("of 9999 small fitted")));
+}
+
+TEST_F(CliTest, ASceneBeyondTheMemoryLimitIsRefusedBeforeAnythingIsAllocated) {
+  write("small.yaml", kScene);
+  expect_refused(run({"run", "small.yaml", "--memory-limit", "64KiB"}), 2,
+                 AllOf(StartsWith("small.yaml:3:"), HasSubstr("--memory-limit")));
+  expect_refused(
+      run({"run", "small.yaml", "--set", "box.width=800000", "--set", "box.height=1000000"}), 2,
+      HasSubstr("MiB of memory"));
+}
+
+TEST_F(CliTest, AnUnknownDriverOrVectorWidthIsRefusedInsteadOfCrashing) {
+  write("small.yaml", kScene);
+  expect_refused(run({"run", "small.yaml"}, {.environment = {{"GALLIUM_DRIVER", "zink"}}}), 2,
+                 AllOf(StartsWith("small.yaml:14:"), HasSubstr("zink"), HasSubstr("llvmpipe")));
+  expect_refused(run({"run", "small.yaml"}, {.environment = {{"LP_NATIVE_VECTOR_WIDTH", "512"}}}),
+                 2, HasSubstr("512"));
+  EXPECT_EQ(run({"run", "small.yaml", "--frames-every", "0"},
+                {.environment = {{"GALLIUM_DRIVER", "zink"}}})
+                .code,
+            0);
+}
+
+TEST_F(CliTest, APictureBeyondTheDriverIsRefusedWithTheLimit) {
+  write("small.yaml", kScene);
+  expect_refused(run({"run", "small.yaml", "--set", "output.frames.width=60000"}), 2,
+                 AllOf(StartsWith("small.yaml:14:"), HasSubstr("60000")));
+}
+
+TEST_F(CliTest, AFolderThatCannotBeMadeIsAFailedRun) {
+  write("small.yaml", kScene);
+  write("file", "x");
+  expect_refused(run({"run", "small.yaml", "-o", "file/out"}), 1,
+                 AllOf(HasSubstr("file/out"), HasSubstr("Not a directory")));
+  expect_refused(run({"run", "small.yaml", "-o", "/proc/out"}), 1, HasSubstr("/proc/out"));
+}
+
+TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
+  write("small.yaml", kScene);
+  // Room for run.json and scene.yaml, not for a picture.
+  const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=1280"},
+                          {.file_size_limit = 3000});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("cannot write"), HasSubstr(".png")));
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "out" / "frames"));
+  EXPECT_EQ(summary("out")["status"], "failed");
+}
+
+TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
+  write("gas.yaml", kEndless);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto result =
+        run({"run", "gas.yaml", "-o", "out"}, {.signal_after = 0.7, .signal = signal});
+    EXPECT_EQ(result.code, 128 + signal) << result.err;
+    EXPECT_THAT(result.out, StartsWith("interrupted: "));
+    const auto json = summary("out");
+    EXPECT_EQ(json["status"], "interrupted");
+    EXPECT_EQ(json["stages"][0]["ended"], "interrupted");
+    const auto steps = testing::csv_column(folder_.path() / "out" / "series.csv", "step");
+    EXPECT_EQ(steps.back(), json["steps"].get<double>());
+  }
+}
+
+TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
+  render::Image image(20, 10, {200, 100, 50});
+  store::write_whole(folder_.path() / "a.png", render::encode_png(image, {}));
+  image.at(3, 4) = {190, 100, 50};
+  store::write_whole(folder_.path() / "b.png", render::encode_png(image, {}));
+  store::write_whole(folder_.path() / "c.png", render::encode_png(render::Image(5, 5, {}), {}));
+  write("d.png", "no picture");
+  EXPECT_EQ(run({"diff", "a.png", "a.png"}).code, 0);
+  const auto different = run({"diff", "a.png", "b.png", "--out", "where.png"});
+  EXPECT_EQ(different.code, 1);
+  EXPECT_EQ(different.out, "1 pixels differ by up to 10 in x 3 to 3, y 4 to 4\n");
+  EXPECT_TRUE(fs::exists(folder_.path() / "where.png"));
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--tolerance", "10"}).code, 0);
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--pixels", "1"}).code, 0);
+  EXPECT_EQ(run({"diff", "a.png", "c.png"}).code, 1);
+  expect_refused(run({"diff", "a.png", "d.png"}), 2, HasSubstr("d.png"));
+  expect_refused(run({"diff", "a.png", "none.png"}), 2, HasSubstr("none.png"));
+}
+
+}  // namespace
+}  // namespace clca

@@ -1,0 +1,25 @@
+# Run as a script, with BUILD, EXAMPLE, WORK, GENERATOR, COMPILER and SANITIZE given.
+set(prefix ${WORK}/prefix)
+set(example_build ${WORK}/example)
+file(REMOVE_RECURSE ${prefix} ${example_build})
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${prefix}/bin/clca check ${prefix}/share/clca/scenes/wall-removal.yaml)
+
+set(flags)
+if(SANITIZE)
+  set(flags -fsanitize=${SANITIZE})
+endif()
+run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${example_build} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${prefix})
+run(${CMAKE_COMMAND} --build ${example_build})
+
+execute_process(COMMAND ${example_build}/embed OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+message("${said}")
+if(NOT said MATCHES "^200 particles settled after [1-9][0-9]* steps, state hash [0-9a-f]+\n$")
+  message(FATAL_ERROR "the example says something else than expected")
+endif()

@@ -1,0 +1,15 @@
+#pragma once
+// The update rule written down as plainly as it can be: the oracle for the real thing.
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::testing {
+
+/// One step of a state without sources and outlets. Every particle is looked at, movers have their
+/// turn one after the other. Returns how many moved.
+std::size_t oracle_step(automaton::State& state);
+
+/// Sum of the heights of all particles against gravity, in half lattice spacings.
+long long potential(const automaton::State& state);
+
+}  // namespace clca::testing

@@ -1,0 +1,72 @@
+#include "support/program.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "support/runs.hpp"
+
+namespace clca::testing {
+
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void redirect(int descriptor, const std::filesystem::path& file) {
+  const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  ::dup2(opened, descriptor);
+  ::close(opened);
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& arguments,
+                          const ProgramSetting& setting) {
+  const ScratchFolder scratch;
+  const std::filesystem::path out = scratch.path() / "out";
+  const std::filesystem::path err = scratch.path() / "err";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    redirect(STDOUT_FILENO, out);
+    redirect(STDERR_FILENO, err);
+    for (const auto& [name, value] : setting.environment) {
+      ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    if (setting.file_size_limit > 0) {
+      const rlimit limit = {setting.file_size_limit, setting.file_size_limit};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    std::vector<char*> argv = {const_cast<char*>("clca")};
+    for (const std::string& argument : arguments) {
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    }
+    argv.push_back(nullptr);
+    if (::chdir(setting.folder.c_str()) == 0) {
+      ::execv(CLCA_PROGRAM, argv.data());
+    }
+    ::_exit(127);
+  }
+  if (setting.signal_after > 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
+    ::kill(child, setting.signal);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+          .out = text_of(out),
+          .err = text_of(err)};
+}
+
+}  // namespace clca::testing

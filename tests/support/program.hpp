@@ -1,0 +1,28 @@
+#pragma once
+// The program itself, called as a user calls it.
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace clca::testing {
+
+struct ProgramResult {
+  int code = 0;  ///< exit code, or minus the signal that ended the program
+  std::string out;
+  std::string err;
+};
+
+struct ProgramSetting {
+  std::string folder = ".";                             ///< to run in
+  std::map<std::string, std::string> environment = {};  ///< added to the present one
+  double signal_after = 0;                              ///< seconds; 0: never
+  int signal = 2;
+  std::size_t file_size_limit = 0;  ///< bytes a file may have, as on a full disk; 0: no limit
+};
+
+/// Runs `clca ARGUMENTS` to its end.
+ProgramResult run_program(const std::vector<std::string>& arguments,
+                          const ProgramSetting& setting = {});
+
+}  // namespace clca::testing

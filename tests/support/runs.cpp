@@ -1,0 +1,100 @@
+#include "support/runs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace clca::testing {
+
+namespace {
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::stringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) {
+    result.push_back(cell);
+  }
+  return result;
+}
+
+const store::StageSummary& stage_of(const store::RunSummary& summary, const std::string& name) {
+  const auto found = std::find_if(summary.stages.begin(), summary.stages.end(),
+                                  [&](const auto& stage) { return stage.name == name; });
+  if (found == summary.stages.end()) {
+    throw std::out_of_range("no stage " + name);
+  }
+  return *found;
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "clca-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error("cannot make a scratch folder");
+  }
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+scene::Scene bare_scene(const std::string& name, const std::vector<scene::Override>& overrides) {
+  const std::filesystem::path file =
+      std::filesystem::path(CLCA_SOURCE_DIR) / "scenes" / (name + ".yaml");
+  scene::Scene scene = scene::parse_file(file, overrides);
+  scene.output = {};
+  return scene;
+}
+
+double measure_of(const store::RunSummary& summary, const std::string& stage,
+                  const std::string& measure) {
+  for (const auto& [name, value] : stage_of(summary, stage).measures) {
+    if (name == measure) {
+      const double* number = std::get_if<double>(&value);
+      return number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  throw std::out_of_range("no measure " + measure);
+}
+
+std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stage) {
+  return stage_of(summary, stage).steps;
+}
+
+Statistics statistics(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean);
+  }
+  return {.mean = mean, .standard_error = std::sqrt(squares / (count - 1) / count)};
+}
+
+std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  const std::vector<std::string> header = cells(line);
+  const auto found = std::find(header.begin(), header.end(), column);
+  if (found == header.end()) {
+    throw std::out_of_range("no column " + column + " in " + file.string());
+  }
+  const auto place = static_cast<std::size_t>(found - header.begin());
+  std::vector<double> values;
+  while (std::getline(stream, line)) {
+    values.push_back(std::stod(cells(line).at(place)));
+  }
+  return values;
+}
+
+}  // namespace clca::testing

@@ -1,0 +1,45 @@
+#pragma once
+// Runs of the project's own scenes inside a test.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "clca/run/run.hpp"
+#include "clca/scene/parse.hpp"
+
+namespace clca::testing {
+
+/// A folder that is empty at first and gone at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// scenes/NAME.yaml without pictures and series.
+scene::Scene bare_scene(const std::string& name, const std::vector<scene::Override>& overrides);
+
+/// A measure of a stage, by name; NaN where it has no value. Throws std::out_of_range if there is
+/// no such stage or measure.
+double measure_of(const store::RunSummary& summary, const std::string& stage,
+                  const std::string& measure);
+std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stage);
+
+struct Statistics {
+  double mean = 0;
+  double standard_error = 0;
+};
+Statistics statistics(const std::vector<double>& values);
+
+/// A column of a CSV file with a header line.
+std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column);
+
+}  // namespace clca::testing

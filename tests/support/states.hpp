@@ -1,0 +1,31 @@
+#pragma once
+// States that many tests start from.
+
+#include <cstdint>
+
+#include "clca/automaton/automaton.hpp"
+
+namespace clca::testing {
+
+/// An empty box.
+inline automaton::State empty_state(int columns, int rows, std::uint64_t seed = 1) {
+  return {.lattice = lattice::Lattice(columns, rows, false), .seed = seed};
+}
+
+/// Hexagons of radius 1 and 2 thrown into a box, `count` of each.
+inline automaton::Automaton mixed_automaton(int columns, int rows, std::size_t count,
+                                            std::uint64_t seed = 1) {
+  automaton::State state = empty_state(columns, rows, seed);
+  state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
+  automaton::Automaton automaton(std::move(state));
+  const std::vector<std::size_t> counts = {count, count};
+  automaton.fill({0, 0, 1e6, 1e6}, counts);
+  return automaton;
+}
+
+inline void settle(automaton::Automaton& automaton) {
+  while (!automaton.step().settled) {
+  }
+}
+
+}  // namespace clca::testing

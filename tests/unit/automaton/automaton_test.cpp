@@ -1,0 +1,333 @@
+#include "clca/automaton/automaton.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "support/oracle.hpp"
+#include "support/states.hpp"
+
+namespace clca::automaton {
+namespace {
+
+using lattice::Direction;
+using lattice::Shape;
+using testing::empty_state;
+using testing::settle;
+
+Particle particle_at(int column, int row, std::uint16_t kind = 0) {
+  return {.column = column, .row = row, .kind = kind};
+}
+
+TEST(Automaton, ALoneParticleFallsOneSpacingAStepAndRestsOnTheFloor) {
+  State state = empty_state(9, 30);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(4, 20)};
+  Automaton automaton(state);
+  for (int step = 1; step <= 19; ++step) {
+    EXPECT_EQ(automaton.step().moved, 1U);
+    EXPECT_EQ(automaton.state().particles[0].site(), (lattice::Site{4, 20 - step}));
+  }
+  EXPECT_TRUE(automaton.step().settled);
+}
+
+TEST(Automaton, AParticleOnASiteRollsToTheOnlyFreeSide) {
+  State state = empty_state(9, 9);
+  state.kinds = {{Shape::hexagon(0), 0}};
+  state.walls = {{.sites = {{4, 2}, {3, 2}}, .present = true}};  // below and below left
+  state.particles = {particle_at(4, 3)};
+  Automaton automaton(state);
+  automaton.step();
+  EXPECT_EQ(automaton.state().particles[0].previous, static_cast<Move>(Direction::down_right));
+}
+
+TEST(Automaton, FullInertiaKeepsTheSlopeInEmptyAirAndNoneFallsStraight) {
+  for (const double inertia : {0.0, 1.0}) {
+    State state = empty_state(41, 60);
+    state.rules.inertia = inertia;
+    state.kinds = {{Shape::hexagon(0), 0}};
+    state.particles = {particle_at(4, 50)};
+    state.particles[0].previous = static_cast<Move>(Direction::down_right);
+    Automaton automaton(state);
+    for (int step = 0; step < 20; ++step) {
+      automaton.step();
+    }
+    EXPECT_EQ(automaton.state().particles[0].column, inertia == 1.0 ? 24 : 4);
+  }
+}
+
+TEST(Automaton, InertiaIsTheProbabilityToKeepTheSlope) {
+  // 4,000 particles that just moved down_right with all directions free; 1,000 boxes of 4 columns.
+  State state = empty_state(16'000, 8);
+  state.rules.inertia = 0.7;
+  state.kinds = {{Shape::hexagon(0), 0}};
+  for (int i = 0; i < 4000; ++i) {
+    state.particles.push_back(particle_at(4 * i + 1, 4));
+    state.particles.back().previous = static_cast<Move>(Direction::down_right);
+  }
+  Automaton automaton(state);
+  automaton.step();
+  int kept = 0;
+  for (const Particle& particle : automaton.state().particles) {
+    kept += particle.previous == static_cast<Move>(Direction::down_right) ? 1 : 0;
+  }
+  EXPECT_NEAR(kept, 2800, 4 * std::sqrt(4000 * 0.7 * 0.3));
+}
+
+TEST(Automaton, ScatterTakesAllFreeDirectionsAlike) {
+  State state = empty_state(16'000, 8);
+  state.rules.scatter = 1;
+  state.kinds = {{Shape::hexagon(0), 0}};
+  for (int i = 0; i < 3000; ++i) {
+    state.particles.push_back(particle_at(4 * i + 1, 4));
+  }
+  Automaton automaton(state);
+  automaton.step();
+  std::map<Move, int> counts;
+  for (const Particle& particle : automaton.state().particles) {
+    ++counts[particle.previous];
+  }
+  EXPECT_EQ(counts.size(), 3U);
+  for (const auto& [move, count] : counts) {
+    EXPECT_NEAR(count, 1000, 4 * std::sqrt(3000 * 2.0 / 9.0));
+  }
+}
+
+TEST(Automaton, OfTwoMoversToOneSiteTheClassDecidesAndElseADraw) {
+  // A falls straight into the site that B, just rolled, wants too.
+  const auto winner = [](std::array<UpdateClass, 3> order, std::uint64_t seed) {
+    State state = empty_state(9, 12, seed);
+    state.rules.inertia = 1;
+    state.rules.update_priority = order;
+    state.kinds = {{Shape::hexagon(0), 0}};
+    // Column 4 is even: its lower left neighbour of row r is (3, r - 1).
+    state.particles = {particle_at(3, 6), particle_at(4, 6)};
+    state.particles[0].previous = static_cast<Move>(Direction::down);
+    state.particles[1].previous = static_cast<Move>(Direction::down_left);
+    state.walls = {{.sites = {{4, 5}, {5, 5}}, .present = true}};
+    Automaton automaton(state);
+    automaton.step();
+    EXPECT_NE(automaton.state().particles[0].previous == kRest,
+              automaton.state().particles[1].previous == kRest);
+    return automaton.state().particles[0].previous == kRest ? 1 : 0;
+  };
+  using enum UpdateClass;
+  std::set<int> winners;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    EXPECT_EQ(winner({gravity, rest, inertia}, seed), 0);
+    winners.insert(winner({rest, inertia, gravity}, seed));  // both keep their direction
+  }
+  EXPECT_THAT(winners, ::testing::ElementsAre(0, 1));
+}
+
+TEST(Automaton, AMixedCollapseEqualsTheOracleForBothKindsOfTies) {
+  for (const Ties ties : {Ties::particle, Ties::direction}) {
+    State state = testing::mixed_automaton(80, 60, 50).state();
+    state.rules.ties = ties;
+    state.rules.inertia = 0.9;
+    State expected = state;
+    Automaton automaton(state);
+    Automaton threaded(state, {.threads = 2, .parallel_from = 1});
+    for (int step = 0; step < 120; ++step) {
+      testing::oracle_step(expected);
+      automaton.step();
+      threaded.step();
+      ASSERT_EQ(automaton.state(), expected) << "step " << step;
+      ASSERT_EQ(threaded.state(), expected) << "step " << step;
+    }
+  }
+}
+
+TEST(Automaton, TheTwoKindsOfTiesAreNotTheSamePhysics) {
+  State state = testing::mixed_automaton(80, 60, 60).state();
+  Automaton by_particle(state);
+  state.rules.ties = Ties::direction;
+  Automaton by_direction(state);
+  settle(by_particle);
+  settle(by_direction);
+  EXPECT_NE(by_particle.state().particles, by_direction.state().particles);
+}
+
+TEST(Automaton, AllSixCandidatesNeverComeToRest) {
+  State state = testing::mixed_automaton(40, 40, 10).state();
+  state.rules.candidates = Candidates::all;
+  Automaton automaton(state);
+  for (int step = 0; step < 500; ++step) {
+    EXPECT_FALSE(automaton.step().settled);
+  }
+}
+
+TEST(Automaton, GravityMayPointAlongAnyDirection) {
+  for (const Direction gravity : lattice::kDirections) {
+    State state = empty_state(40, 40);
+    state.rules.gravity = gravity;
+    state.kinds = {{Shape::hexagon(1), 0}};
+    state.particles = {particle_at(20, 20)};
+    Automaton automaton(state);
+    automaton.step();
+    EXPECT_EQ(automaton.state().particles[0].previous, static_cast<Move>(gravity));
+    settle(automaton);
+  }
+}
+
+TEST(Automaton, PeriodicBoxesLetParticlesAcrossTheSeam) {
+  State state = empty_state(10, 30);
+  state.lattice = lattice::Lattice(10, 30, true);
+  state.rules.inertia = 1;
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(8, 25)};
+  state.particles[0].previous = static_cast<Move>(Direction::down_right);
+  Automaton automaton(state);
+  for (int step = 0; step < 15; ++step) {
+    automaton.step();
+    EXPECT_EQ(Occupancy(automaton.state()), automaton.occupancy());
+  }
+  EXPECT_EQ(automaton.state().particles[0].column, 23);  // runs on; wrapped it stands in column 3
+}
+
+TEST(Fill, PlacesWhatWasAskedForInsideTheRegionWithIdsUpTheColumns) {
+  const Automaton automaton = testing::mixed_automaton(60, 60, 40);
+  const State& state = automaton.state();
+  ASSERT_EQ(state.particles.size(), 80U);
+  for (std::size_t id = 1; id < 80; ++id) {
+    EXPECT_LT(state.particles[id - 1].site(), state.particles[id].site());
+  }
+  EXPECT_EQ(Occupancy(state), automaton.occupancy());
+}
+
+TEST(Fill, SaysHowManyFittedWhenTheRegionIsFull) {
+  State state = empty_state(20, 20);
+  state.kinds = {{Shape::hexagon(2), 0}};
+  Automaton automaton(state);
+  const std::vector<std::size_t> counts = {1000};
+  const FillResult result = automaton.fill({0, 0, 100, 100}, counts);
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.placed[0], automaton.state().particles.size());
+  EXPECT_GE(result.placed[0], 6U);
+  // Nothing more fits: a second fill places none.
+  EXPECT_EQ(automaton.fill({0, 0, 100, 100}, counts).placed[0], 0U);
+}
+
+TEST(Fill, DrawsOrientationsOfASpeciesEvenly) {
+  State state = empty_state(300, 300);
+  for (int turn = 0; turn < 3; ++turn) {
+    state.kinds.push_back({Shape::rod(0, 3).rotated(turn), 0});
+  }
+  Automaton automaton(state);
+  const std::vector<std::size_t> counts = {3000};
+  automaton.fill({0, 0, 1000, 1000}, counts);
+  std::array<int, 3> kinds{};
+  for (const Particle& particle : automaton.state().particles) {
+    ++kinds.at(particle.kind);
+  }
+  for (const int count : kinds) {
+    EXPECT_NEAR(count, 1000, 4 * std::sqrt(3000 * 2.0 / 9.0));
+  }
+}
+
+TEST(Source, EmitsAtItsRateUntilItsCountIsReached) {
+  State state = empty_state(41, 60);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.sources = {{.sites = {{20, 50}}, .weights = {1}, .rate = 1ULL << 30U, .count = 6}};
+  Automaton automaton(state);
+  automaton.set_source(0, true);
+  std::vector<std::uint64_t> steps;
+  StepReport report;
+  while (!report.settled) {
+    report = automaton.step();
+    for (std::size_t i = 0; i < report.emitted; ++i) {
+      steps.push_back(automaton.state().step);
+    }
+  }
+  EXPECT_THAT(steps, ::testing::ElementsAre(4, 8, 12, 16, 20, 24));
+}
+
+TEST(Source, ABlockedSourceDoesNotKeepARunFromSettling) {
+  State state = empty_state(9, 12);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.sources = {{.sites = {{4, 4}}, .weights = {1}, .rate = 1ULL << 32U, .count = 1'000'000}};
+  Automaton automaton(state);
+  automaton.set_source(0, true);
+  settle(automaton);
+  EXPECT_LT(automaton.state().sources[0].emitted, 10U);
+}
+
+TEST(Outlet, CountsAndRemovesParticlesWhollyInside) {
+  State state = empty_state(9, 30);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(4, 20)};
+  state.outlets = {{.region = {0, 0, 10, 5}}};
+  Automaton automaton(state);
+  std::size_t removed = 0;
+  while (removed == 0) {
+    removed += automaton.step().removed;
+  }
+  EXPECT_EQ(automaton.state().particles[0].row, 3);  // its top site is at 4, below 5
+  EXPECT_EQ(automaton.state().outlets[0].particles, 1U);
+  EXPECT_EQ(automaton.state().outlets[0].sites, 7U);
+  EXPECT_EQ(present_count(automaton.state()), 0U);
+  EXPECT_EQ(Occupancy(automaton.state()), automaton.occupancy());
+  EXPECT_TRUE(automaton.step().settled);
+}
+
+TEST(Walls, WhatTwoWallsCoverStaysUntilBothAreGone) {
+  State state = empty_state(9, 12);
+  state.kinds = {{Shape::hexagon(0), 0}};
+  std::vector<lattice::Site> shelf;
+  for (int column = 0; column < 9; ++column) {
+    shelf.push_back({column, 5});
+  }
+  state.walls = {{.sites = shelf}, {.sites = shelf}};
+  state.particles = {particle_at(4, 6)};
+  Automaton automaton(state);
+  EXPECT_TRUE(automaton.step().settled);
+  automaton.remove_wall(0);
+  EXPECT_TRUE(automaton.step().settled);
+  automaton.remove_wall(1);
+  EXPECT_FALSE(automaton.step().settled);
+}
+
+TEST(Occupancy, RefusesOverlapsAndParticlesOutsideTheBox) {
+  State state = empty_state(20, 20);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(5, 5), particle_at(6, 5)};
+  EXPECT_THROW(Automaton{state}, std::invalid_argument);
+  state.particles = {particle_at(0, 5)};
+  EXPECT_THROW(Automaton{state}, std::invalid_argument);
+  state.particles = {};
+  state.walls = {{.sites = {{25, 3}}}};
+  EXPECT_THROW(Automaton{state}, std::invalid_argument);
+}
+
+TEST(Hash, ChangesWithEveryFieldThatARunChanges) {
+  State state = testing::mixed_automaton(40, 40, 5).state();
+  state.walls = {{.sites = {}}};
+  state.sources = {Source{}};
+  state.outlets = {Outlet{}};
+  std::set<std::uint64_t> hashes = {hash(state)};
+  const auto changed = [&](auto change) {
+    State copy = state;
+    change(copy);
+    hashes.insert(hash(copy));
+  };
+  changed([](State& s) { ++s.seed; });
+  changed([](State& s) { ++s.step; });
+  changed([](State& s) { ++s.particles[3].column; });
+  changed([](State& s) { ++s.particles[3].row; });
+  changed([](State& s) { s.particles[3].previous = 2; });
+  changed([](State& s) { s.particles[3].present = false; });
+  changed([](State& s) { s.walls[0].present = false; });
+  changed([](State& s) { s.sources[0].credit = 1; });
+  changed([](State& s) { s.sources[0].emitted = 1; });
+  changed([](State& s) { s.sources[0].open = true; });
+  changed([](State& s) { s.outlets[0].particles = 1; });
+  changed([](State& s) { s.outlets[0].sites = 1; });
+  changed([](State& s) { std::swap(s.particles[1], s.particles[2]); });
+  EXPECT_EQ(hashes.size(), 14U);
+}
+
+}  // namespace
+}  // namespace clca::automaton

@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "clca/measure/displacement.hpp"
+#include "clca/measure/outflow.hpp"
+#include "clca/measure/profile.hpp"
+#include "support/states.hpp"
+
+namespace clca::measure {
+namespace {
+
+using automaton::State;
+using lattice::kColumnPitch;
+using lattice::Shape;
+using testing::empty_state;
+
+/// Single sites stacked without gaps: `heights[c]` of them in column c.
+State stacks(const std::vector<int>& heights) {
+  State state = empty_state(static_cast<int>(heights.size()), 100);
+  state.kinds = {{Shape::hexagon(0), 0}};
+  for (std::size_t column = 0; column < heights.size(); ++column) {
+    for (int row = 0; row < heights[column]; ++row) {
+      state.particles.push_back({.column = static_cast<int>(column), .row = row});
+      state.origins.push_back({static_cast<int>(column), row});
+    }
+  }
+  return state;
+}
+
+TEST(Profile, IsTheTopOfTheHighestSiteOfEachColumn) {
+  const auto profile = surface_profile(stacks({3, 2, 0, 1}));
+  EXPECT_THAT(profile, ::testing::ElementsAre(3, 2.5, 0, 1.5));  // odd columns stand half higher
+  EXPECT_DOUBLE_EQ(mean_height(profile), 7.0 / 3.0);
+}
+
+TEST(Profile, OfAnEmptyBoxIsZero) {
+  const auto profile = surface_profile(stacks({0, 0}));
+  EXPECT_EQ(mean_height(profile), 0);
+  EXPECT_FALSE(repose_angle(profile).mean().has_value());
+}
+
+TEST(Repose, AStraightFlankHasTheAngleOfItsSlope) {
+  for (const double angle : {10.0, 30.0, 45.0, 60.0}) {
+    const double slope = std::tan(angle * std::numbers::pi / 180);
+    std::vector<double> wedge;
+    for (int column = 0; column < 200; ++column) {
+      wedge.push_back(std::max(0.0, 50 - slope * kColumnPitch * column));
+    }
+    const ReposeAngle found = repose_angle(wedge);
+    EXPECT_NEAR(found.right.value(), angle, 1e-9);
+    EXPECT_FALSE(found.left.has_value());
+    const ReposeAngle mirrored = repose_angle({wedge.rbegin(), wedge.rend()});
+    EXPECT_NEAR(mirrored.left.value(), angle, 1e-9);
+  }
+}
+
+TEST(Repose, AFlatTopAndAThinToeDoNotSpoilTheAngle) {
+  std::vector<double> profile(60, 50.0);
+  for (int column = 1; column <= 58; ++column) {
+    profile.push_back(50 - std::tan(std::numbers::pi / 4) * kColumnPitch * column);
+  }
+  profile.resize(250, 2.0);
+  EXPECT_NEAR(repose_angle(profile).right.value(), 45, 0.01);
+}
+
+TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
+  std::vector<double> heap;
+  for (int column = -60; column <= 60; ++column) {
+    heap.push_back(50 - (column < 0 ? 0.5 : 0.8) * std::abs(column));
+  }
+  const ReposeAngle angle = repose_angle(heap);
+  EXPECT_NEAR(angle.left.value(), std::atan(0.5 / kColumnPitch) * 180 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(angle.right.value(), std::atan(0.8 / kColumnPitch) * 180 / std::numbers::pi, 1e-9);
+  EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean().has_value());
+}
+
+TEST(Packing, IsOneForGaplessStacksAndCountsHolesBelowTheSurface) {
+  EXPECT_DOUBLE_EQ(packing_fraction(stacks({5, 7, 3})).value(), 1);
+  State state = stacks({5, 5});
+  state.particles.erase(state.particles.begin() + 2);
+  EXPECT_DOUBLE_EQ(packing_fraction(state).value(), 0.9);
+  EXPECT_FALSE(packing_fraction(stacks({0, 0})).has_value());
+}
+
+TEST(Packing, LeavesOutWallsAndWhatIsUnderThem) {
+  State state = empty_state(2, 20);
+  state.kinds = {{Shape::hexagon(0), 0}};
+  state.walls = {{.sites = {{0, 4}, {1, 4}, {0, 7}}, .present = true}};
+  state.particles = {{.column = 0, .row = 5}, {.column = 0, .row = 9}, {.column = 1, .row = 5}};
+  // Column 0: rows 5 to 9 less the wall at 7; column 1: row 5.
+  EXPECT_DOUBLE_EQ(packing_fraction(state).value(), 3.0 / 5.0);
+}
+
+TEST(Displacement, IsTheDistanceFromTheOrigin) {
+  State state = stacks({1, 1, 1, 1});
+  state.origins = {{0, 3}, {1, 0}, {0, 0}, {3, 0}};
+  const auto moved = displacements(state);
+  EXPECT_DOUBLE_EQ(moved[0], 3);
+  EXPECT_DOUBLE_EQ(moved[1], 0);
+  EXPECT_NEAR(moved[2], std::sqrt(3.0), 1e-12);
+  EXPECT_DOUBLE_EQ(moved_share(state, 1.7), 0.5);
+  EXPECT_DOUBLE_EQ(moved_share(state, 3), 0);
+}
+
+TEST(Displacement, SmallestDiameterIsThatOfTheCircleOfEqualArea) {
+  State state = empty_state(9, 9);
+  state.kinds = {{Shape::hexagon(2), 0}, {Shape::hexagon(1), 1}};
+  EXPECT_NEAR(smallest_diameter(state), 2.778, 1e-3);
+}
+
+TEST(Runout, IsMeasuredBeyondWhereTheMaterialStood) {
+  State state = stacks(std::vector<int>(300, 1));
+  for (std::size_t id = 0; id < 300; ++id) {
+    state.origins[id] = {100 + static_cast<int>(id) / 3, 0};  // columns 100 to 199
+  }
+  const Runout spread = runout(state).value();
+  EXPECT_NEAR(spread.front, 100 * kColumnPitch, 1e-9);
+  EXPECT_NEAR(spread.percent_99, 98 * kColumnPitch, 1e-9);  // 1 % of 300 sites: two columns less
+  EXPECT_FALSE(runout(stacks({0})).has_value());
+}
+
+TEST(Outflow, IsTheRateOfTheSteadyPart) {
+  Outflow outflow({.particles = 10, .sites = 70});
+  std::uint64_t sites = 0;
+  for (int step = 0; step < 300; ++step) {
+    sites += step < 20 ? 0 : step < 220 ? 12 : 1;  // a start, a steady flow, a trickle
+    outflow.add({.particles = 10 + sites / 7, .sites = 70 + sites});
+  }
+  EXPECT_NEAR(outflow.sites_per_step(), 12, 0.1);
+  EXPECT_EQ(outflow.during_stage().sites, sites);
+}
+
+TEST(Outflow, OfNothingIsZero) {
+  Outflow outflow({});
+  EXPECT_EQ(outflow.sites_per_step(), 0);
+  outflow.add({});
+  EXPECT_EQ(outflow.sites_per_step(), 0);
+}
+
+/// A floor at row 10 with an orifice of columns 8 to 12, and an outlet under it.
+State silo() {
+  State state = empty_state(20, 40);
+  state.kinds = {{Shape::hexagon(2), 0}};
+  automaton::Wall floor;
+  for (int column = 0; column < 20; ++column) {
+    if (column < 8 || column > 12) {
+      floor.sites.push_back({column, 10});
+    }
+  }
+  state.walls = {floor};
+  state.outlets = {{.region = {0, 0, 30, 8}}};
+  return state;
+}
+
+TEST(Blocked, OnlyWhenSomethingHangsOverEveryOpenColumn) {
+  State state = silo();
+  EXPECT_FALSE(blocked(state, automaton::Occupancy(state)));  // empty: nothing hangs
+  state.particles = {{.column = 8, .row = 14}};               // over columns 6 to 10
+  EXPECT_FALSE(blocked(state, automaton::Occupancy(state)));
+  state.particles.push_back({.column = 13, .row = 14});  // over columns 11 to 15
+  EXPECT_TRUE(blocked(state, automaton::Occupancy(state)));
+}
+
+}  // namespace
+}  // namespace clca::measure

@@ -1,0 +1,224 @@
+#include "clca/render/painter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "clca/render/coloring.hpp"
+#include "clca/render/compare.hpp"
+#include "packed_state.hpp"
+
+namespace clca::render {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr Rgb kWhite = {255, 255, 255};
+constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
+
+std::size_t count_of(const Image& image, Rgb color) {
+  return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
+}
+
+automaton::State one_hexagon(int radius) {
+  automaton::State state = empty_state(40, 40, false);
+  state.kinds = {{lattice::Shape::hexagon(radius), 0}};
+  automaton::Particle particle;
+  particle.column = 20;
+  particle.row = 20;
+  state.particles = {particle};
+  state.origins = {particle.site()};
+  return state;
+}
+
+TEST(Painter, DrawsAHexagonWithTheAreaOfItsBody) {
+  for (const Drawing drawing : kBothWays) {
+    const double left = lattice::kColumnPitch * 20 - 5;
+    const Image image = picture(one_hexagon(2), drawing, 400, 400, 1, {left, 15, left + 10, 25});
+    const double spacing = 40;
+    // A hexagon of circumradius R has the area 3/2 sqrt(3) R^2.
+    const double expected = 1.5 * std::sqrt(3.0) * 2.5 * 2.5 * spacing * spacing;
+    const auto drawn = static_cast<double>(image.pixels.size() - count_of(image, kWhite));
+    EXPECT_NEAR(drawn, expected, 0.01 * expected);  // a pixel in width along the perimeter
+  }
+}
+
+TEST(Painter, MovesThePictureWithTheView) {
+  const automaton::State state = packed(60, 40, false).state();
+  for (const Drawing drawing : kBothWays) {
+    const Image low = picture(state, drawing, 400, 300, 1, {5, 2, 25, 17});
+    const Image high = picture(state, drawing, 400, 300, 1, {5, 5, 25, 20});  // 60 pixels up
+    std::size_t differing = 0;
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 400; ++x) {
+        differing += low.at(x, y) != high.at(x, y + 60) ? 1U : 0U;
+      }
+    }
+    EXPECT_LE(differing, 400U * 240 / 500);
+  }
+}
+
+TEST(Painter, DrawsAMirroredStateAsAMirroredPicture) {
+  // Hexagons in a box with an odd number of columns, where mirrored columns stand equally high.
+  automaton::State state = packed(61, 40, false).state();
+  std::erase_if(state.particles, [](const auto& particle) { return particle.kind > 1; });
+  state.walls.clear();
+  state.origins.resize(state.particles.size());
+  automaton::State mirrored = state;
+  for (automaton::Particle& particle : mirrored.particles) {
+    particle.column = 60 - particle.column;
+  }
+  for (const Drawing drawing : kBothWays) {
+    Image image = picture(mirrored, drawing, 500, 400, 1);
+    for (int y = 0; y < image.height; ++y) {
+      const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+      std::reverse(row, row + image.width);
+    }
+    const Difference difference = compare(image, picture(state, drawing, 500, 400, 1), 2);
+    EXPECT_LE(difference.pixels, 500U * 400 / 400);
+  }
+}
+
+TEST(Painter, LeavesTheLidOffAndDrawsFloorAndSideWalls) {
+  for (const Drawing drawing : kBothWays) {
+    const Image image = picture(one_hexagon(1), drawing, 300, 340, 1);
+    const Rgb floor = image.at(150, 336);
+    EXPECT_NE(floor, kWhite);
+    EXPECT_EQ(image.at(2, 180), floor);
+    EXPECT_EQ(image.at(297, 180), floor);
+    EXPECT_EQ(image.at(150, 4), kWhite);
+  }
+}
+
+TEST(Painter, DrawsWallBlocksWithoutInnerSeams) {
+  automaton::State one = empty_state(40, 40, false);
+  one.walls = {{lattice::sites_in(one.lattice, {5, 5, 20, 20}), true}};
+  automaton::State two = one;
+  two.walls = {{lattice::sites_in(one.lattice, {5, 5, 12, 20}), true},
+               {lattice::sites_in(one.lattice, {12, 5, 20, 20}), true}};
+  for (const Drawing drawing : kBothWays) {
+    EXPECT_EQ(picture(one, drawing, 200, 200, 2), picture(two, drawing, 200, 200, 2));
+  }
+}
+
+TEST(Painter, ForgetsAWallThatIsTakenAway) {
+  automaton::Automaton automaton = packed(60, 40, false);
+  Style style;
+  style.width = 200;
+  style.height = 150;
+  style.annotations = false;
+  for (const Drawing drawing : kBothWays) {
+    style.drawing = drawing;
+    automaton::State state = automaton.state();
+    Painter painter(style, state.lattice, state.kinds);
+    const Coloring coloring = color_by_id(state);
+    const Image before = painter.draw(state, automaton::Occupancy(state), coloring, {});
+    EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), coloring, {}), before);
+    state.walls[0].present = false;
+    const Image after = painter.draw(state, automaton::Occupancy(state), coloring, {});
+    EXPECT_NE(after, before);
+    EXPECT_EQ(after, picture(state, drawing, 200, 150, 2));
+  }
+}
+
+TEST(Painter, ChoosesPolygonsForFewAndLookupForManyParticles) {
+  const automaton::State few = one_hexagon(1);
+  EXPECT_EQ(picture(few, Drawing::automatic, 300, 200, 1),
+            picture(few, Drawing::polygons, 300, 200, 1));
+  const automaton::State many = packed(300, 200, false).state();
+  EXPECT_EQ(picture(many, Drawing::automatic, 30, 20, 1),
+            picture(many, Drawing::lookup, 30, 20, 1));
+}
+
+TEST(Painter, DrawsTinyPictures) {
+  const automaton::State state = packed(60, 40, false).state();
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, {64, 64}, {3, 200}, {200, 3}, {90, 110}, {160, 120}}) {
+    Style style;
+    style.width = width;
+    style.height = height;
+    Painter painter(style, state.lattice, state.kinds);
+    const Image image =
+        painter.draw(state, automaton::Occupancy(state), color_by_displacement(state, 5),
+                     {"A title that is much too long for this", "and a detail too"});
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+  }
+}
+
+TEST(Painter, RefusesAPictureBeyondTheDriver) {
+  const automaton::State state = one_hexagon(1);
+  EXPECT_THAT([&] { picture(state, Drawing::automatic, 10000, 100, 2); },
+              ThrowsMessage<RenderError>(
+                  AllOf(HasSubstr("10000 x 100"), HasSubstr("16384"), HasSubstr("2"))));
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, 2000000000, 4), RenderError);
+}
+
+TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
+  const automaton::State state = one_hexagon(1);
+  EXPECT_THROW(picture(state, Drawing::automatic, 0, 100, 1), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, -1, 1), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 0), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 5), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 1, {3, 0, 2, 1}), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 1, {0, 0, INFINITY, 1}), RenderError);
+}
+
+TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
+  const automaton::State state = packed(60, 40, true).state();
+  for (const Drawing drawing : kBothWays) {
+    const Image outside = picture(state, drawing, 50, 50, 2, {1e12, 1e12, 2e12, 2e12});
+    EXPECT_EQ(count_of(outside, kWhite), outside.pixels.size());
+    picture(state, drawing, 50, 50, 1, {-1e15, -1e15, 1e15, 1e15});
+    picture(state, drawing, 50, 50, 1, {20, 10, 20 + 1e-9, 10 + 1e-9});
+    picture(state, drawing, 50, 50, 1, {20, 0, 20.001, 40});
+  }
+}
+
+TEST(Painter, RefusesAnotherLatticeAndTooFewColors) {
+  const automaton::State state = one_hexagon(1);
+  Painter painter({}, state.lattice, state.kinds);
+  const automaton::Occupancy occupancy(state);
+  EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
+  const automaton::State other = packed(60, 40, false).state();
+  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(other), {}),
+               std::invalid_argument);
+}
+
+TEST(Painter, DrawsAnEmptyBox) {
+  for (const Drawing drawing : {Drawing::automatic, Drawing::polygons, Drawing::lookup}) {
+    const Image image = picture(empty_state(30, 20, false), drawing, 120, 80, 2);
+    EXPECT_GT(count_of(image, kWhite), image.pixels.size() / 2);
+  }
+}
+
+TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
+  const automaton::State first = packed(60, 40, false).state();
+  const automaton::State second = packed(50, 50, true).state();
+  Style style;
+  style.width = 320;
+  style.height = 200;
+  Painter one(style, first.lattice, first.kinds);
+  Painter two(style, second.lattice, second.kinds);
+  const auto draw = [](Painter& painter, const automaton::State& state) {
+    return painter.draw(state, automaton::Occupancy(state), color_by_id(state), {"a", "b"});
+  };
+  const Image one_alone = draw(one, first);
+  const Image two_alone = draw(two, second);
+  Painter moved = std::move(one);
+  EXPECT_EQ(draw(moved, first), one_alone);
+  EXPECT_EQ(draw(two, second), two_alone);
+  Image one_beside;
+  std::thread thread([&] { one_beside = draw(moved, first); });
+  const Image two_beside = draw(two, second);
+  thread.join();
+  EXPECT_EQ(one_beside, one_alone);
+  EXPECT_EQ(two_beside, two_alone);
+}
+
+}  // namespace
+}  // namespace clca::render

@@ -1,0 +1,139 @@
+#include "clca/run/run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "clca/automaton/automaton.hpp"
+#include "clca/render/png.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/store/file.hpp"
+#include "support/runs.hpp"
+
+namespace clca::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSmallScene = R"(clca: 1
+title: A small collapse
+seed: 5
+box: {width: 60, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+  rod: {shape: {rod: {radius: 0, length: 3}}, orientations: any}
+walls:
+  gate: {box: [30, 0, 31, 60]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 60], counts: {small: 30, rod: 30}}
+  - name: flow
+    remove: [gate]
+output:
+  frames: {every: 10, width: 160, height: 120}
+  series: {every: 1}
+)";
+
+scene::Scene small_scene(const std::vector<scene::Override>& overrides = {}) {
+  return scene::parse(kSmallScene, "small.yaml", overrides);
+}
+
+nlohmann::json json_of(const fs::path& file) {
+  const auto bytes = store::read_whole(file);
+  return nlohmann::json::parse(bytes);
+}
+
+TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
+  const automaton::State state = initial_state(small_scene());
+  ASSERT_EQ(state.kinds.size(), 1U + 3U);  // the hexagon, and the rod in three directions
+  EXPECT_EQ(state.kinds[3].species, 1);
+}
+
+TEST(Run, LeavesAWholeRunFolder) {
+  const testing::ScratchFolder folder;
+  const auto summary = run(small_scene(), {.folder = folder.path() / "out"});
+  const fs::path out = folder.path() / "out";
+  const auto json = json_of(out / "run.json");
+  EXPECT_EQ(json["status"], "done");
+  EXPECT_EQ(json["particles"], 60);
+  EXPECT_EQ(json["steps"], summary.steps);
+  EXPECT_EQ(json["stages"].size(), 2U);
+  EXPECT_EQ(json["stages"][1]["ended"], "settled");
+  EXPECT_TRUE(fs::exists(out / "profile-packing.csv"));
+  EXPECT_TRUE(fs::exists(out / "profile-flow.csv"));
+  EXPECT_TRUE(fs::exists(out / "log.txt"));
+  const auto steps = testing::csv_column(out / "series.csv", "step");
+  ASSERT_EQ(steps.size(), summary.steps + 1);  // step 0 and each step once
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(steps[i], static_cast<double>(i));
+  }
+}
+
+TEST(Run, ItsResolvedSceneGivesTheSameRunAgain) {
+  const testing::ScratchFolder folder;
+  const auto first = run(small_scene(), {.folder = folder.path()});
+  const auto second =
+      run(scene::parse_file(folder.path() / "scene.yaml"), {.folder = folder.path() / "again"});
+  EXPECT_EQ(first.state_hash, second.state_hash);
+}
+
+TEST(Run, PicturesSayWhereTheyComeFrom) {
+  const testing::ScratchFolder folder;
+  run(small_scene(), {.folder = folder.path()});
+  const fs::path first = folder.path() / "frames" / "small-000000.png";
+  const auto png = render::decode_png(store::read_whole(first));
+  EXPECT_EQ(png.image.width, 160);
+  EXPECT_EQ(png.text.at("Scene"), "small");
+  EXPECT_EQ(png.text.at("Seed"), "5");
+  EXPECT_EQ(png.text.at("Step"), "0");
+  EXPECT_EQ(png.text.at("Software"), "clca " + version());
+}
+
+TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {
+  const testing::ScratchFolder folder;
+  const auto scene = small_scene({"stages.packing.fill.counts.small=3000"});
+  EXPECT_THAT([&] { run(scene, {.folder = folder.path() / "out"}); },
+              ::testing::ThrowsMessage<ScenePlaceError>(::testing::AllOf(
+                  ::testing::StartsWith("small.yaml:12:11: error: the fill of stage packing"),
+                  ::testing::HasSubstr("of 3000 small"), ::testing::HasSubstr("enlarge"))));
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST(Run, StopsWhenAskedWithEverythingWritten) {
+  const testing::ScratchFolder folder;
+  std::atomic<int> stop = 2;
+  const auto summary = run(small_scene(), {.folder = folder.path(), .stop = &stop});
+  EXPECT_EQ(summary.status, "interrupted");
+  EXPECT_EQ(json_of(folder.path() / "run.json")["status"], "interrupted");
+}
+
+TEST(Run, EndsAStageAtItsBoundWithAWarning) {
+  const testing::ScratchFolder folder;
+  std::vector<std::string> warnings;
+  const auto summary = run(small_scene({"stages.packing.max_steps=7"}), {.folder = folder.path()},
+                           {.warning = [&](const std::string& text) { warnings.push_back(text); }});
+  EXPECT_EQ(summary.stages[0].steps, 7U);
+  EXPECT_EQ(summary.stages[0].ended, "bound");
+  EXPECT_THAT(warnings, ::testing::Contains(::testing::HasSubstr("stage packing")));
+}
+
+TEST(Run, RunsAStageForAGivenNumberOfSteps) {
+  const testing::ScratchFolder folder;
+  const auto summary =
+      run(small_scene({"stages.packing.until={steps: 33}"}), {.folder = folder.path()});
+  EXPECT_EQ(summary.stages[0].steps, 33U);
+  EXPECT_EQ(summary.stages[0].ended, "steps");
+}
+
+TEST(Run, AFolderThatCannotBeWrittenIsAnErrorWithItsPath) {
+  const testing::ScratchFolder folder;
+  std::ofstream(folder.path() / "file") << "x";
+  EXPECT_THAT([&] { run(small_scene(), {.folder = folder.path() / "file" / "out"}); },
+              ::testing::ThrowsMessage<store::StoreError>(::testing::HasSubstr("file/out")));
+}
+
+}  // namespace
+}  // namespace clca::run

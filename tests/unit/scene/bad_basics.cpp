@@ -1,0 +1,144 @@
+// Wrong in title, seed, box, rules, measure and output.
+
+#include <array>
+
+#include "bad_scenes.hpp"
+
+namespace clca::scene::testing {
+
+namespace {
+
+constexpr auto kScenes = std::to_array<BadScene>({
+    {"an unknown version", "clca: 2",
+     "scene.yaml:1:7: error: clca: expected version 1 of the format, found '2'"},
+    {"a version in quotes", R"(clca: "1")",
+     "scene.yaml:1:7: error: clca: expected version 1 of the format, found '1' in quotes"},
+    {"a title of several lines", R"(title: "two\nlines")",
+     R"(scene.yaml:2:8: error: title: expected one line of text, found 'two\nlines')",
+     Judge::parser},
+    {"an empty title", R"(title: "")",
+     "scene.yaml:2:8: error: title: expected 1 to 200 characters, found 0"},
+    {"a list for a title", "title: [a, b]",
+     "scene.yaml:2:8: error: title: expected text, found a list"},
+    {"a title without text",
+     "title:", "scene.yaml:2:1: error: title: expected text, found nothing"},
+    {"a negative seed", "seed: -1",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '-1'"},
+    {"a seed beyond 64 bits", "seed: 18446744073709551616",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '18446744073709551616'"},
+    {"a seed with a fraction", "seed: 1.5",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '1.5'"},
+    {"a seed with an exponent", "seed: 1e3",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '1e3'"},
+    {"a hexadecimal seed", "seed: 0x10",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '0x10'"},
+    {"an octal seed", "seed: 010",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
+     "found '010'",
+     Judge::parser},
+    {"a misspelt key at the top", "sede: 1",
+     "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, title, seed, box, species, "
+     "rules, walls, sources, outlets, stages, measure, output); did you mean 'seed'?"},
+    {"a key of another kind of scene", "boltzmann: {particles: 10}",
+     "scene.yaml:13:1: error: unknown key 'boltzmann' (allowed: clca, title, seed, box, "
+     "species, rules, walls, sources, outlets, stages, measure, output)"},
+    {"a misspelt key", "box: {wdith: 100, height: 50}",
+     "scene.yaml:4:7: error: unknown key 'wdith' in box (allowed: width, height, periodic); "
+     "did you mean 'width'?"},
+    {"a missing key", "box: {width: 100}", "scene.yaml:4:6: error: box: key 'height' is missing"},
+    {"a list for a box", "box: [100, 50]",
+     "scene.yaml:4:6: error: box: expected a map, found a list"},
+    {"a box without width", "box: {width: 0, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '0'"},
+    {"a box of more than a million columns", "box: {width: 1000000, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '1000000'"},
+    {"a width in words", "box: {width: wide, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found 'wide'"},
+    {"a width in quotes", R"(box: {width: "100", height: 50})",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '100' in "
+     "quotes"},
+    {"an infinite width", "box: {width: .inf, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '.inf'"},
+    {"a width that is no number", "box: {width: .nan, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '.nan'"},
+    {"a width beyond all numbers", "box: {width: 1e400, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '1e400'"},
+    {"a width that is missing", "box: {width: , height: 50}",
+     "scene.yaml:4:7: error: box.width: expected a number from 1 to 866025, found nothing"},
+    {"yes for true", "box: {width: 100, height: 50, periodic: yes}",
+     "scene.yaml:4:41: error: box.periodic: expected true or false, found 'yes'"},
+    {"an inertia above 1", "rules: {inertia: 1.5}",
+     "scene.yaml:6:18: error: rules.inertia: expected a number from 0 to 1, found '1.5'"},
+    {"a misspelt rule",
+     "rules:\n"
+     "  inertai: 0.9",
+     "scene.yaml:7:3: error: unknown key 'inertai' in rules (allowed: inertia, scatter, "
+     "candidates, gravity, update_priority, ties); did you mean 'inertia'?"},
+    {"a misspelt choice", "rules: {candidates: downwards}",
+     "scene.yaml:6:21: error: rules.candidates: expected one of downward, all, found "
+     "'downwards'; did you mean 'downward'?"},
+    {"a direction that the lattice does not have", "rules: {gravity: left}",
+     "scene.yaml:6:18: error: rules.gravity: expected one of down, up, up_right, down_right, "
+     "down_left, up_left, found 'left'; did you mean 'up_left'?"},
+    {"a misspelt direction", "rules: {gravity: downleft}",
+     "scene.yaml:6:18: error: rules.gravity: expected one of down, up, up_right, down_right, "
+     "down_left, up_left, found 'downleft'; did you mean 'down_left'?"},
+    {"a class twice in the order of updates", "rules: {update_priority: [rest, rest, gravity]}",
+     "scene.yaml:6:33: error: rules.update_priority: 'rest' stands there twice; name each "
+     "class once"},
+    {"a class missing in the order of updates", "rules: {update_priority: [rest, gravity]}",
+     "scene.yaml:6:26: error: rules.update_priority: expected 3 items, found 2"},
+    {"an unknown class", "rules: {update_priority: [rest, inertia, graviti]}",
+     "scene.yaml:6:42: error: rules.update_priority: expected one of rest, inertia, gravity, "
+     "found 'graviti'; did you mean 'gravity'?"},
+    {"rules that are not a map", "rules: default",
+     "scene.yaml:6:8: error: rules: expected a map, found 'default'"},
+    {"a measure twice", "measure: [profile, moved, profile]",
+     "scene.yaml:11:27: error: measure: 'profile' is named twice"},
+    {"a misspelt measure", "measure: [profil]",
+     "scene.yaml:11:11: error: measure: expected one of profile, repose, runout, packing, "
+     "moved, outflow, found 'profil'; did you mean 'profile'?"},
+    {"a measure outside a list", "measure: profile",
+     "scene.yaml:11:10: error: measure: expected a list, found 'profile'"},
+    {"output that comes later", "output: {trajectory: {every: 10}}",
+     "scene.yaml:12:10: error: unknown key 'trajectory' in output (allowed: frames, series)"},
+    {"frames that are neither a map nor none", "output: {frames: 10}",
+     "scene.yaml:12:18: error: output.frames: expected a map or none, found '10'"},
+    {"a picture without width", "output: {frames: {width: 0}}",
+     "scene.yaml:12:26: error: output.frames.width: expected a whole number from 16 to 65536, "
+     "found '0'"},
+    {"a picture every 0 steps", "output: {frames: {every: 0}}",
+     "scene.yaml:12:26: error: output.frames.every: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"a misspelt colouring", "output: {frames: {color_by: specis}}",
+     "scene.yaml:12:29: error: output.frames.color_by: expected one of species, stage_layer, "
+     "displacement, speed, id, found 'specis'; did you mean 'species'?"},
+    {"British spelling", "output: {frames: {colour_by: species}}",
+     "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
+     "width, height, color_by, layers, view, drawing, supersampling, caption); did you mean "
+     "'color_by'?"},
+    {"too much supersampling", "output: {frames: {supersampling: 8}}",
+     "scene.yaml:12:34: error: output.frames.supersampling: expected a whole number from 1 to "
+     "4, found '8'"},
+    {"a view inside out", "output: {frames: {view: [10, 0, 5, 20]}}",
+     "scene.yaml:12:25: error: output.frames.view: expected [left, bottom, right, top] with "
+     "left < right and bottom < top, found [10, 0, 5, 20]",
+     Judge::parser},
+    {"a caption that is neither true nor false", "output: {frames: {caption: 1}}",
+     "scene.yaml:12:28: error: output.frames.caption: expected true or false, found '1'"},
+    {"a misspelt none", "output: {series: non}",
+     "scene.yaml:12:18: error: output.series: expected a map or none, found 'non'"},
+});
+
+}  // namespace
+
+std::span<const BadScene> bad_basics() {
+  return kScenes;
+}
+
+}  // namespace clca::scene::testing

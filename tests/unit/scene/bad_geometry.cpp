@@ -1,0 +1,107 @@
+// Wrong walls, sources and outlets.
+
+#include <array>
+
+#include "bad_scenes.hpp"
+
+namespace clca::scene::testing {
+
+namespace {
+
+constexpr auto kScenes = std::to_array<BadScene>({
+    {"a wall of three numbers", "walls: {right: {box: [50, 0, 51]}}",
+     "scene.yaml:7:22: error: walls.right.box: expected 4 items, found 3"},
+    {"a wall outside the box", "walls: {right: {box: [150, 0, 151, 50]}}",
+     "scene.yaml:7:22: error: walls.right.box: no site of the box, 100 wide and 50 high, lies "
+     "in [150, 0, 151, 50]",
+     Judge::parser},
+    {"a wall between two columns", "walls: {right: {box: [50.3, 0, 50.9, 50]}}",
+     "scene.yaml:7:22: error: walls.right.box: no site of the box, 100 wide and 50 high, lies "
+     "in [50.3, 0, 50.9, 50]",
+     Judge::parser},
+    {"a wall inside out", "walls: {right: {box: [51, 0, 50, 50]}}",
+     "scene.yaml:7:22: error: walls.right.box: expected [left, bottom, right, top] with left "
+     "< right and bottom < top, found [51, 0, 50, 50]",
+     Judge::parser},
+    {"a wall that moves, which comes later",
+     "walls: {plate: {box: [0, 40, 50, 42], motion: {direction: down}}}",
+     "scene.yaml:7:39: error: unknown key 'motion' in walls.plate (allowed: box, line)"},
+    {"a wall in two ways",
+     "walls: {right: {box: [50, 0, 51, 50], line: {from: [0, 0], to: [1, 1]}}}",
+     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, found box and "
+     "line"},
+    {"a wall in no way", "walls: {right: {}}",
+     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, found none"},
+    {"a line without an end", "walls: {slope: {line: {from: [0, 0]}}}",
+     "scene.yaml:7:23: error: walls.slope.line: key 'to' is missing"},
+    {"a line that is a point", "walls: {slope: {line: {from: [5, 5], to: [5, 5]}}}",
+     "scene.yaml:7:42: error: walls.slope.line: from and to are the same point", Judge::parser},
+    {"a line outside the box", "walls: {slope: {line: {from: [0, 60], to: [100, 80]}}}",
+     "scene.yaml:7:23: error: walls.slope.line: no site of the box, 100 wide and 50 high, "
+     "lies on it",
+     Judge::parser},
+    {"a line too thick", "walls: {slope: {line: {from: [0, 0], to: [50, 50], thickness: 1000}}}",
+     "scene.yaml:7:63: error: walls.slope.line.thickness: expected a number from 0 to 100, "
+     "found '1000'"},
+    {"a point far away", "walls: {slope: {line: {from: [0, 0], to: [1e7, 50]}}}",
+     "scene.yaml:7:43: error: walls.slope.line.to: expected a number from -1000000 to "
+     "1000000, found '1e7'"},
+    {"walls in a list", "walls: [{box: [0, 0, 1, 50]}]",
+     "scene.yaml:7:8: error: walls: expected a map, found a list"},
+    {"a source without a place", "sources: {spout: {rate: 0.5, count: 9}}",
+     "scene.yaml:8:18: error: sources.spout: expected exactly one of at, region, found none"},
+    {"a source in two places", "sources: {spout: {at: [20, 40], region: [0, 0, 9, 9], rate: 0.5}}",
+     "scene.yaml:8:18: error: sources.spout: expected exactly one of at, region, found at and "
+     "region"},
+    {"a source outside the box", "sources: {spout: {at: [20, 60], rate: 0.5, count: 9}}",
+     "scene.yaml:8:23: error: sources.spout.at: expected a point in the box, 100 wide and 50 "
+     "high, found [20, 60]",
+     Judge::parser},
+    {"a source half outside the box",
+     "sources: {spout: {region: [20, 40, 30, 60], rate: 0.5, count: 9}}",
+     "scene.yaml:8:27: error: sources.spout.region: expected a region in the box, 100 wide "
+     "and 50 high, found [20, 40, 30, 60]",
+     Judge::parser},
+    {"a source of no rate", "sources: {spout: {at: [20, 40], rate: 0, count: 9}}",
+     "scene.yaml:8:39: error: sources.spout.rate: expected a number from 1e-06 to 1000, found "
+     "'0'"},
+    {"a source of a rate without bound", "sources: {spout: {at: [20, 40], rate: 1001, count: 9}}",
+     "scene.yaml:8:39: error: sources.spout.rate: expected a number from 1e-06 to 1000, found "
+     "'1001'"},
+    {"a source without rate", "sources: {spout: {at: [20, 40]}}",
+     "scene.yaml:8:18: error: sources.spout: key 'rate' is missing"},
+    {"a source of no particles", "sources: {spout: {at: [20, 40], rate: 1, count: 0}}",
+     "scene.yaml:8:49: error: sources.spout.count: expected a whole number from 1 to "
+     "2147483647, found '0'"},
+    {"a source of an unknown species",
+     "sources: {spout: {at: [20, 40], rate: 1, count: 9, species: {smal: 1}}}",
+     "scene.yaml:8:62: error: sources.spout.species: unknown species 'smal' (known: small, "
+     "large); did you mean 'small'?",
+     Judge::parser},
+    {"a source of species of no weight",
+     "sources: {spout: {at: [20, 40], rate: 1, count: 9, species: {small: 0}}}",
+     "scene.yaml:8:61: error: sources.spout.species: expected a weight above 0", Judge::parser},
+    {"a negative weight",
+     "sources: {spout: {at: [20, 40], rate: 1, count: 9, species: {small: -1}}}",
+     "scene.yaml:8:69: error: sources.spout.species.small: expected a whole number from 0 to "
+     "1000000, found '-1'"},
+    {"a source that no stage opens",
+     "sources: {spout: {at: [20, 40], rate: 1, count: 9}, other: {at: [30, 40], rate: 1, "
+     "count: 9}}",
+     "scene.yaml:8:53: error: sources.other is not used; name it under sources in a stage",
+     Judge::parser},
+    {"an outlet without a region", "outlets: {drain: {}}",
+     "scene.yaml:9:18: error: outlets.drain: key 'region' is missing"},
+    {"an outlet outside the box", "outlets: {drain: {region: [0, -20, 100, -10]}}",
+     "scene.yaml:9:27: error: outlets.drain.region: no site of the box, 100 wide and 50 high, "
+     "lies in [0, -20, 100, -10]",
+     Judge::parser},
+});
+
+}  // namespace
+
+std::span<const BadScene> bad_geometry() {
+  return kScenes;
+}
+
+}  // namespace clca::scene::testing

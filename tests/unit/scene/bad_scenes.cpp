@@ -1,0 +1,72 @@
+#include "bad_scenes.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace clca::scene::testing {
+
+namespace {
+
+/// A key at the top and its lines.
+struct Block {
+  std::string key;
+  std::string lines;
+};
+
+std::vector<Block> blocks_of(std::string_view text) {
+  std::vector<Block> blocks;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    if (line.front() != ' ') {
+      blocks.push_back({line.substr(0, line.find(':')), ""});
+    }
+    blocks.back().lines += line + '\n';
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<BadScene> bad_scenes() {
+  std::vector<BadScene> all;
+  for (const auto& some : {bad_basics(), bad_species(), bad_geometry(), bad_stages()}) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::string small_scene() {
+  return R"(clca: 1
+title: Test
+seed: 1
+box: {width: 100, height: 50}
+species: {small: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
+rules: {inertia: 0.9}
+walls: {left: {box: [0, 0, 1, 50]}, right: {box: [50, 0, 51, 50]}}
+sources: {spout: {at: [20, 40], rate: 0.5, count: 9}}
+outlets: {drain: {region: [0, 0, 50, 10]}}
+stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 5}}, sources: [spout]}]
+measure: [profile]
+output: {frames: {every: 10}, series: {every: 1}}
+)";
+}
+
+std::string scene_with(std::string_view part) {
+  std::vector<Block> scene = blocks_of(small_scene());
+  for (Block& block : blocks_of(part)) {
+    const auto old = std::find_if(scene.begin(), scene.end(),
+                                  [&](const Block& other) { return other.key == block.key; });
+    if (old == scene.end()) {
+      scene.push_back(std::move(block));
+    } else {
+      *old = std::move(block);
+    }
+  }
+  std::string text;
+  for (const Block& block : scene) {
+    text += block.lines;
+  }
+  return text;
+}
+
+}  // namespace clca::scene::testing

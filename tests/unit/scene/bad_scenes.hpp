@@ -1,0 +1,38 @@
+#pragma once
+// Wrong scenes: each a right one but for a part, with the line that refuses it.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clca::scene::testing {
+
+/// Who can know that the scene is wrong: the schema too, or only the parser.
+enum class Judge { schema, parser };
+
+struct BadScene {
+  std::string_view what;
+  std::string_view part;  ///< takes the place of the key it begins with, see scene_with
+  std::string_view message;
+  Judge judge = Judge::schema;
+};
+
+std::span<const BadScene> bad_basics();
+std::span<const BadScene> bad_species();
+std::span<const BadScene> bad_geometry();
+std::span<const BadScene> bad_stages();
+
+/// All of them.
+std::vector<BadScene> bad_scenes();
+
+/// A small scene that is right, with one line for each key: `clca` on line 1, `title` 2, `seed` 3,
+/// `box` 4, `species` 5, `rules` 6, `walls` 7, `sources` 8, `outlets` 9, `stages` 10, `measure` 11,
+/// `output` 12.
+std::string small_scene();
+
+/// small_scene() with other lines for the keys at the start of the lines of `part`; what is no key
+/// of the scene comes last. Indented lines belong to the key above them.
+std::string scene_with(std::string_view part);
+
+}  // namespace clca::scene::testing

@@ -1,0 +1,105 @@
+// Wrong species.
+
+#include <array>
+
+#include "bad_scenes.hpp"
+
+namespace clca::scene::testing {
+
+namespace {
+
+constexpr auto kScenes = std::to_array<BadScene>({
+    {"no species", "species: {}", "scene.yaml:5:10: error: species: expected at least one"},
+    {"a list of species", "species: [small, large]",
+     "scene.yaml:5:10: error: species: expected a map, found a list"},
+    {"a species without a shape", R"(species: {small: {color: "#ffffff"}})",
+     "scene.yaml:5:18: error: species.small: key 'shape' is missing"},
+    {"a species with nothing",
+     "species:\n"
+     "  small:\n"
+     "  large: {shape: {hexagon: 2}}",
+     "scene.yaml:6:3: error: species.small: expected a map, found nothing"},
+    {"a name with a space", "species: {small one: {shape: {hexagon: 1}}}",
+     "scene.yaml:5:11: error: species: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, "
+     "found 'small one'"},
+    {"an unknown key of a species", R"(species: {small: {shape: {hexagon: 1}, colour: "#ffffff"}})",
+     "scene.yaml:5:40: error: unknown key 'colour' in species.small (allowed: shape, "
+     "orientations, color); did you mean 'color'?"},
+    {"an unknown shape", "species: {small: {shape: {hexagn: 1}}}",
+     "scene.yaml:5:27: error: unknown key 'hexagn' in species.small.shape (allowed: hexagon, "
+     "sites, polygon, rod); did you mean 'hexagon'?"},
+    {"a shape in two ways", "species: {small: {shape: {hexagon: 1, rod: {radius: 1, length: 2}}}}",
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, sites, "
+     "polygon, rod, found hexagon and rod"},
+    {"a shape in no way", "species: {small: {shape: {}}}",
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, sites, "
+     "polygon, rod, found none"},
+    {"a hexagon too large", "species: {small: {shape: {hexagon: 101}}}",
+     "scene.yaml:5:36: error: species.small.shape.hexagon: expected a whole number from 0 to "
+     "100, found '101'"},
+    {"a hexagon of half a spacing", "species: {small: {shape: {hexagon: 0.5}}}",
+     "scene.yaml:5:36: error: species.small.shape.hexagon: expected a whole number from 0 to "
+     "100, found '0.5'"},
+    {"a shape without sites", "species: {small: {shape: {sites: []}}}",
+     "scene.yaml:5:34: error: species.small.shape.sites: expected 1 to 100000 items, found 0"},
+    {"a site with three numbers", "species: {small: {shape: {sites: [[0, 0, 0]]}}}",
+     "scene.yaml:5:35: error: species.small.shape.sites: expected 2 items, found 3"},
+    {"a site far away", "species: {small: {shape: {sites: [[0, 0], [0, 1001]]}}}",
+     "scene.yaml:5:47: error: species.small.shape.sites: expected a whole number from -1000 "
+     "to 1000, found '1001'"},
+    {"a site twice", "species: {small: {shape: {sites: [[0, 0], [0, 1], [0, 0]]}}}",
+     "scene.yaml:5:51: error: species.small.shape.sites: [0, 0] is named twice"},
+    {"sites that do not connect", "species: {small: {shape: {sites: [[0, 0], [0, 2]]}}}",
+     "scene.yaml:5:26: error: species.small.shape: the sites of the shape do not connect",
+     Judge::parser},
+    {"a ring of sites",
+     "species: {small: {shape: {sites: [[0, 1], [1, 0], [1, -1], [0, -1], [-1, 0], [-1, 1]]}}}",
+     "scene.yaml:5:26: error: species.small.shape: the shape encloses a hole", Judge::parser},
+    {"a polygon of two corners", "species: {small: {shape: {polygon: [[0, 0], [0, 1]]}}}",
+     "scene.yaml:5:36: error: species.small.shape.polygon: expected 3 to 1000 items, found 2"},
+    {"a polygon of too many sites",
+     "species: {small: {shape: {polygon: [[-500, -500], [500, -500], [500, 500], [-500, "
+     "500]]}}}",
+     "scene.yaml:5:26: error: species.small.shape: expected a shape of at most 100000 sites",
+     Judge::parser},
+    {"a rod without length", "species: {small: {shape: {rod: {radius: 1}}}}",
+     "scene.yaml:5:32: error: species.small.shape.rod: key 'length' is missing"},
+    {"a rod of length 0", "species: {small: {shape: {rod: {radius: 1, length: 0}}}}",
+     "scene.yaml:5:52: error: species.small.shape.rod.length: expected a whole number from 1 "
+     "to 1000, found '0'"},
+    {"an orientation off the lattice",
+     "species: {small: {shape: {hexagon: 1}, orientations: [0, 90]}}",
+     "scene.yaml:5:58: error: species.small.orientations: expected a multiple of 60, found 90"},
+    {"an orientation twice", "species: {small: {shape: {hexagon: 1}, orientations: [60, 60]}}",
+     "scene.yaml:5:59: error: species.small.orientations: 60 is named twice"},
+    {"a full turn", "species: {small: {shape: {hexagon: 1}, orientations: [360]}}",
+     "scene.yaml:5:55: error: species.small.orientations: expected a whole number from 0 to "
+     "300, found '360'"},
+    {"a misspelt any", "species: {small: {shape: {hexagon: 1}, orientations: eny}}",
+     "scene.yaml:5:54: error: species.small.orientations: expected any or a list of angles, "
+     "found 'eny'"},
+    {"a colour by name", "species: {small: {shape: {hexagon: 1}, color: red}}",
+     R"(scene.yaml:5:47: error: species.small.color: expected a colour like "#3a6ea5", in )"
+     "quotes, found 'red'"},
+    {"a colour without quotes, which YAML takes for a comment",
+     "species:\n"
+     "  small:\n"
+     "    shape: {hexagon: 1}\n"
+     "    color: #ff0000",
+     R"(scene.yaml:8:5: error: species.small.color: expected a colour like "#3a6ea5", in )"
+     "quotes, found nothing"},
+    {"a species that appears nowhere",
+     "species: {small: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}\n"
+     "sources: {spout: {at: [20, 40], rate: 0.5, count: 9, species: {small: 1}}}",
+     "scene.yaml:5:41: error: species.large is not used; give it a count in a fill, or a "
+     "source",
+     Judge::parser},
+});
+
+}  // namespace
+
+std::span<const BadScene> bad_species() {
+  return kScenes;
+}
+
+}  // namespace clca::scene::testing

@@ -1,0 +1,120 @@
+// Wrong stages.
+
+#include <array>
+
+#include "bad_scenes.hpp"
+
+namespace clca::scene::testing {
+
+namespace {
+
+constexpr auto kScenes = std::to_array<BadScene>({
+    {"no stages", "stages: []",
+     "scene.yaml:10:9: error: stages: expected 1 to 1000 items, found 0"},
+    {"stages in a map", "stages: {first: {until: settled}}",
+     "scene.yaml:10:9: error: stages: expected a list, found a map"},
+    {"a stage that is a word", "stages: [settle]",
+     "scene.yaml:10:10: error: stages.0: expected a map, found 'settle'"},
+    {"a stage without a name", "stages: [{until: settled}]",
+     "scene.yaml:10:10: error: stages.0: key 'name' is missing"},
+    {"a stage with a name that is no file name", "stages: [{name: a/b}]",
+     "scene.yaml:10:17: error: stages: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, "
+     "found 'a/b'"},
+    {"two stages of one name",
+     "stages:\n"
+     "  - {name: first, sources: [spout]}\n"
+     "  - {name: first}",
+     "scene.yaml:12:12: error: stages: the name 'first' is taken", Judge::parser},
+    {"a misspelt key of a stage",
+     "stages:\n"
+     "  - name: first\n"
+     "    untill: settled",
+     "scene.yaml:12:5: error: unknown key 'untill' in stages.first (allowed: name, fill, "
+     "remove, sources, until, max_steps); did you mean 'until'?"},
+    {"a fill without a region", "stages: [{name: first, fill: {counts: {small: 5}}}]",
+     "scene.yaml:10:30: error: stages.first.fill: key 'region' is missing"},
+    {"a fill without counts", "stages: [{name: first, fill: {region: [0, 0, 50, 50]}}]",
+     "scene.yaml:10:30: error: stages.first.fill: key 'counts' is missing"},
+    {"a fill outside the box",
+     "stages: [{name: first, fill: {region: [0, 50, 50, 60], counts: {small: 5}}}]",
+     "scene.yaml:10:39: error: stages.first.fill.region: no site of the box, 100 wide and 50 "
+     "high, lies in [0, 50, 50, 60]",
+     Judge::parser},
+    {"a fill of an unknown species",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {lage: 5}}}]",
+     "scene.yaml:10:64: error: stages.first.fill.counts: unknown species 'lage' (known: "
+     "small, large); did you mean 'large'?",
+     Judge::parser},
+    {"half a particle",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 0.5}}}]",
+     "scene.yaml:10:71: error: stages.first.fill.counts.small: expected a whole number from 0 "
+     "to 2147483647, found '0.5'"},
+    {"a wall that is not there", "stages: [{name: first, remove: [rihgt], sources: [spout]}]",
+     "scene.yaml:10:33: error: stages.first.remove: unknown wall 'rihgt' (known: left, "
+     "right); did you mean 'right'?",
+     Judge::parser},
+    {"a wall outside a list", "stages: [{name: first, remove: right, sources: [spout]}]",
+     "scene.yaml:10:32: error: stages.first.remove: expected a list, found 'right'"},
+    {"a wall twice in one list",
+     "stages: [{name: first, remove: [right, right], sources: [spout]}]",
+     "scene.yaml:10:40: error: stages.first.remove: 'right' is named twice"},
+    {"a wall that is gone already",
+     "stages:\n"
+     "  - {name: first, remove: [right], sources: [spout]}\n"
+     "  - {name: second, remove: [left, right]}",
+     "scene.yaml:12:35: error: stages.second.remove: wall 'right' is gone since stage 'first'",
+     Judge::parser},
+    {"a source that is not there", "stages: [{name: first, sources: [rain]}]",
+     "scene.yaml:10:34: error: stages.first.sources: unknown source 'rain' (known: spout)",
+     Judge::parser},
+    {"a misspelt end", "stages: [{name: first, sources: [spout], until: setled}]",
+     "scene.yaml:10:49: error: stages.first.until: expected settled, {steps: N} or "
+     "{discharged: SHARE}, found 'setled'; did you mean 'settled'?"},
+    {"a misspelt key of an end", "stages: [{name: first, sources: [spout], until: {step: 5}}]",
+     "scene.yaml:10:50: error: unknown key 'step' in stages.first.until (allowed: steps, "
+     "discharged); did you mean 'steps'?"},
+    {"two ends", "stages: [{name: first, sources: [spout], until: {steps: 5, discharged: 1}}]",
+     "scene.yaml:10:49: error: stages.first.until: expected exactly one of steps, discharged, "
+     "found steps and discharged"},
+    {"an end after 0 steps", "stages: [{name: first, sources: [spout], until: {steps: 0}}]",
+     "scene.yaml:10:57: error: stages.first.until.steps: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"a share of 0", "stages: [{name: first, sources: [spout], until: {discharged: 0}}]",
+     "scene.yaml:10:62: error: stages.first.until.discharged: expected a number above 0 and "
+     "up to 1, found 0"},
+    {"a share above 1", "stages: [{name: first, sources: [spout], until: {discharged: 90}}]",
+     "scene.yaml:10:62: error: stages.first.until.discharged: expected a number from 0 to 1, "
+     "found '90'"},
+    {"a discharge without an outlet",
+     "outlets: {}\n"
+     "stages: [{name: first, sources: [spout], until: {discharged: 0.9}}]",
+     "scene.yaml:10:49: error: stages.first.until: nothing can be discharged, the scene has "
+     "no outlets",
+     Judge::parser},
+    {"a bound below the steps asked for",
+     "stages: [{name: first, sources: [spout], until: {steps: 50}, max_steps: 9}]",
+     "scene.yaml:10:73: error: stages.first.max_steps: 9 is less than the 50 steps of until",
+     Judge::parser},
+    {"a rest that never comes, since all directions are open", "rules: {candidates: all}",
+     "scene.yaml:10:10: error: stages.first.until: never comes to rest with rules.candidates: "
+     "all; give max_steps",
+     Judge::parser},
+    {"a rest that never comes, since a source never ends",
+     "sources: {spout: {at: [20, 40], rate: 1}}",
+     "scene.yaml:10:10: error: stages.first.until: never comes to rest while source 'spout' "
+     "is open, which has no count; give max_steps",
+     Judge::parser},
+    {"no particles",
+     "sources: {}\n"
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 0}}}]",
+     "scene.yaml:10:9: error: stages: no particles; give a stage a fill or a source",
+     Judge::parser},
+});
+
+}  // namespace
+
+std::span<const BadScene> bad_stages() {
+  return kScenes;
+}
+
+}  // namespace clca::scene::testing

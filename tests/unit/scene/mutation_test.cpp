@@ -1,0 +1,108 @@
+// Damaged scenes: whatever stands in a file, the answer is a scene or one clear line.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "bad_scenes.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+/// Empty when the text parses or is refused in one printable line with a place in it.
+std::string trouble_with(const std::string& text) {
+  try {
+    const Scene scene = parse(text, "scene.yaml");
+    return parse(to_yaml(scene), "scene.yaml") == scene ? "" : "differs after a round trip";
+  } catch (const SceneError& error) {
+    const std::string message = error.what();
+    for (const char letter : message) {
+      if (static_cast<unsigned char>(letter) < 0x20) {
+        return "a control character in: " + message;
+      }
+    }
+    const bool placed = message.starts_with("scene.yaml:") &&
+                        message.find(": error: ") < std::string("scene.yaml:99:9999").size();
+    return placed ? "" : "no place in: " + message;
+  }
+}
+
+/// Numbers that look random and are the same everywhere (Numerical Recipes' generator).
+class Numbers {
+ public:
+  std::size_t below(std::size_t bound) {
+    state_ = state_ * 1664525U + 1013904223U;
+    return (state_ >> 8U) % bound;
+  }
+
+ private:
+  std::uint32_t state_ = 1;
+};
+
+std::string block_scene() {
+  return testing::scene_with(
+      "title: \"a 'quoted' \\\" title\"  # and a comment\n"
+      "species:\n"
+      "  small:\n"
+      "    shape: {sites: [[0, 0], [0, 1], [1, 0]]}\n"
+      "    color: '#ff0000'\n"
+      "stages:\n"
+      "  - name: first\n"
+      "    sources: [spout]\n"
+      "    until: {steps: 5}\n"
+      "  - name: second\n"
+      "    remove:\n"
+      "      - right\n");
+}
+
+}  // namespace
+
+TEST(DamagedScene, CutAnywhereIsASceneOrOneLine) {
+  for (const std::string& text : {testing::small_scene(), block_scene()}) {
+    ASSERT_EQ(trouble_with(text), "");
+    for (std::size_t length = 0; length < text.size(); ++length) {
+      ASSERT_EQ(trouble_with(text.substr(0, length)), "") << text.substr(0, length);
+    }
+  }
+}
+
+TEST(DamagedScene, WithOneByteChangedIsASceneOrOneLine) {
+  constexpr std::string_view kNasty = "\0\t\n\r \"'#&*!|>%@`{}[],:-?~.<09aZ\x80\xC3\xFF"sv;
+  Numbers numbers;
+  for (const std::string& text : {testing::small_scene(), block_scene()}) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      for (int kind = 0; kind < 4; ++kind) {
+        std::string damaged = text;
+        const char byte = kind == 0 ? static_cast<char>(numbers.below(256))
+                                    : kNasty[numbers.below(kNasty.size())];
+        if (kind == 3) {
+          damaged.insert(i, 1, byte);
+        } else {
+          damaged[i] = byte;
+        }
+        ASSERT_EQ(trouble_with(damaged), "") << damaged;
+      }
+    }
+  }
+}
+
+TEST(DamagedScene, WithAPieceMovedIsASceneOrOneLine) {
+  Numbers numbers;
+  for (int round = 0; round < 2000; ++round) {
+    std::string text = round % 2 == 0 ? testing::small_scene() : block_scene();
+    const std::size_t from = numbers.below(text.size());
+    const std::string piece = text.substr(from, 1 + numbers.below(30));
+    text.erase(from, piece.size());
+    text.insert(numbers.below(text.size()), piece);
+    ASSERT_EQ(trouble_with(text), "") << text;
+  }
+}
+
+}  // namespace clca::scene

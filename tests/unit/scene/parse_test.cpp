@@ -1,0 +1,248 @@
+#include "clca/scene/parse.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "bad_scenes.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr std::string_view kLeast = R"(
+clca: 1
+box: {width: 100, height: 50}
+species: {grain: {shape: {hexagon: 1}}}
+stages: [{name: only, fill: {region: [0, 0, 100, 50], counts: {grain: 3}}}]
+)";
+
+Scene scene_with(std::string_view part) {
+  return parse(testing::scene_with(part), "scene.yaml");
+}
+
+std::string refusal_of_file(const std::filesystem::path& file) {
+  try {
+    parse_file(file);
+    return "accepted";
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST(Parse, FillsInTheDefaultsOfTheLeastScene) {
+  const Scene scene = parse(kLeast, "folder/least.yaml");
+  EXPECT_EQ(scene.name, "least");
+  EXPECT_EQ(scene.title, "least");
+  EXPECT_EQ(scene.seed, 1);
+  EXPECT_FALSE(scene.box.periodic);
+  EXPECT_EQ(scene.rules, automaton::Rules());
+  EXPECT_TRUE(scene.walls.empty());
+  EXPECT_THAT(scene.species[0].orientations, ElementsAre(0));
+  EXPECT_FALSE(scene.species[0].color.has_value());
+  EXPECT_TRUE(std::holds_alternative<UntilSettled>(scene.stages[0].until));
+  EXPECT_EQ(scene.stages[0].max_steps, 1'000'000);
+  EXPECT_THAT(scene.measures, ElementsAre(Measure::profile, Measure::repose, Measure::runout,
+                                          Measure::packing, Measure::moved, Measure::outflow));
+  EXPECT_FALSE(scene.output.frames.has_value());
+  EXPECT_FALSE(scene.output.series.has_value());
+}
+
+TEST(Parse, ReadsTitleSeedAndBox) {
+  const Scene scene = scene_with(
+      "title: 'Körner: 50 % \"small\"'\nseed: 18446744073709551615\n"
+      "box: {width: 99.5, height: 50, periodic: true}");
+  EXPECT_EQ(scene.title, "Körner: 50 % \"small\"");
+  EXPECT_EQ(scene.seed, 18446744073709551615U);
+  EXPECT_EQ(scene.box, (Box{99.5, 50, true, ""}));
+}
+
+TEST(Parse, TakesANumberForATitle) {
+  EXPECT_EQ(scene_with("title: 2001").title, "2001");
+}
+
+TEST(Parse, TakesTheNameOfTheFileForATitleAndCutsIt) {
+  EXPECT_EQ(parse(kLeast, std::string(300, 'x') + ".yaml").title, std::string(200, 'x'));
+  EXPECT_EQ(parse(kLeast, "a\nb.yaml").title, "a\\nb");
+}
+
+TEST(Parse, ReadsTheFourKindsOfShapes) {
+  const Scene scene = scene_with(
+      "species:\n"
+      "  small: {shape: {hexagon: 1}}\n"
+      "  pair: {shape: {sites: [[0, 0], [0, 1]]}}\n"
+      "  triangle: {shape: {polygon: [[0, 0], [2, 0], [0, 2]]}}\n"
+      "  rod: {shape: {rod: {radius: 1, length: 4}}}\n");
+  const auto sizes = [&](std::size_t i) { return scene.species[i].shape.size(); };
+  EXPECT_EQ(scene.species[0].shape, lattice::Shape::hexagon(1));
+  EXPECT_EQ(scene.species[0].shape_spec, ShapeSpec(HexagonSpec{1}));
+  EXPECT_EQ(sizes(1), 2);
+  EXPECT_EQ(sizes(2), 6);
+  EXPECT_EQ(scene.species[3].shape, lattice::Shape::rod(1, 4));
+  EXPECT_EQ(scene.species[3].shape_spec, ShapeSpec(RodSpec{1, 4}));
+}
+
+TEST(Parse, ReadsOrientationsAndColours) {
+  const Scene scene = scene_with(
+      "species:\n"
+      "  small: {shape: {hexagon: 1}, orientations: any, color: \"#3a6eA5\"}\n"
+      "  large: {shape: {hexagon: 2}, orientations: [120, 0]}\n");
+  EXPECT_THAT(scene.species[0].orientations, ElementsAre(0, 60, 120, 180, 240, 300));
+  EXPECT_EQ(scene.species[0].color, (Color{0x3A, 0x6E, 0xA5}));
+  EXPECT_THAT(scene.species[1].orientations, ElementsAre(120, 0));
+}
+
+TEST(Parse, KeepsTheOrderOfTheFile) {
+  const Scene scene = scene_with(
+      "species:\n"
+      "  small: {shape: {hexagon: 3}}\n"
+      "  zebra: {shape: {hexagon: 1}}\n"
+      "  ant: {shape: {hexagon: 2}}\n");
+  EXPECT_EQ(scene.species[1].name, "zebra");
+  EXPECT_EQ(scene.species[2].name, "ant");
+}
+
+TEST(Parse, ReadsEveryRule) {
+  const Scene scene = scene_with(
+      "rules: {inertia: 1, scatter: .25, candidates: all, gravity: up_left, "
+      "update_priority: [gravity, rest, inertia], ties: direction}\n"
+      "stages: [{name: first, sources: [spout], max_steps: 9}]");
+  using automaton::UpdateClass;
+  EXPECT_EQ(scene.rules.inertia, 1);
+  EXPECT_EQ(scene.rules.scatter, 0.25);
+  EXPECT_EQ(scene.rules.candidates, automaton::Candidates::all);
+  EXPECT_EQ(scene.rules.gravity, lattice::Direction::up_left);
+  EXPECT_THAT(scene.rules.update_priority,
+              ElementsAre(UpdateClass::gravity, UpdateClass::rest, UpdateClass::inertia));
+  EXPECT_EQ(scene.rules.ties, automaton::Ties::direction);
+}
+
+TEST(Parse, ReadsWallsOfBothForms) {
+  const Scene scene = scene_with(
+      "walls:\n"
+      "  right: {box: [50, 0, 51.5, 50]}\n"
+      "  slope: {line: {from: [0, 10], to: [40, 0]}}\n"
+      "  thick: {line: {from: [-10, 10], to: [40, 0], thickness: 2.5}}\n");
+  EXPECT_EQ(std::get<lattice::Rectangle>(scene.walls[0].form),
+            (lattice::Rectangle{50, 0, 51.5, 50}));
+  const auto& slope = std::get<lattice::Segment>(scene.walls[1].form);
+  EXPECT_EQ(slope.to, Eigen::Vector2d(40, 0));
+  EXPECT_EQ(slope.thickness, 1);
+  EXPECT_EQ(std::get<lattice::Segment>(scene.walls[2].form).thickness, 2.5);
+}
+
+TEST(Parse, AcceptsAWallThatOnlyGrazesTheBox) {
+  EXPECT_NO_THROW(scene_with("walls: {edge: {line: {from: [0, 0], to: [0, 50]}}}"));
+  EXPECT_NO_THROW(scene_with("walls: {corner: {line: {from: [-1, 1], to: [1, -1]}}}"));
+  EXPECT_NO_THROW(scene_with("walls: {roof: {line: {from: [0, 51], to: [9, 51], thickness: 5}}}"));
+}
+
+TEST(Parse, ReadsSourcesAtPointsAndInRegions) {
+  const Scene scene = scene_with(
+      "sources:\n"
+      "  spout: {at: [20, 40], rate: 0.5, count: 9}\n"
+      "  rain: {region: [0, 40, 100, 50], species: {large: 3}, rate: 2}\n"
+      "stages: [{name: first, sources: [rain, spout], until: {steps: 9}}]");
+  EXPECT_EQ(std::get<Eigen::Vector2d>(scene.sources[0].place), Eigen::Vector2d(20, 40));
+  EXPECT_THAT(scene.sources[0].weights, ElementsAre(1, 1));
+  EXPECT_EQ(scene.sources[0].count, 9);
+  EXPECT_THAT(scene.sources[1].weights, ElementsAre(0, 3));
+  EXPECT_EQ(scene.sources[1].rate, 2);
+  EXPECT_FALSE(scene.sources[1].count.has_value());
+  EXPECT_THAT(scene.stages[0].sources, ElementsAre(1, 0));
+}
+
+TEST(Parse, ReadsStages) {
+  const Scene scene = scene_with(
+      "stages:\n"
+      "  - name: first\n"
+      "    fill: {region: [0, 0, 50, 50], counts: {large: 4}}\n"
+      "    sources: [spout]\n"
+      "    until: {steps: 2000000}\n"
+      "  - name: 2nd_stage\n"
+      "    remove: [right, left]\n"
+      "    until: {discharged: 0.9}\n"
+      "    max_steps: 50\n");
+  EXPECT_EQ(scene.stages[0].fill->region, (lattice::Rectangle{0, 0, 50, 50}));
+  EXPECT_THAT(scene.stages[0].fill->counts, ElementsAre(0, 4));
+  EXPECT_EQ(scene.stages[0].until, Until(UntilSteps{2'000'000}));
+  EXPECT_EQ(scene.stages[0].max_steps, 2'000'000) << "the default bound gives way";
+  EXPECT_THAT(scene.stages[1].remove, ElementsAre(1, 0));
+  EXPECT_EQ(scene.stages[1].until, Until(UntilDischarged{0.9}));
+  EXPECT_EQ(scene.stages[1].max_steps, 50);
+}
+
+TEST(Parse, ReadsMeasuresAndOutput) {
+  const Scene scene = scene_with(
+      "measure: [moved, profile]\n"
+      "output:\n"
+      "  frames: {every: 5, width: 640, height: 480, color_by: stage_layer, layers: 4,\n"
+      "           view: [-5, 0, 50, 40], drawing: lookup, supersampling: 4, caption: false}\n"
+      "  series: {every: 3}");
+  EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
+  EXPECT_EQ(scene.output.frames,
+            (Frames{5, 640, 480, ColorBy::stage_layer, 4, lattice::Rectangle{-5, 0, 50, 40},
+                    Drawing::lookup, 4, false, ""}));
+  EXPECT_EQ(scene.output.series, Series{3});
+}
+
+TEST(Parse, TakesNoneForFramesAndSeriesAndNoMeasures) {
+  const Scene scene = scene_with("measure: []\noutput: {frames: none, series: none}");
+  EXPECT_TRUE(scene.measures.empty());
+  EXPECT_EQ(scene.output, Output());
+}
+
+TEST(Parse, TakesAnEmptyMapForDefaultFrames) {
+  EXPECT_EQ(scene_with("output: {frames: {}}").output.frames, Frames());
+}
+
+TEST(Parse, KeepsThePlacesThatLaterMessagesName) {
+  const Scene scene = scene_with("");
+  EXPECT_EQ(scene.box.place, "scene.yaml:4:6");
+  EXPECT_EQ(scene.stages[0].fill->place, "scene.yaml:10:30");
+  EXPECT_EQ(scene.output.frames->place, "scene.yaml:12:18");
+}
+
+TEST(Parse, TakesFilesWithTheLineEndsOfOtherSystems) {
+  std::string text;
+  for (const char letter : testing::small_scene()) {
+    text += letter == '\n' ? "\r\n" : std::string(1, letter);
+  }
+  EXPECT_EQ(parse(text, "a.yaml"), parse(testing::small_scene(), "a.yaml"));
+}
+
+TEST(Parse, TakesTabsInComments) {
+  EXPECT_NO_THROW(parse("# a\tb\n" + testing::small_scene() + "#\tend", "a.yaml"));
+}
+
+TEST(Parse, TakesABoxOfAMillionColumnsAndRowsWithoutVisitingItsSites) {
+  const Scene scene = scene_with(
+      "box: {width: 866025, height: 1000000}\n"
+      "walls: {a: {box: [0, 0, 866025, 1000000]}, b: {line: {from: [0, 0], to: [866025, 1e6]}}}");
+  EXPECT_EQ(scene.walls.size(), 2);
+}
+
+TEST(ParseFile, SaysWhyAFileCannotBeRead) {
+  const std::filesystem::path folder = ::testing::TempDir();
+  EXPECT_THAT(refusal_of_file(folder), HasSubstr("1:1: error: this is a folder, not a scene file"));
+  EXPECT_EQ(refusal_of_file("nowhere/scene.yaml"),
+            "nowhere/scene.yaml:1:1: error: cannot read the file: No such file or directory");
+}
+
+TEST(ParseFile, ReadsWhatParseReads) {
+  const std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) / "clca-parse-file.yaml";
+  std::ofstream(file) << testing::small_scene();
+  EXPECT_EQ(parse_file(file), parse(testing::small_scene(), "scene.yaml"));
+  std::filesystem::remove(file);
+}
+
+}  // namespace clca::scene

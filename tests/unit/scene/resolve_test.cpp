@@ -1,0 +1,163 @@
+#include "clca/scene/resolve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "bad_scenes.hpp"
+#include "clca/scene/parse.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+Scene scene_with(std::string_view part) {
+  return parse(testing::scene_with(part), "scene.yaml");
+}
+
+constexpr std::string_view kEverything =
+    "title: 'Say \"\\\" in Köln: # {a, b}'\n"
+    "box: {width: 99.9, height: 50.25, periodic: true}\n"
+    "species:\n"
+    "  small: {shape: {sites: [[0, 0], [-1, 1]]}, orientations: any, color: \"#01fFa0\"}\n"
+    "  \"null\": {shape: {polygon: [[0, 0], [2, 0], [0, 2]]}, orientations: [60]}\n"
+    "  -rod: {shape: {rod: {radius: 1, length: 3}}}\n"
+    "rules: {inertia: 0.1, scatter: 1e-3, gravity: up, update_priority: [gravity, rest, inertia],"
+    " ties: direction}\n"
+    "walls: {left: {line: {from: [0.1, 0], to: [30, 5], thickness: 0}}, right: {box: [1, 1, 9, 9]}}"
+    "\n"
+    "sources: {spout: {region: [1, 1, 9, 9], species: {-rod: 7}, rate: 1e-6},"
+    " rain: {at: [9, 9.5], rate: 3, count: 5}}\n"
+    "stages:\n"
+    "  - {name: first, fill: {region: [0, 0, 50, 50], counts: {\"null\": 5, small: 1}}}\n"
+    "  - {name: 2, sources: [spout, rain], remove: [right], until: {discharged: 0.3}}\n"
+    "  - {name: \"-3\", until: {steps: 9}}\n"
+    "measure: []\n"
+    "output: {frames: {view: [-1, -2, 3.5, 4], drawing: lookup, caption: false}}\n";
+
+}  // namespace
+
+TEST(ToYaml, ParsesToTheSameScene) {
+  for (const std::string_view part : {std::string_view(""), kEverything}) {
+    const Scene scene = scene_with(part);
+    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+  }
+}
+
+TEST(ToYaml, ParsesToTheSameSceneForEverySceneInTheTree) {
+  const auto folder = std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") {
+      const Scene scene = parse_file(entry.path());
+      EXPECT_EQ(parse(to_yaml(scene), entry.path()), scene) << entry.path();
+    }
+  }
+}
+
+TEST(ToYaml, ShowsEveryDefault) {
+  EXPECT_EQ(to_yaml(scene_with("")), R"(clca: 1
+title: "Test"
+seed: 1
+
+box: {width: 100, height: 50, periodic: false}
+
+species:
+  small: {shape: {hexagon: 1}, orientations: [0]}
+  large: {shape: {hexagon: 2}, orientations: [0]}
+
+rules:
+  inertia: 0.9
+  scatter: 0
+  candidates: downward
+  gravity: down
+  update_priority: [rest, inertia, gravity]
+  ties: particle
+
+walls:
+  left: {box: [0, 0, 1, 50]}
+  right: {box: [50, 0, 51, 50]}
+
+sources:
+  spout: {at: [20, 40], species: {small: 1, large: 1}, rate: 0.5, count: 9}
+
+outlets:
+  drain: {region: [0, 0, 50, 10]}
+
+stages:
+  - name: first
+    fill: {region: [0, 0, 50, 50], counts: {small: 5}}
+    sources: [spout]
+    until: settled
+    max_steps: 1000000
+
+measure: [profile]
+output:
+  frames:
+    every: 10
+    width: 1280
+    height: 720
+    color_by: species
+    layers: 8
+    drawing: auto
+    supersampling: 2
+    caption: true
+  series: {every: 1}
+)");
+}
+
+TEST(Scenes, DifferWhenAnyPartDiffers) {
+  const Scene scene = scene_with("");
+  for (const std::string_view part :
+       {"title: Other", "seed: 2", "box: {width: 100, height: 51}", "rules: {ties: direction}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {box: [50, 0, 51, 49]}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {line: {from: [50, 0], to: [50, 50]}}}",
+        "measure: [repose]", "output: {frames: {every: 11}, series: {every: 1}}"}) {
+    EXPECT_NE(scene_with(part), scene) << part;
+  }
+}
+
+TEST(SizeOf, CountsSitesAndParticles) {
+  const Size size = size_of(scene_with(""));
+  EXPECT_EQ(size.columns, 116);  // 100 / 0.866 = 115.5
+  EXPECT_EQ(size.rows, 50);
+  EXPECT_EQ(size.particles, 14);
+}
+
+TEST(SizeOf, BoundsASourceThatNeverEndsByTheStepsOfItsStages) {
+  const Size size =
+      size_of(scene_with("sources: {spout: {at: [20, 40], rate: 0.25}}\n"
+                         "stages:\n"
+                         "  - {name: first, sources: [spout], until: {steps: 1000}}\n"
+                         "  - {name: second}\n"
+                         "  - {name: third, sources: [spout], max_steps: 201}\n"));
+  EXPECT_EQ(size.particles, 301);  // 1201 / 4 = 300.25
+}
+
+TEST(SizeOf, BoundsParticlesThatCannotLeaveByTheSitesOfTheBox) {
+  const Size size =
+      size_of(scene_with("sources: {spout: {at: [20, 40], rate: 1000}}\noutlets: {}\n"
+                         "stages: [{name: first, sources: [spout], max_steps: 1000000}]"));
+  EXPECT_EQ(size.particles, 116U * 50U);
+}
+
+TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
+  const double least = size_of(scene_with("output: {}")).bytes;
+  EXPECT_GT(size_of(scene_with("output: {}\nbox: {width: 200, height: 50}")).bytes, least + 2e4);
+  EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
+                               "1009}}"))
+                .bytes,
+            least + 1000.0 * 140);
+  EXPECT_GE(
+      size_of(scene_with("output: {frames: {width: 1000, height: 500, supersampling: 3}}")).bytes,
+      least + 500'000.0 * 9 * 8);
+}
+
+TEST(SizeOf, HoldsForTheLargestBox) {
+  const Size size = size_of(scene_with("box: {width: 866025, height: 1000000}"));
+  EXPECT_EQ(size.columns, 1'000'000);
+  EXPECT_EQ(size.rows, 1'000'000);
+  EXPECT_GT(size.bytes, 4e12);
+}
+
+}  // namespace clca::scene

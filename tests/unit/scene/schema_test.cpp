@@ -1,0 +1,237 @@
+// The schema for editors says what the parser says.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "bad_scenes.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+#include "scene/document.hpp"
+#include "scene/names.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using Words = std::set<std::string>;
+
+std::filesystem::path scenes_folder() {
+  return std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+const nlohmann::json& schema_text() {
+  static const auto kText = nlohmann::json::parse(text_of(scenes_folder() / "scene.schema.json"));
+  return kText;
+}
+
+/// A plain scalar as YAML's core schema takes it, which is what editors do.
+nlohmann::json scalar(const Value& value) {
+  const auto number = [&]() -> nlohmann::json {
+    try {
+      std::size_t end = 0;
+      if (value.text.find_first_not_of("-0123456789") == std::string::npos) {
+        const bool negative = value.text.starts_with('-');
+        const nlohmann::json result = negative ? nlohmann::json(std::stoll(value.text, &end))
+                                               : nlohmann::json(std::stoull(value.text, &end));
+        return end == value.text.size() ? result : nlohmann::json();
+      }
+      const bool plain = value.text.find_first_not_of("-+.eE0123456789") == std::string::npos;
+      const double result = plain ? std::stod(value.text, &end) : 0;
+      return plain && end == value.text.size() ? nlohmann::json(result) : nlohmann::json();
+    } catch (const std::out_of_range&) {
+      return 1e300;
+    } catch (const std::invalid_argument&) {
+      return nullptr;
+    }
+  };
+  if (value.quoted) {
+    return value.text;
+  }
+  if (value.text == "true" || value.text == "false") {
+    return value.text == "true";
+  }
+  const nlohmann::json result = number();
+  return result.is_null() ? nlohmann::json(value.text) : result;
+}
+
+nlohmann::json json_of(const Value& value) {
+  nlohmann::json result;
+  switch (value.kind) {
+    case Value::Kind::nothing:
+      return nullptr;
+    case Value::Kind::scalar:
+      return scalar(value);
+    case Value::Kind::list:
+      result = nlohmann::json::array();
+      for (const Value& item : value.items) {
+        result.push_back(json_of(item));
+      }
+      return result;
+    case Value::Kind::map:
+      result = nlohmann::json::object();
+      for (const Entry& entry : value.entries) {
+        result[entry.key] = json_of(entry.value);
+      }
+      return result;
+  }
+  return result;
+}
+
+nlohmann::json json_of(std::string_view text) {
+  const auto origin = std::make_shared<const Origin>(Origin{"scene.yaml", true});
+  return json_of(read_document(text, origin));
+}
+
+/// What the schema says against the scene; empty when it is right.
+std::string schema_errors(std::string_view text) {
+  static const auto kSchema = [] {
+    auto schema = std::make_unique<valijson::Schema>();
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_text()), *schema);
+    return schema;
+  }();
+  const nlohmann::json scene = json_of(text);
+  valijson::ValidationResults results;
+  valijson::Validator(valijson::Validator::kStrongTypes)
+      .validate(*kSchema, valijson::adapters::NlohmannJsonAdapter(scene), &results);
+  std::string errors;
+  for (const auto& error : results) {
+    errors += error.description;
+    errors += '\n';
+  }
+  return errors;
+}
+
+std::string parser_error(const std::string& text) {
+  try {
+    parse(text, "scene.yaml");
+    return "";
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+}
+
+template <std::size_t kCount>
+Words words_of(const std::array<std::string_view, kCount>& words) {
+  return {words.begin(), words.end()};
+}
+
+/// All maps and choices of the schema, by JSON pointer.
+void collect(const nlohmann::json& node, const std::string& pointer,
+             std::map<std::string, Words>& keys, std::map<std::string, Words>& choices) {
+  if (node.is_object() && node.contains("properties") && node["properties"].is_object()) {
+    for (const auto& [key, property] : node["properties"].items()) {
+      keys[pointer].insert(key);
+    }
+    EXPECT_EQ(node.value("additionalProperties", true), false) << pointer;
+  }
+  if (node.is_object() && node.contains("enum") && node["enum"].front().is_string()) {
+    for (const auto& word : node["enum"]) {
+      choices[pointer].insert(word.get<std::string>());
+    }
+  }
+  if (node.is_structured()) {
+    for (const auto& [key, child] : node.items()) {
+      collect(child, fmt::format("{}/{}", pointer, key), keys, choices);
+    }
+  }
+}
+
+}  // namespace
+
+TEST(Schema, AcceptsEverySceneInTheTreeAsTheParserDoes) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder())) {
+    if (entry.path().extension() == ".yaml") {
+      const std::string text = text_of(entry.path());
+      EXPECT_EQ(schema_errors(text), "") << entry.path();
+      EXPECT_EQ(parser_error(text), "") << entry.path();
+      EXPECT_EQ(schema_errors(to_yaml(parse_file(entry.path()))), "") << entry.path();
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 4);
+}
+
+TEST(Schema, RefusesWhatTheParserRefusesForItsForm) {
+  for (const testing::BadScene& bad : testing::bad_scenes()) {
+    const std::string errors = schema_errors(testing::scene_with(bad.part));
+    EXPECT_EQ(errors.empty(), bad.judge == testing::Judge::parser) << bad.what << '\n' << errors;
+  }
+}
+
+TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
+  std::map<std::string, Words> keys;
+  std::map<std::string, Words> choices;
+  collect(schema_text(), "", keys, choices);
+  const std::map<std::string, Words> known_keys = {
+      {"", words_of(kSceneKeys)},
+      {"/properties/box", words_of(kBoxKeys)},
+      {"/properties/rules", words_of(kRulesKeys)},
+      {"/properties/outlets/additionalProperties", words_of(kOutletKeys)},
+      {"/properties/output", words_of(kOutputKeys)},
+      {"/definitions/species", words_of(kSpeciesKeys)},
+      {"/definitions/shape", words_of(kShapeKeys)},
+      {"/definitions/shape/properties/rod", words_of(kRodKeys)},
+      {"/definitions/wall", words_of(kWallKeys)},
+      {"/definitions/wall/properties/line", words_of(kLineKeys)},
+      {"/definitions/source", words_of(kSourceKeys)},
+      {"/definitions/stage", words_of(kStageKeys)},
+      {"/definitions/stage/properties/fill", words_of(kFillKeys)},
+      {"/definitions/until", words_of(kUntilKeys)},
+      {"/definitions/frames", words_of(kFramesKeys)},
+      {"/definitions/series", words_of(kSeriesKeys)},
+  };
+  EXPECT_EQ(keys, known_keys);
+  const std::string rules = "/properties/rules/properties/";
+  const std::map<std::string, Words> known_choices = {
+      {rules + "candidates", words_of(words(kCandidateNames))},
+      {rules + "gravity", words_of(words(kDirectionNames))},
+      {rules + "update_priority/items", words_of(words(kUpdateClassNames))},
+      {rules + "ties", words_of(words(kTiesNames))},
+      {"/properties/measure/items", words_of(words(kMeasureNames))},
+      {"/definitions/frames/properties/color_by", words_of(words(kColorByNames))},
+      {"/definitions/frames/properties/drawing", words_of(words(kDrawingNames))},
+  };
+  EXPECT_EQ(choices, known_choices);
+}
+
+TEST(Schema, NamesTheDefaultsOfTheParser) {
+  const nlohmann::json scene = json_of(to_yaml(
+      parse(testing::scene_with("rules: {}\noutput: {frames: {}, series: {}}"), "scene.yaml")));
+  const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {
+    const auto& properties = schema_text().at(nlohmann::json::json_pointer(schema_pointer));
+    for (const auto& [key, property] : properties.at("properties").items()) {
+      const auto& value = scene.at(nlohmann::json::json_pointer(scene_pointer));
+      if (property.contains("default")) {
+        EXPECT_EQ(property["default"], value.at(key)) << key;
+      } else {
+        EXPECT_FALSE(value.contains(key)) << key << " has a default that the schema does not name";
+      }
+    }
+  };
+  compare("/properties/rules", "/rules");
+  compare("/definitions/frames", "/output/frames");
+  compare("/definitions/series", "/output/series");
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,136 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test.
+class StoreTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              (std::string("clca-store-") +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string text_of(const fs::path& file) {
+    const auto bytes = read_whole(file);
+    return {bytes.begin(), bytes.end()};
+  }
+
+  fs::path folder_;
+};
+
+using WriteWhole = StoreTest;
+
+TEST_F(WriteWhole, ReplacesAFileAndLeavesNothingBesideIt) {
+  write_whole(folder_ / "a.txt", "first");
+  write_whole(folder_ / "a.txt", "second");
+  EXPECT_EQ(text_of(folder_ / "a.txt"), "second");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
+  EXPECT_THAT(
+      [&] { write_whole(folder_ / "no" / "a.txt", "x"); },
+      ::testing::ThrowsMessage<StoreError>("cannot write " + (folder_ / "no/a.txt").string() +
+                                           ": No such file or directory"));
+  EXPECT_THAT([&] { read_whole(folder_ / "none"); },
+              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
+}
+
+TEST_F(WriteWhole, LeavesEverythingAsItWasWhenTheLastStepFails) {
+  // A folder cannot be replaced by a file: the rename fails after all was written.
+  fs::create_directories(folder_ / "taken" / "inside");
+  EXPECT_THROW(write_whole(folder_ / "taken", "x"), StoreError);
+  EXPECT_TRUE(fs::exists(folder_ / "taken" / "inside"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST(Table, WritesShortestNumbersAndQuotesText) {
+  Table table({"step", "stage", "value"});
+  table.add_row({std::uint64_t{3}, std::string("a,\"b\""), 0.1});
+  table.add_row({std::uint64_t{4}, std::string("c"), std::nan("")});
+  EXPECT_EQ(table.to_csv(), "step,stage,value\n3,\"a,\"\"b\"\"\",0.1\n4,c,\n");
+  EXPECT_THROW(table.add_row({0.5}), std::invalid_argument);
+}
+
+TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
+  const RunSummary summary = {
+      .version = "1.2.3",
+      .scene = "a",
+      .seed = 18446744073709551615U,
+      .threads = 2,
+      .status = "done",
+      .particles = 540,
+      .steps = 500,
+      .wall_seconds = 0.5,
+      .step_seconds = 0.25,
+      .particle_updates_per_second = 1e6,
+      .state_hash = 0xabc,
+      .compiler = "GNU 12",
+      .build_type = "Release",
+      .stages = {{.name = "flow",
+                  .steps = 100,
+                  .ended = "settled",
+                  .measures = {{"repose_angle_deg", 41.5}, {"clogged", true}, {"runout_99", {}}}}}};
+  const auto json = nlohmann::json::parse(to_json(summary));
+  EXPECT_EQ(json["clca"], "1.2.3");
+  EXPECT_EQ(json["seed"], 18446744073709551615U);
+  EXPECT_EQ(json["state_hash"], "0000000000000abc");
+  EXPECT_EQ(json["stages"][0]["measures"]["repose_angle_deg"], 41.5);
+  EXPECT_EQ(json["stages"][0]["measures"]["clogged"], true);
+  EXPECT_TRUE(json["stages"][0]["measures"]["runout_99"].is_null());
+}
+
+using RunFolderTest = StoreTest;
+
+TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
+  const RunFolder first(folder_ / "run");
+  for (const char* name :
+       {"run.json", "series.csv", "profile-flow.csv", "notes.txt", "other.csv"}) {
+    write_whole(first.path() / name, "x");
+  }
+  write_whole(first.frame("scene", 120), "x");
+  write_whole(first.path() / "frames" / "mine.png", "x");
+  const RunFolder second(folder_ / "run");
+  EXPECT_EQ(second.frame("scene", 120).filename(), "scene-000120.png");
+  EXPECT_FALSE(fs::exists(second.summary()));
+  EXPECT_FALSE(fs::exists(second.series()));
+  EXPECT_FALSE(fs::exists(second.profile("flow")));
+  EXPECT_FALSE(fs::exists(second.frame("scene", 120)));
+  EXPECT_TRUE(fs::exists(second.path() / "notes.txt"));
+  EXPECT_TRUE(fs::exists(second.path() / "other.csv"));
+  EXPECT_TRUE(fs::exists(second.path() / "frames" / "mine.png"));
+}
+
+TEST_F(RunFolderTest, TouchesNothingInAFolderThatIsNoRunFolder) {
+  write_whole(folder_ / "profile-of-my-own.csv", "x");
+  const RunFolder run(folder_);
+  EXPECT_TRUE(fs::exists(folder_ / "profile-of-my-own.csv"));
+}
+
+TEST_F(RunFolderTest, SaysWhyAFolderCannotBeMade) {
+  write_whole(folder_ / "file", "x");
+  EXPECT_THAT([&] { RunFolder run(folder_ / "file"); },
+              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("Not a directory")));
+}
+
+}  // namespace
+}  // namespace clca::store
