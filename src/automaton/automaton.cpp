@@ -27,6 +27,9 @@ class Automaton::Impl {
     if (!state.outlets.empty()) {
       std::size_t& removed = report.removed;
       stepper.for_each_moved(state, [&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
+      for (std::size_t id = before; id < state.particles.size(); ++id) {
+        removed += discharge(static_cast<std::uint32_t>(id)) ? 1U : 0U;
+      }
     }
     report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting;
     ++state.step;
@@ -47,15 +50,17 @@ class Automaton::Impl {
     Wall& wall = state.walls.at(number);
     wall.present = false;
     const Owner code = kFirstWall - static_cast<Owner>(number);
-    std::vector<lattice::Site> vacated;
+    std::vector<std::size_t> vacated;
     for (const lattice::Site site : wall.sites) {
-      if (occupancy.owner(state.lattice.index(site)) == code) {
-        release_to_others(site);
-        vacated.push_back(site);
+      const std::size_t index = state.lattice.index(site);
+      if (occupancy.owner(index) == code) {
+        occupancy.release(index);
+        vacated.push_back(index);
       }
     }
-    for (const lattice::Site site : vacated) {
-      wake_upstream(site);
+    leave_to_others(vacated);
+    for (const std::size_t index : vacated) {
+      wake_upstream(state.lattice.site(index));
     }
   }
 
@@ -75,6 +80,9 @@ class Automaton::Impl {
   /// Removes the particle if it lies wholly inside an outlet.
   bool discharge(std::uint32_t id) {
     Particle& particle = state.particles[id];
+    if (!particle.present) {
+      return false;
+    }
     const auto outlet =
         std::find_if(state.outlets.begin(), state.outlets.end(),
                      [&](const Outlet& o) { return lies_inside(state, particle, o.region); });
@@ -93,15 +101,18 @@ class Automaton::Impl {
     return true;
   }
 
-  /// Frees a wall site, or leaves it to another wall that covers it too.
-  void release_to_others(lattice::Site site) {
-    const std::size_t index = state.lattice.index(site);
-    occupancy.release(index);
+  /// Gives the sites of a wall that went to the walls that cover them too.
+  void leave_to_others(std::vector<std::size_t>& vacated) {
+    std::sort(vacated.begin(), vacated.end());
     for (std::size_t other = 0; other < state.walls.size(); ++other) {
-      const Wall& wall = state.walls[other];
-      if (wall.present &&
-          std::find(wall.sites.begin(), wall.sites.end(), site) != wall.sites.end()) {
-        occupancy.take(index, kFirstWall - static_cast<Owner>(other));
+      if (!state.walls[other].present) {
+        continue;
+      }
+      for (const lattice::Site site : state.walls[other].sites) {
+        const std::size_t index = state.lattice.index(site);
+        if (std::binary_search(vacated.begin(), vacated.end(), index)) {
+          occupancy.take(index, kFirstWall - static_cast<Owner>(other));
+        }
       }
     }
   }

@@ -96,10 +96,11 @@ bool fits(const State& state, const Occupancy& occupancy, const Particle& partic
 }
 
 bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
-  const lattice::Site reference = {state.lattice.wrapped(particle.column), particle.row};
   const auto& parts = state.shape(particle).sites();
   return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-    return region.contains(lattice::position(reference + part));
+    const lattice::Site site = particle.site() + part;
+    return region.contains(
+        lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
   });
 }
 

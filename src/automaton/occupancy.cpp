@@ -31,6 +31,12 @@ void take_border(Occupancy& occupancy, const lattice::Lattice& lattice) {
   }
 }
 
+/// Such a particle would stand in its own way.
+bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) {
+  const int columns = shape.sites().back().x - shape.sites().front().x + 1;
+  return lattice.periodic() && columns >= lattice.columns();
+}
+
 }  // namespace
 
 Occupancy::Occupancy(const State& state)
@@ -38,6 +44,11 @@ Occupancy::Occupancy(const State& state)
       owners_(state.lattice.memory_size(), kFree) {
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
+  for (const Kind& kind : state.kinds) {
+    if (meets_itself(lattice, kind.shape)) {
+      throw std::invalid_argument("a kind is as wide as the periodic box");
+    }
+  }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     for (const lattice::Site site : state.walls[wall].sites) {
       if (!lattice.contains(site)) {

@@ -11,6 +11,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -61,7 +62,7 @@ ExitCode diff_or_complain(const DiffOptions& options) {
   try {
     return diff(options);
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "clca: error: {}\n", error.what());
+    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
     return ExitCode::wrong_input;
   }
 }

@@ -6,20 +6,22 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/signals.hpp"
+#include "scene/text.hpp"
 
 namespace {
 
 using clca::cli::ExitCode;
 
 /// One line on standard error.
-int fail(ExitCode code, const std::string& line) {
-  fmt::print(stderr, "{}\n", line);
+int fail(ExitCode code, std::string_view message) {
+  fmt::print(stderr, "{}\n", clca::scene::printable(message));
   return static_cast<int>(code);
 }
 
@@ -27,7 +29,9 @@ int run_program(int argc, char** argv) {
   CLI::App app("Granular flow patterns by the Connected Lattice Cellular Automaton.", "clca");
   app.set_version_flag("--version", "clca " + clca::run::version());
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
+  app.failure_message([](const CLI::App* /*app*/, const CLI::Error& error) {
+    return fmt::format("clca: error: {} (see clca --help)\n", clca::scene::printable(error.what()));
+  });
   app.footer(
       "Exit codes: 0 done; 1 the run failed, or pictures differ; 2 wrong input;\n"
       "130 or 143 interrupted, with what was done so far written whole.");

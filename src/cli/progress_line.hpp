@@ -11,6 +11,10 @@ namespace clca::cli {
 class ProgressLine {
  public:
   ProgressLine();
+  /// Leaves a clean line to whatever comes next, an error for one.
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const run::Progress& progress);
   /// A line that stays, on standard error.

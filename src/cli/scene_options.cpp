@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <limits>
+
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
@@ -13,7 +16,16 @@ namespace {
 constexpr double kShareOfMemory = 0.8;
 constexpr double kMebibyte = 1 << 20;
 
+/// What can be had without swapping; memory that only caches files counts as free.
 double available_bytes() {
+  std::ifstream meminfo("/proc/meminfo");
+  std::string key;
+  for (double kibibytes = 0; meminfo >> key >> kibibytes;) {
+    if (key == "MemAvailable:") {
+      return 1024 * kibibytes;
+    }
+    meminfo.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
   const auto pages = static_cast<double>(::sysconf(_SC_AVPHYS_PAGES));
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }

@@ -39,7 +39,10 @@ Lattice Lattice::covering(double width, double height, bool periodic) {
 Offset Lattice::offset(Axial vector, bool odd_column) const {
   const Site from = {odd_column ? 1 : 0, 0};
   const Site to = from + vector;
-  const int columns = to.column - from.column;
+  int columns = to.column - from.column;
+  if (periodic_) {
+    columns %= columns_;  // even, so that the row is the same; at() goes across the seam once
+  }
   const auto linear = static_cast<std::ptrdiff_t>(columns) * static_cast<std::ptrdiff_t>(stride_) +
                       (to.row - from.row);
   return {static_cast<std::int32_t>(linear), columns};

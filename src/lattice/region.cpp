@@ -16,20 +16,68 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
   return (point - segment.from - share * along).norm();
 }
 
-/// The sites met on the way between the ends: neighbours follow each other.
-std::vector<Site> chain_along(const Segment& segment) {
+/// A part of a way from 0 to 1; empty where begin > end.
+struct Part {
+  double begin = 0;
+  double end = 1;
+};
+
+/// The part of the way from `from` to `from + along` between `low` and `high`.
+Part part_between(double from, double along, double low, double high) {
+  if (along == 0) {
+    return low <= from && from <= high ? Part{} : Part{1, 0};
+  }
+  const double enter = (low - from) / along;
+  const double leave = (high - from) / along;
+  return {std::max(0.0, std::min(enter, leave)), std::min(1.0, std::max(enter, leave))};
+}
+
+int bounded(double value, int high) {
+  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(high)));
+}
+
+/// The sites met on the way between the ends, those of the lattice at least: neighbours follow each
+/// other.
+std::vector<Site> chain_along(const Lattice& lattice, const Segment& segment) {
   const Site first = nearest_site(segment.from);
   const Site last = nearest_site(segment.to);
   const int steps = std::max(1, length(last - first));
   const Eigen::Vector2d start = position(first);
   const Eigen::Vector2d along = position(last) - start;
+  constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the lattice
+  const Part across =
+      part_between(start.x(), along.x(), -kBeyond, kColumnPitch * lattice.columns() + kBeyond);
+  const Part upwards = part_between(start.y(), along.y(), -kBeyond, lattice.rows() + kBeyond);
+  const double begin = std::floor(std::max(across.begin, upwards.begin) * steps);
+  const double end = std::ceil(std::min(across.end, upwards.end) * steps);
   std::vector<Site> chain;
-  for (int i = 0; i <= steps; ++i) {
+  for (int i = bounded(begin, steps); i <= end; ++i) {
     // The nudge keeps points that lie exactly between two sites on one side of the line.
     const Eigen::Vector2d nudge(1e-6, 2e-6);
     chain.push_back(nearest_site(start + along * (static_cast<double>(i) / steps) + nudge));
   }
   return chain;
+}
+
+/// The sites of a column that are within `reach` of the segment.
+void add_column(const Lattice& lattice, const Segment& segment, int column, double reach,
+                std::vector<Site>& sites) {
+  const Eigen::Vector2d along = segment.to - segment.from;
+  const double x = kColumnPitch * column;
+  const double margin = reach + 1e-6;  // rounding must not lose a site
+  const Part part = part_between(segment.from.x(), along.x(), x - margin, x + margin);
+  if (part.begin > part.end) {
+    return;
+  }
+  const auto [low, high] = std::minmax(
+      {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
+  const int last_row = bounded(high + margin + 2, lattice.rows());
+  for (int row = bounded(low - margin - 1, lattice.rows()); row < last_row; ++row) {
+    const Site site = {column, row};
+    if (distance(segment, position(site)) <= reach) {
+      sites.push_back(site);
+    }
+  }
 }
 
 }  // namespace
@@ -51,10 +99,7 @@ Site nearest_site(const Eigen::Vector2d& point) {
 }
 
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
-  // Columns and rows that can hold a site of the rectangle; clamped before the cast.
-  const auto bounded = [](double value, int high) {
-    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(high)));
-  };
+  // Columns and rows that can hold a site of the rectangle.
   const int first_column = bounded(rectangle.left / kColumnPitch - 1, lattice.columns());
   const int last_column = bounded(rectangle.right / kColumnPitch + 2, lattice.columns());
   const int first_row = bounded(rectangle.bottom - 1, lattice.rows());
@@ -72,14 +117,14 @@ std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
 
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
   const double reach = 0.5 * segment.thickness;
-  const Eigen::Vector2d margin(reach, reach);
-  const Eigen::Vector2d low = segment.from.cwiseMin(segment.to) - margin;
-  const Eigen::Vector2d high = segment.from.cwiseMax(segment.to) + margin;
-  const double beyond = 1e-9;  // rectangles leave out their right and top edges
-  std::vector<Site> sites =
-      sites_in(lattice, {low.x() - beyond, low.y() - beyond, high.x() + beyond, high.y() + beyond});
-  std::erase_if(sites, [&](Site site) { return distance(segment, position(site)) > reach; });
-  for (const Site site : chain_along(segment)) {
+  const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
+  const int last_column = bounded((right + reach) / kColumnPitch + 2, lattice.columns());
+  std::vector<Site> sites;
+  for (int column = bounded((left - reach) / kColumnPitch - 1, lattice.columns());
+       column < last_column; ++column) {
+    add_column(lattice, segment, column, reach, sites);
+  }
+  for (const Site site : chain_along(lattice, segment)) {
     if (site.column >= 0 && site.column < lattice.columns() && site.row >= 0 &&
         site.row < lattice.rows()) {
       sites.push_back(site);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "clca/lattice/lattice.hpp"
@@ -35,31 +36,23 @@ std::size_t reachable(const std::vector<Axial>& sites) {
   return count;
 }
 
-struct Bounds {
-  Axial low;
-  Axial high;
-};
-
-Bounds bounds(std::span<const Axial> sites) {
-  Bounds result = {sites.front(), sites.front()};
-  for (const Axial site : sites) {
-    result.low = {std::min(result.low.x, site.x), std::min(result.low.q, site.q)};
-    result.high = {std::max(result.high.x, site.x), std::max(result.high.q, site.q)};
-  }
-  return result;
+bool holds(const std::vector<Axial>& sorted, Axial site) {
+  return std::binary_search(sorted.begin(), sorted.end(), site);
 }
 
+/// Of a connected, sorted list of sites. Euler: sites - bonds + filled unit triangles is the number
+/// of connected parts less the number of holes.
 bool encloses_hole(const std::vector<Axial>& sites) {
-  const Bounds box = bounds(sites);
-  std::vector<Axial> outside;  // sorted by construction, with a margin that connects all around
-  for (int x = box.low.x - 1; x <= box.high.x + 1; ++x) {
-    for (int q = box.low.q - 1; q <= box.high.q + 1; ++q) {
-      if (!std::binary_search(sites.begin(), sites.end(), Axial{x, q})) {
-        outside.push_back({x, q});
-      }
-    }
+  std::size_t bonds = 0;
+  std::size_t triangles = 0;
+  for (const Axial site : sites) {
+    const bool up = holds(sites, site + unit(Direction::up));
+    const bool up_right = holds(sites, site + unit(Direction::up_right));
+    const bool down_right = holds(sites, site + unit(Direction::down_right));
+    bonds += (up ? 1U : 0U) + (up_right ? 1U : 0U) + (down_right ? 1U : 0U);
+    triangles += (up && up_right ? 1U : 0U) + (up_right && down_right ? 1U : 0U);
   }
-  return reachable(outside) != outside.size();
+  return sites.size() + triangles != bonds + 1;
 }
 
 std::vector<Axial> difference(const std::vector<Axial>& from, const std::vector<Axial>& minus) {
@@ -78,34 +71,39 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
-/// Twice the signed area of the triangle a, b, c in axial units: 0 when they lie on one line.
-long long cross(Axial a, Axial b, Axial c) {
-  const Axial first = b - a;
-  const Axial second = c - a;
-  return static_cast<long long>(first.x) * second.q - static_cast<long long>(first.q) * second.x;
+/// The sites on the straight line from `from` to `to`.
+void add_edge(Axial from, Axial to, std::vector<Axial>& sites) {
+  const Axial along = to - from;
+  const int steps = std::max(1, std::gcd(along.x, along.q));
+  for (int i = 0; i <= steps; ++i) {
+    sites.push_back({from.x + along.x / steps * i, from.q + along.q / steps * i});
+  }
 }
 
-bool on_edge(Axial from, Axial to, Axial site) {
-  return cross(from, to, site) == 0 && std::min(from.x, to.x) <= site.x &&
-         site.x <= std::max(from.x, to.x) && std::min(from.q, to.q) <= site.q &&
-         site.q <= std::max(from.q, to.q);
+/// The first x at or beyond the line through `from` and `to`, which crosses the height `q`.
+int first_beyond(Axial from, Axial to, int q) {
+  const Axial along = from.q < to.q ? to - from : from - to;
+  const long long distance = static_cast<long long>(along.x) * (q - from.q);
+  const long long whole = distance / along.q;
+  return from.x + static_cast<int>(whole * along.q < distance ? whole + 1 : whole);
 }
 
-/// True on the outline and inside it (even-odd rule), exact in integers.
-bool on_or_inside(std::span<const Axial> corners, Axial site) {
-  bool inside = false;
+/// The sites of height `q` inside the outline (even-odd rule), and some of those on it.
+void add_inside(std::span<const Axial> corners, int q, std::vector<Axial>& sites) {
+  std::vector<int> crossings;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Axial from = corners[i];
     const Axial to = corners[(i + 1) % corners.size()];
-    if (on_edge(from, to, site)) {
-      return true;
-    }
-    if ((from.q > site.q) != (to.q > site.q)) {
-      const bool left = cross(from, to, site) > 0;
-      inside = inside != (left == (to.q > from.q));
+    if ((from.q > q) != (to.q > q)) {
+      crossings.push_back(first_beyond(from, to, q));
     }
   }
-  return inside;
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    for (int x = crossings[i]; x < crossings[i + 1]; ++x) {
+      sites.push_back({x, q});
+    }
+  }
 }
 
 }  // namespace
@@ -149,20 +147,22 @@ Shape Shape::polygon(std::span<const Axial> corners) {
   if (corners.size() < 3) {
     throw std::invalid_argument("a polygon has at least 3 corners");
   }
-  const Bounds box = bounds(corners);
   std::vector<Axial> sites;
-  for (int x = box.low.x; x <= box.high.x; ++x) {
-    for (int q = box.low.q; q <= box.high.q; ++q) {
-      if (on_or_inside(corners, {x, q})) {
-        sites.push_back({x, q});
-      }
-    }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    add_edge(corners[i], corners[(i + 1) % corners.size()], sites);
   }
+  const auto [lowest, highest] = std::minmax_element(
+      corners.begin(), corners.end(), [](Axial left, Axial right) { return left.q < right.q; });
+  for (int q = lowest->q; q <= highest->q; ++q) {
+    add_inside(corners, q, sites);
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return Shape(std::move(sites));
 }
 
 bool Shape::contains(Axial site) const {
-  return std::binary_search(sites_.begin(), sites_.end(), site);
+  return holds(sites_, site);
 }
 
 std::vector<Axial> Shape::lead(Direction direction) const {

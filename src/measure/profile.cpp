@@ -45,6 +45,19 @@ std::vector<Span> column_spans(const automaton::State& state) {
   return spans;
 }
 
+/// The sites of the walls, each once where walls overlap.
+std::vector<lattice::Site> wall_sites(const automaton::State& state) {
+  std::vector<lattice::Site> sites;
+  for (const automaton::Wall& wall : state.walls) {
+    if (wall.present) {
+      sites.insert(sites.end(), wall.sites.begin(), wall.sites.end());
+    }
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites;
+}
+
 /// Angle in degrees of the line of least squares through the points; none if it does not fall.
 std::optional<double> falling_slope(const std::vector<double>& x,
                                     const std::vector<double>& height) {
@@ -124,17 +137,12 @@ std::optional<double> packing_fraction(const automaton::State& state) {
   const std::vector<Span> spans = column_spans(state);
   std::vector<int> floor(spans.size(), -1);  // row of the highest wall site under the bed
   std::vector<int> walled(spans.size(), 0);  // wall sites within the bed
-  for (const automaton::Wall& wall : state.walls) {
-    if (!wall.present) {
-      continue;
-    }
-    for (const lattice::Site site : wall.sites) {
-      const auto column = static_cast<std::size_t>(site.column);
-      if (site.row < spans[column].low) {
-        floor[column] = std::max(floor[column], site.row);
-      } else if (site.row < spans[column].high) {
-        ++walled[column];
-      }
+  for (const lattice::Site site : wall_sites(state)) {
+    const auto column = static_cast<std::size_t>(site.column);
+    if (site.row < spans[column].low) {
+      floor[column] = std::max(floor[column], site.row);
+    } else if (site.row < spans[column].high) {
+      ++walled[column];
     }
   }
   double available = 0;

@@ -17,6 +17,7 @@ struct SmallTriangle {
   Axial cell;
   bool upper = false;
 
+  // NOLINTNEXTLINE(readability-implicit-bool-conversion): clang-tidy 14 compares a bool with 0 here
   auto operator<=>(const SmallTriangle&) const = default;
 
   /// Anticlockwise.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace clca::render {
@@ -69,8 +70,8 @@ Coloring color_by_layer(const State& state, int layers) {
   if (layers < 1) {
     throw std::invalid_argument("there is at least one layer");
   }
-  double low = INFINITY;
-  double high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
   std::vector<double> heights(state.particles.size());
   for (std::size_t id = 0; id < heights.size(); ++id) {
     heights[id] = origin_height(state, id);

@@ -14,6 +14,8 @@ class Font {
   /// DejaVu Sans. Throws RenderError when it is not there.
   Font();
   ~Font();
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
   Font(Font&&) noexcept;
   Font& operator=(Font&&) noexcept;
 

@@ -12,9 +12,11 @@ constexpr double kMargin = 1.0;
 constexpr double kTopStrip = 2.4;
 constexpr double kBottomStrip = 3.0;
 constexpr double kLeastPanel = 6.0;
+constexpr double kTextWidth = 44;  // enough for most captions and legends
 
 constexpr int kLeastTextSize = 9;  // pixels, below which letters cannot be read
 constexpr double kTextSizesInHeight = 42;
+constexpr double kTextSizesInWidth = 50;  // matters in pictures narrower than 6:5
 
 Layout fit(int width, int height, const lattice::Rectangle& view, int text_size) {
   const auto pixels = [&](double text_sizes) {
@@ -35,18 +37,18 @@ Layout fit(int width, int height, const lattice::Rectangle& view, int text_size)
   panel.height = std::max(1, static_cast<int>(std::lround(view_height * layout.scale)));
   panel.x = margin + (room_width - panel.width) / 2;
   panel.y = top + (room_height - panel.height) / 2;
-  // In line with the view, unless it is too narrow for a caption.
-  const bool wide = panel.width * 2 >= width;
-  layout.text_left = wide ? panel.x : margin;
-  layout.text_right = wide ? panel.x + panel.width : width - margin;
+  // In line with the view, unless it is too narrow.
+  const int text_width = std::max(panel.width, std::min(room_width, pixels(kTextWidth)));
+  layout.text_left = margin + (room_width - text_width) / 2;
+  layout.text_right = layout.text_left + text_width;
   return layout;
 }
 
 }  // namespace
 
 Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations) {
-  const int text_size =
-      std::max(kLeastTextSize, static_cast<int>(std::lround(height / kTextSizesInHeight)));
+  const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
+  const int text_size = std::max(kLeastTextSize, static_cast<int>(std::lround(wanted)));
   const bool room = width >= (2 * kMargin + kLeastPanel) * text_size &&
                     height >= (kTopStrip + kBottomStrip + kLeastPanel) * text_size;
   return fit(width, height, view, annotations && room ? text_size : 0);

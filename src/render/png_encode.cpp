@@ -52,7 +52,7 @@ class ColorTable {
 
  private:
   static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
-  std::array<std::uint32_t, 1024> keys_;
+  std::array<std::uint32_t, 1024> keys_ = {};
   std::array<int, 1024> numbers_ = {};
 };
 

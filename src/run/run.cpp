@@ -16,8 +16,6 @@ namespace clca::run {
 
 namespace {
 
-constexpr const char* kInterrupted = "interrupted";
-
 class Run {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events)
@@ -37,12 +35,21 @@ class Run {
   void run_stages();
   void run_stage(const scene::Stage& stage, std::size_t number);
   /// Steps until the stage ends; returns why.
-  std::string run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history);
+  StageEnd run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history);
   void show_progress(const scene::Stage& stage, std::size_t number, double moving_share,
                      std::optional<double> seconds_left);
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
     store::write_whole(folder_->summary(), store::to_json(summary(status)));
+  }
+  /// A disk that is full for the rest may be so for the summary: the first error is the one to
+  /// tell.
+  void note_failure() {
+    try {
+      write_summary("failed");
+    } catch (const store::StoreError& error) {
+      log_->error(error.what());
+    }
   }
 
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
@@ -61,6 +68,7 @@ class Run {
   double updates_ = 0;  // particles x steps
   std::uint64_t steps_in_stage_ = 0;
   std::size_t moving_ = 0;  // in the last step
+  bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
 };
 
@@ -70,12 +78,10 @@ store::RunSummary Run::execute() {
     run_stages();
   } catch (const std::exception& error) {
     log_->error(error.what());
-    write_summary("failed");
+    note_failure();
     throw;
   }
-  const bool complete =
-      stages_.size() == scene_.stages.size() && stages_.back().ended != kInterrupted;
-  const std::string status = complete ? "done" : kInterrupted;
+  const std::string status = interrupted_ ? "interrupted" : "done";
   write_summary(status);
   return summary(status);
 }
@@ -85,7 +91,7 @@ void Run::run_stages() {
   if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
     log_->warning(render::font_problem());
   }
-  for (std::size_t i = 0; i < scene_.stages.size() && !stop_asked(); ++i) {
+  for (std::size_t i = 0; i < scene_.stages.size() && !interrupted_; ++i) {
     if (i > 0) {
       prepare_stage(automaton_, scene_, scene_.stages[i]);
     }
@@ -100,22 +106,23 @@ void Run::run_stage(const scene::Stage& stage, std::size_t number) {
                           .emitted = 0,
                           .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
   outputs_.begin_stage(stage, automaton_);
-  const std::string ended = run_steps(stage, number, history);
+  const StageEnd end = run_steps(stage, number, history);
+  history.settled = end == StageEnd::settled;
+  interrupted_ = end == StageEnd::interrupted;
   outputs_.end_stage(stage, automaton_, moving_, history);
   stages_.push_back({.name = stage.name,
                      .steps = steps_in_stage_,
-                     .ended = ended,
+                     .ended = to_text(end),
                      .measures = stage_measures(scene_.measures, automaton_, history)});
-  const std::string line =
-      fmt::format("stage {}: {} steps, ended: {}", stage.name, steps_in_stage_, ended);
-  log_->info(line);
-  if (ended == "bound") {
+  log_->info(
+      fmt::format("stage {}: {} steps, ended: {}", stage.name, steps_in_stage_, to_text(end)));
+  if (end == StageEnd::bound) {
     log_->warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
                               stage.name, stage.max_steps));
   }
 }
 
-std::string Run::run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history) {
+StageEnd Run::run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history) {
   Forecast forecast;
   double most_moving = 0;
   for (steps_in_stage_ = 0; !stop_asked();) {
@@ -139,7 +146,7 @@ std::string Run::run_steps(const scene::Stage& stage, std::size_t number, StageH
       show_progress(stage, number, moving_share, forecast.seconds_left());
     }
   }
-  return kInterrupted;
+  return StageEnd::interrupted;
 }
 
 void Run::show_progress(const scene::Stage& stage, std::size_t number, double moving_share,

@@ -47,20 +47,36 @@ void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
   automaton.mark_origins();
 }
 
-std::optional<std::string> stage_end(const scene::Stage& stage, std::uint64_t steps,
-                                     const automaton::StepReport& report,
-                                     const StageHistory& history) {
+std::string to_text(StageEnd end) {
+  switch (end) {
+    case StageEnd::settled:
+      return "settled";
+    case StageEnd::steps:
+      return "steps";
+    case StageEnd::discharged:
+      return "discharged";
+    case StageEnd::bound:
+      return "bound";
+    case StageEnd::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+std::optional<StageEnd> stage_end(const scene::Stage& stage, std::uint64_t steps,
+                                  const automaton::StepReport& report,
+                                  const StageHistory& history) {
   if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return steps >= until->steps ? std::optional<std::string>("steps") : std::nullopt;
+    return steps >= until->steps ? std::optional(StageEnd::steps) : std::nullopt;
   }
   const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until);
   if (discharged != nullptr && history.discharged_share() >= discharged->share) {
-    return "discharged";
+    return StageEnd::discharged;
   }
   if (report.settled) {
-    return "settled";
+    return StageEnd::settled;
   }
-  return steps >= stage.max_steps ? std::optional<std::string>("bound") : std::nullopt;
+  return steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
 }
 
 double done_share(const scene::Stage& stage, std::uint64_t steps, double moving_share,

@@ -1,6 +1,7 @@
 #pragma once
 // How a stage begins and when it ends.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,10 +16,15 @@ namespace clca::run {
 void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
                    const scene::Stage& stage);
 
+/// Why a stage has ended.
+enum class StageEnd : std::uint8_t { settled, steps, discharged, bound, interrupted };
+
+/// As written in run.json.
+std::string to_text(StageEnd end);
+
 /// Why the stage ends after `steps` steps, the last of which gave `report`; nothing: it goes on.
-std::optional<std::string> stage_end(const scene::Stage& stage, std::uint64_t steps,
-                                     const automaton::StepReport& report,
-                                     const StageHistory& history);
+std::optional<StageEnd> stage_end(const scene::Stage& stage, std::uint64_t steps,
+                                  const automaton::StepReport& report, const StageHistory& history);
 
 /// How much of the stage is done, in [0, 1], guessed from the share of particles that move: from
 /// `most_moving` at its height down to nobody.

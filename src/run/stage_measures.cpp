@@ -45,7 +45,8 @@ void add_outflow(Results& results, const automaton::Automaton& automaton,
   results.emplace_back("outflow_sites_per_step", history.outflow.sites_per_step());
   if (!automaton.state().outlets.empty()) {
     results.emplace_back("discharged_share", history.discharged_share());
-    results.emplace_back("clogged", measure::blocked(automaton.state(), automaton.occupancy()));
+    results.emplace_back(
+        "clogged", history.settled && measure::blocked(automaton.state(), automaton.occupancy()));
   }
 }
 

@@ -16,6 +16,7 @@ struct StageHistory {
   std::size_t particles_at_start = 0;
   std::size_t emitted = 0;
   measure::Outflow outflow;
+  bool settled = false;  ///< how it ended
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;

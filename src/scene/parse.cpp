@@ -60,7 +60,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
   scene.box = read_box(fields.at("box"));
-  scene.species = read_species(fields.at("species"));
+  scene.species = read_species(fields.at("species"), scene.box);
   read_into(scene.rules, fields, "rules", read_rules);
   read_into(scene.walls, fields, "walls", read_walls, scene);
   read_into(scene.sources, fields, "sources", read_sources, scene);

@@ -129,6 +129,23 @@ Color read_color(const Value& value, const std::string& path) {
   return {part(1), part(3), part(5)};
 }
 
+/// A particle that met itself across the seam would stand in its own way.
+void check_width(const Species& species, const Box& box, const Entry& entry) {
+  if (!box.periodic) {
+    return;
+  }
+  const int columns = lattice_of(box).columns();
+  for (const int degrees : species.orientations) {
+    const std::vector<lattice::Axial> sites = species.shape.rotated(degrees / kSixth).sites();
+    const int width = sites.back().x - sites.front().x + 1;
+    if (width >= columns) {
+      fail(entry.place, fmt::format("{}: {} columns wide at {} degrees, too wide for a periodic "
+                                    "box of {} columns",
+                                    join_path("species", entry.key), width, degrees, columns));
+    }
+  }
+}
+
 }  // namespace
 
 ReadShape read_shape(const Value& value, const std::string& path) {
@@ -141,7 +158,7 @@ ReadShape read_shape(const Value& value, const std::string& path) {
   }
 }
 
-std::vector<Species> read_species(const Value& value) {
+std::vector<Species> read_species(const Value& value, const Box& box) {
   std::vector<Species> all;
   for (const Entry& entry : read_named(value, "species")) {
     const Fields fields(entry.value, join_path("species", entry.key), kSpeciesKeys);
@@ -153,6 +170,7 @@ std::vector<Species> read_species(const Value& value) {
     if (const Value* color = fields.find("color")) {
       species.color = read_color(*color, fields.path("color"));
     }
+    check_width(species, box, entry);
     all.push_back(std::move(species));
   }
   if (all.empty()) {

@@ -17,7 +17,7 @@ struct ReadShape {
   lattice::Shape shape;
 };
 ReadShape read_shape(const Value& value, const std::string& path);
-std::vector<Species> read_species(const Value& value);
+std::vector<Species> read_species(const Value& value, const Box& box);
 automaton::Rules read_rules(const Value& value);
 
 /// [left, bottom, right, top], not empty.

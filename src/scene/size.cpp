@@ -56,12 +56,15 @@ double wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
   if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
     return most_sites(lattice, *box);
   }
-  // The corners of the line: all sites between are looked at.
   const auto& line = std::get<lattice::Segment>(wall.form);
+  // Of a band around the line, wide enough for the cells of the sites on its edge, or of the
+  // rectangle around it.
+  const double band = ((line.to - line.from).norm() + line.thickness + 4) * (line.thickness + 4) /
+                      lattice::kColumnPitch;
   const Eigen::Vector2d reach(line.thickness, line.thickness);
   const Eigen::Vector2d low = line.from.cwiseMin(line.to) - reach;
   const Eigen::Vector2d high = line.from.cwiseMax(line.to) + reach;
-  return most_sites(lattice, {low.x(), low.y(), high.x(), high.y()});
+  return std::min(band, most_sites(lattice, {low.x(), low.y(), high.x(), high.y()}));
 }
 
 /// The list of places that the largest fill tries.
@@ -105,7 +108,7 @@ Size size_of(const Scene& scene) {
   }
   return {.columns = lattice.columns(),
           .rows = lattice.rows(),
-          .particles = static_cast<std::uint64_t>(particles),
+          .particles = static_cast<std::uint64_t>(std::min(particles, 1e18)),
           .bytes = bytes};
 }
 

@@ -84,6 +84,9 @@ std::vector<std::uint8_t> read_whole(const std::filesystem::path& path) {
   while (true) {
     const ssize_t count = ::read(file.number(), block.data(), block.size());
     if (count < 0) {
+      if (errno == EINTR) {
+        continue;
+      }
       fail("read", path, errno);
     }
     if (count == 0) {

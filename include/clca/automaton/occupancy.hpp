@@ -28,7 +28,8 @@ constexpr bool is_wall(Owner owner) {
 class Occupancy {
  public:
   /// The box with its border, walls and particles. Throws std::invalid_argument when a particle
-  /// overlaps a wall or another particle, or leaves the box.
+  /// overlaps a wall or another particle, or leaves the box, or when a kind is as wide as a
+  /// periodic box.
   explicit Occupancy(const State& state);
 
   /// Bytes that a lattice of this many places needs.

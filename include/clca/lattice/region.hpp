@@ -30,7 +30,7 @@ struct Segment {
 /// The sites of the lattice inside `rectangle`, up the columns from the left.
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
 
-/// The sites of the lattice nearer to the segment than half its thickness, and always a connected
+/// The sites of the lattice within half its thickness of the segment, and always a connected
 /// chain along it, so that nothing leaks through.
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
 

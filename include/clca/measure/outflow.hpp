@@ -17,7 +17,8 @@ struct Discharge {
 
 Discharge discharge(const automaton::State& state);
 
-/// True when nothing can fall out: over every column that opens into an outlet hangs a particle.
+/// True when a particle hangs over every column that opens into an outlet: a state at rest that is
+/// so has clogged (one that flows is so too).
 bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy);
 
 /// Records the discharge of a stage, step by step.

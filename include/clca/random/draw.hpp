@@ -13,7 +13,6 @@ enum class Purpose : std::uint32_t {
   tie = 4,
   direction_order = 5,
   fill_position = 6,
-  fill_orientation = 7,
   source_species = 8,
   source_position = 9,
   scatter_direction = 10,

@@ -65,6 +65,8 @@ class Painter {
   Painter(const Style& style, const lattice::Lattice& lattice,
           const std::vector<automaton::Kind>& kinds);
   ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
   Painter(Painter&&) noexcept;
   Painter& operator=(Painter&&) noexcept;
 

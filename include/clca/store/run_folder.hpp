@@ -10,8 +10,8 @@ namespace clca::store {
 class RunFolder {
  public:
   /// Makes the folder if need be. Where a run.json says that a run has been here before, clears
-  /// what it has left: its pictures, tables, scene.yaml and run.json. Other files stay. Throws
-  /// StoreError.
+  /// what it has left: its pictures, tables, scene.yaml, run.json and log.txt. Other files stay.
+  /// Throws StoreError.
   explicit RunFolder(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }

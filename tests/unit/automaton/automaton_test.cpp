@@ -273,6 +273,28 @@ TEST(Outlet, CountsAndRemovesParticlesWhollyInside) {
   EXPECT_TRUE(automaton.step().settled);
 }
 
+TEST(Outlet, RemovesWhatIsEmittedInsideItAndCannotMove) {
+  State state = empty_state(9, 12);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.sources = {
+      {.sites = {{4, 1}}, .weights = {1}, .rate = 1ULL << 32U, .count = 1, .open = true}};
+  state.outlets = {{.region = {0, 0, 10, 10}}};
+  Automaton automaton(state);
+  EXPECT_EQ(automaton.step().removed, 1U);
+  EXPECT_EQ(present_count(automaton.state()), 0U);
+}
+
+TEST(Outlet, CatchesParticlesAcrossAPeriodicSeam) {
+  State state = empty_state(10, 30);
+  state.lattice = lattice::Lattice(10, 30, true);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(0, 20)};
+  state.outlets = {{.region = {0, 0, 10, 5}}};
+  Automaton automaton(state);
+  settle(automaton);
+  EXPECT_EQ(automaton.state().outlets[0].particles, 1U);
+}
+
 TEST(Walls, WhatTwoWallsCoverStaysUntilBothAreGone) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(0), 0}};

@@ -40,6 +40,14 @@ TEST(Lattice, OffsetsLeadToTheSameMemoryAsSites) {
         EXPECT_EQ(lattice.at(lattice.index(site), site.column, offset),
                   lattice.index(site + vector));
       }
+      for (const int columns : {-34, -20, 13, 30}) {  // more than once around
+        const Axial vector = {columns, -columns / 2};
+        const Offset offset = lattice.offset(vector, is_odd(site.column));
+        if (periodic) {
+          EXPECT_EQ(lattice.at(lattice.index(site), site.column, offset),
+                    lattice.index(site + vector));
+        }
+      }
     }
   }
 }

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <span>
 
 #include "clca/render/coloring.hpp"
 #include "packed_state.hpp"
+#include "render/legend_lines.hpp"
 
 namespace clca::render {
 namespace {
@@ -71,6 +73,44 @@ TEST(Layout, KeepsTheViewInsideThePicture) {
   }
 }
 
+TEST(Layout, TextIsAsLargeAsThePictureIsHighAndWide) {
+  const lattice::Rectangle view = {0, 0, 30, 20};
+  const int wide = arrange(1280, 720, view, true).text_size;
+  EXPECT_EQ(arrange(3840, 2160, view, true).text_size, 3 * wide);
+  EXPECT_EQ(arrange(2000, 720, view, true).text_size, wide);
+  EXPECT_EQ(arrange(900, 720, view, true).text_size, wide);
+  EXPECT_LT(arrange(720, 720, view, true).text_size, wide);
+  const Layout upright = arrange(720, 1280, view, true);
+  EXPECT_LT(upright.text_size, wide);
+  EXPECT_GE(upright.text_right - upright.text_left, 44 * upright.text_size);
+  // A tall view is narrower than its caption.
+  const Layout tall = arrange(1280, 720, {0, 0, 10, 40}, true);
+  EXPECT_LT(tall.text_left, tall.panel.x);
+  EXPECT_EQ(tall.text_right - tall.text_left, 44 * tall.text_size);
+}
+
+TEST(LegendLines, TakeASecondLineBeforeTheyGiveUp) {
+  const std::vector<double> widths(4, 10.0);
+  const std::vector<double> rooms = {25, 40};
+  const auto lines = [&](std::size_t count) {
+    return legend_lines(std::span(widths).first(count), 3, 1, rooms);
+  };
+  EXPECT_TRUE(lines(0).empty());
+  EXPECT_EQ(lines(2), (std::vector<LegendItem>{{0, 0, 0}, {1, 11, 0}}));
+  EXPECT_EQ(lines(4), (std::vector<LegendItem>{{0, 0, 0}, {1, 11, 0}, {2, 0, 1}, {3, 11, 1}}));
+}
+
+TEST(LegendLines, LeaveOutThoseBeforeTheLast) {
+  const std::vector<double> widths(9, 10.0);
+  const std::vector<double> rooms = {25, 25};
+  EXPECT_EQ(legend_lines(widths, 3, 1, rooms),
+            (std::vector<LegendItem>{
+                {0, 0, 0}, {1, 11, 0}, {2, 0, 1}, {std::nullopt, 11, 1}, {8, 15, 1}}));
+  const std::vector<double> narrow = {4, 4};
+  EXPECT_EQ(legend_lines(widths, 3, 1, narrow), (std::vector<LegendItem>{{std::nullopt, 0, 0}}));
+  EXPECT_TRUE(legend_lines(widths, 5, 1, narrow).empty());
+}
+
 TEST_F(Annotations, StandAboveAndBelowTheView) {
   const automaton::State state = empty_state(60, 40, false);
   Style style;
@@ -84,6 +124,35 @@ TEST_F(Annotations, StandAboveAndBelowTheView) {
   EXPECT_FALSE(blank(titled, 0, layout.panel.y));
   EXPECT_FALSE(blank(titled, below, 360));  // the scale bar
   EXPECT_TRUE(blank(painter.draw(state, occupancy, {}, {}), 0, layout.panel.y));
+}
+
+/// The widest run of white columns between the first and the last that are not, above `bottom`.
+int widest_gap(const Image& image, int bottom) {
+  int widest = 0;
+  int last = image.width;
+  for (int x = 0; x < image.width; ++x) {
+    bool white = true;
+    for (int y = 0; y < bottom; ++y) {
+      white = white && image.at(x, y) == Rgb{255, 255, 255};
+    }
+    if (!white) {
+      widest = std::max(widest, x - last - 1);
+      last = x;
+    }
+  }
+  return widest;
+}
+
+TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
+  Annotator annotator;
+  for (const int width : {300, 640, 1280}) {
+    const Layout layout = arrange(width, 360, {0, 0, 40, 30}, true);
+    for (std::size_t length = 1; length < 200; length += 3) {
+      Image image(width, 360, {255, 255, 255});
+      annotator.draw(image, layout, {std::string(length, 'H'), "HHHHHHHH"}, {});
+      EXPECT_GE(widest_gap(image, layout.panel.y), 1.4 * layout.text_size) << length;
+    }
+  }
 }
 
 TEST_F(Annotations, ShortenTextWithAnEllipsis) {

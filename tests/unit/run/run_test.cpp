@@ -52,6 +52,12 @@ TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
   EXPECT_EQ(state.kinds[3].species, 1);
 }
 
+TEST(Setup, WhereTheCoordinatesOfAShapeStartDoesNotMatter) {
+  const auto near = small_scene({"species.rod.shape={sites: [[0, 0], [1, 0], [2, 0]]}"});
+  const auto far = small_scene({"species.rod.shape={sites: [[90, 7], [91, 7], [92, 7]]}"});
+  EXPECT_EQ(initial_state(near).kinds, initial_state(far).kinds);
+}
+
 TEST(Run, LeavesAWholeRunFolder) {
   const testing::ScratchFolder folder;
   const auto summary = run(small_scene(), {.folder = folder.path() / "out"});
