@@ -76,6 +76,11 @@ std::string endless(const Stage& stage, const Scene& scene) {
   if (scene.rules.candidates == automaton::Candidates::all) {
     return "with rules.candidates: all";
   }
+  const lattice::Direction gravity = scene.rules.gravity;
+  if (scene.box.periodic && gravity != lattice::Direction::down &&
+      gravity != lattice::Direction::up) {
+    return "with a sideways rules.gravity in a periodic box";
+  }
   for (const std::size_t source : stage.sources) {
     if (!scene.sources[source].count) {
       return fmt::format("while source '{}' is open, which has no count",

@@ -100,7 +100,7 @@ TEST_F(CliTest, WrongUsageIsExitCodeTwo) {
     const auto result = run(arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   }
 }
 

@@ -78,7 +78,8 @@ TEST(Silo, OutflowIsLinearInTheWidthOfTheOrifice) {
 int clogged_runs(int orifice) {
   int clogged = 0;
   for (int seed = 1; seed <= 8; ++seed) {
-    for (const auto& [name, value] : run_silo(orifice, 120, true, seed).stages.back().measures) {
+    const store::RunSummary summary = run_silo(orifice, 120, true, seed);
+    for (const auto& [name, value] : summary.stages.back().measures) {
       clogged += name == "clogged" && std::get<bool>(value) ? 1 : 0;
     }
   }

@@ -94,6 +94,15 @@ TEST(Packing, LeavesOutWallsAndWhatIsUnderThem) {
   EXPECT_DOUBLE_EQ(packing_fraction(state).value(), 3.0 / 5.0);
 }
 
+TEST(Packing, CountsASiteOfTwoWallsOnce) {
+  State state = empty_state(2, 20);
+  state.kinds = {{Shape::hexagon(0), 0}};
+  state.walls = {{.sites = {{0, 4}, {0, 7}}, .present = true},
+                 {.sites = {{0, 7}}, .present = true}};
+  state.particles = {{.column = 0, .row = 5}, {.column = 0, .row = 9}};
+  EXPECT_DOUBLE_EQ(packing_fraction(state).value(), 2.0 / 4.0);
+}
+
 TEST(Displacement, IsTheDistanceFromTheOrigin) {
   State state = stacks({1, 1, 1, 1});
   state.origins = {{0, 3}, {1, 0}, {0, 0}, {3, 0}};

@@ -22,6 +22,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a name with a space", "species: {small one: {shape: {hexagon: 1}}}",
      "scene.yaml:5:11: error: species: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, "
      "found 'small one'"},
+    {"a species as wide as a periodic box",
+     "box: {width: 30, height: 100, periodic: true}\n"
+     "species: {small: {shape: {hexagon: 20}}}",
+     "scene.yaml:5:11: error: species.small: 41 columns wide at 0 degrees, too wide for a periodic "
+     "box of 36 columns",
+     Judge::parser},
     {"an unknown key of a species", R"(species: {small: {shape: {hexagon: 1}, colour: "#ffffff"}})",
      "scene.yaml:5:40: error: unknown key 'colour' in species.small (allowed: shape, "
      "orientations, color); did you mean 'color'?"},

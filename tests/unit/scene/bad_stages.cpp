@@ -99,6 +99,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:10:10: error: stages.first.until: never comes to rest with rules.candidates: "
      "all; give max_steps",
      Judge::parser},
+    {"a rest that never comes, since everything slides round and round",
+     "box: {width: 100, height: 100, periodic: true}\n"
+     "rules: {gravity: down_right}",
+     "scene.yaml:10:10: error: stages.first.until: never comes to rest with a sideways "
+     "rules.gravity in a periodic box; give max_steps",
+     Judge::parser},
     {"a rest that never comes, since a source never ends",
      "sources: {spout: {at: [20, 40], rate: 1}}",
      "scene.yaml:10:10: error: stages.first.until: never comes to rest while source 'spout' "
