@@ -38,23 +38,29 @@ bool blocked(const automaton::State& state, const automaton::Occupancy& occupanc
 }
 
 void Outflow::add(Discharge total) {
+  ++steps_;
+  if (total.sites != last_.sites) {
+    events_.push_back({.step = steps_, .sites = total.sites - begin_.sites});
+  }
   last_ = total;
-  sites_.push_back(total.sites - begin_.sites);
 }
 
 double Outflow::sites_per_step() const {
   if (during_stage().particles < 2) {
     return 0;
   }
-  const auto total = static_cast<double>(sites_.back());
+  const auto total = static_cast<double>(events_.back().sites);
   const auto first_after = [&](double share) {
-    return std::lower_bound(
-        sites_.begin(), sites_.end(), share * total,
-        [](std::uint64_t sites, double wanted) { return static_cast<double>(sites) < wanted; });
+    return *std::lower_bound(events_.begin(), events_.end(), share * total,
+                             [](const Event& event, double wanted) {
+                               return static_cast<double>(event.sites) < wanted;
+                             });
   };
-  const auto from = first_after(0.2);
-  const auto to = first_after(0.7);
-  return to > from ? static_cast<double>(*to - *from) / static_cast<double>(to - from) : 0;
+  const Event from = first_after(0.2);
+  const Event to = first_after(0.7);
+  return to.step > from.step
+             ? static_cast<double>(to.sites - from.sites) / static_cast<double>(to.step - from.step)
+             : 0;
 }
 
 }  // namespace clca::measure

@@ -12,6 +12,10 @@ inline automaton::State empty_state(int columns, int rows, std::uint64_t seed = 
   return {.lattice = lattice::Lattice(columns, rows, false), .seed = seed};
 }
 
+inline automaton::Particle particle_at(int column, int row, std::uint16_t kind = 0) {
+  return {.column = column, .row = row, .kind = kind};
+}
+
 /// Hexagons of radius 1 and 2 thrown into a box, `count` of each.
 inline automaton::Automaton mixed_automaton(int columns, int rows, std::size_t count,
                                             std::uint64_t seed = 1) {

@@ -38,9 +38,16 @@ class Outflow {
   double sites_per_step() const;
 
  private:
+  /// Sites that had left after so many steps.
+  struct Event {
+    std::uint64_t step = 0;
+    std::uint64_t sites = 0;
+  };
+
   Discharge begin_;
   Discharge last_;
-  std::vector<std::uint64_t> sites_;  // left since the stage began, after each step
+  std::uint64_t steps_ = 0;
+  std::vector<Event> events_;  // the steps in which something left
 };
 
 }  // namespace clca::measure

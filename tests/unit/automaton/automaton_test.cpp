@@ -18,11 +18,8 @@ namespace {
 using lattice::Direction;
 using lattice::Shape;
 using testing::empty_state;
+using testing::particle_at;
 using testing::settle;
-
-Particle particle_at(int column, int row, std::uint16_t kind = 0) {
-  return {.column = column, .row = row, .kind = kind};
-}
 
 TEST(Automaton, ALoneParticleFallsOneSpacingAStepAndRestsOnTheFloor) {
   State state = empty_state(9, 30);

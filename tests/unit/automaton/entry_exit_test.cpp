@@ -14,11 +14,8 @@ namespace {
 
 using lattice::Shape;
 using testing::empty_state;
+using testing::particle_at;
 using testing::settle;
-
-Particle particle_at(int column, int row, std::uint16_t kind = 0) {
-  return {.column = column, .row = row, .kind = kind};
-}
 
 TEST(Fill, PlacesWhatWasAskedForInsideTheRegionWithIdsUpTheColumns) {
   const Automaton automaton = testing::mixed_automaton(60, 60, 40);
