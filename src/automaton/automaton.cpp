@@ -49,7 +49,7 @@ class Automaton::Impl {
   void remove_wall(std::size_t number) {
     Wall& wall = state.walls.at(number);
     wall.present = false;
-    const Owner code = kFirstWall - static_cast<Owner>(number);
+    const Owner code = wall_code(number);
     std::vector<std::size_t> vacated;
     for (const lattice::Site site : wall.sites) {
       const std::size_t index = state.lattice.index(site);
@@ -111,7 +111,7 @@ class Automaton::Impl {
       for (const lattice::Site site : state.walls[other].sites) {
         const std::size_t index = state.lattice.index(site);
         if (std::binary_search(vacated.begin(), vacated.end(), index)) {
-          occupancy.take(index, kFirstWall - static_cast<Owner>(other));
+          occupancy.take(index, wall_code(other));
         }
       }
     }

@@ -1,5 +1,6 @@
 #include "clca/automaton/occupancy.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace clca::automaton {
@@ -8,11 +9,39 @@ namespace {
 
 constexpr std::size_t kWordBits = 64;
 
-void take_free(Occupancy& occupancy, std::size_t index, Owner owner) {
-  if (occupancy.taken(index)) {
+/// Whether `id` may stand on a place that has `owner` already.
+bool may_share(const State& state, std::uint32_t id, Owner owner) {
+  return std::any_of(state.pushes.begin(), state.pushes.end(), [&](const Push& push) {
+    return (push.pushed == id && push.pusher == owner) ||
+           (is_particle(owner) && push.pushed == static_cast<std::uint32_t>(owner) &&
+            push.pusher == static_cast<Owner>(id));
+  });
+}
+
+void put(Occupancy& occupancy, const State& state, std::size_t index, std::uint32_t id) {
+  if (!occupancy.taken(index)) {
+    occupancy.take(index, static_cast<Owner>(id));
+    return;
+  }
+  if (occupancy.second_owner(index) != kFree || !may_share(state, id, occupancy.owner(index))) {
     throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
   }
-  occupancy.take(index, owner);
+  occupancy.add(index, static_cast<Owner>(id));
+}
+
+void put_wall(Occupancy& occupancy, const State& state, std::size_t number) {
+  const Wall& wall = state.walls[number];
+  for (const lattice::Site site : wall.sites) {
+    if (!wall.motion && !state.lattice.contains(site)) {
+      throw std::invalid_argument("a wall leaves the box");
+    }
+  }
+  if (!wall.present) {
+    return;
+  }
+  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+    occupancy.take(state.lattice.index(site), wall_code(number));
+  }
 }
 
 void take_border(Occupancy& occupancy, const lattice::Lattice& lattice) {
@@ -41,7 +70,8 @@ bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) 
 
 Occupancy::Occupancy(const State& state)
     : words_((state.lattice.memory_size() + kWordBits - 1) / kWordBits, 0),
-      owners_(state.lattice.memory_size(), kFree) {
+      owners_(state.lattice.memory_size(), kFree),
+      seconds_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {
@@ -50,14 +80,7 @@ Occupancy::Occupancy(const State& state)
     }
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
-    for (const lattice::Site site : state.walls[wall].sites) {
-      if (!lattice.contains(site)) {
-        throw std::invalid_argument("a wall leaves the box");
-      }
-      if (state.walls[wall].present) {
-        take(lattice.index(site), kFirstWall - static_cast<Owner>(wall));
-      }
-    }
+    put_wall(*this, state, wall);
   }
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     const Particle& particle = state.particles[id];
@@ -69,9 +92,34 @@ Occupancy::Occupancy(const State& state)
       if (!lattice.contains(site)) {
         throw std::invalid_argument("a particle leaves the box");
       }
-      take_free(*this, lattice.index(site), static_cast<Owner>(id));
+      put(*this, state, lattice.index(site), static_cast<std::uint32_t>(id));
     }
   }
+}
+
+void Occupancy::add(std::size_t index, Owner owner) {
+  if (!taken(index)) {
+    take(index, owner);
+    return;
+  }
+  if (seconds_.empty() || seconds_[index] != kFree) {
+    throw std::logic_error("a place has no room for another owner");
+  }
+  const Owner first = owners_[index];
+  owners_[index] = std::min(first, owner);
+  seconds_[index] = std::max(first, owner);
+}
+
+bool Occupancy::remove(std::size_t index, Owner owner) {
+  if (second_owner(index) == kFree) {
+    release(index);
+    return true;
+  }
+  if (owners_[index] == owner) {
+    owners_[index] = seconds_[index];
+  }
+  seconds_[index] = kFree;
+  return false;
 }
 
 }  // namespace clca::automaton

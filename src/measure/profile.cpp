@@ -50,7 +50,8 @@ std::vector<lattice::Site> wall_sites(const automaton::State& state) {
   std::vector<lattice::Site> sites;
   for (const automaton::Wall& wall : state.walls) {
     if (wall.present) {
-      sites.insert(sites.end(), wall.sites.begin(), wall.sites.end());
+      const std::vector<lattice::Site> covered = automaton::sites_now(state.lattice, wall);
+      sites.insert(sites.end(), covered.begin(), covered.end());
     }
   }
   std::sort(sites.begin(), sites.end());

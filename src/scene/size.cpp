@@ -100,7 +100,7 @@ Size size_of(const Scene& scene) {
     particles = std::min(particles, static_cast<double>(lattice.columns()) * lattice.rows());
   }
   const auto places = static_cast<double>(lattice.memory_size());
-  double bytes = automaton::Occupancy::bytes_for(places) + automaton::Claims::bytes_for(places) +
+  double bytes = automaton::Occupancy::bytes_for(places, false) + automaton::Claims::bytes_for(places) +
                  kParticleBytes * particles + fill_bytes(scene, lattice) +
                  picture_bytes(scene.output);
   for (const Wall& wall : scene.walls) {

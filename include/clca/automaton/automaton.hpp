@@ -16,8 +16,10 @@ struct StepReport {
   std::size_t moved = 0;
   std::size_t emitted = 0;
   std::size_t removed = 0;
-  /// Nothing moved, nothing entered, and no open source has anything to give that finds room: no
-  /// later step can change anything.
+  std::size_t walls_moved = 0;
+  std::size_t walls_stalled = 0;  ///< wanted to move and could not
+  /// Nothing moved, nothing entered, no open source has anything to give that finds room, and no
+  /// wall wants to move or those that do cannot: no later step can change anything.
   bool settled = false;
 };
 
@@ -50,7 +52,7 @@ class Automaton {
   const State& state() const;
   const Occupancy& occupancy() const;
 
-  /// One step: sources, provisional directions, moves in order of priority, outlets.
+  /// One step: moving walls, sources, provisional directions, moves in order of priority, outlets.
   StepReport step();
 
   /// Places `counts` (per species) particles at random in free sites of `region`, larger species
@@ -59,6 +61,11 @@ class Automaton {
   FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   /// Takes a wall away; nothing happens when it is gone already.
   void remove_wall(std::size_t wall);
+  /// Puts a wall where it is not yet. Returns false and changes nothing when a particle or, for a
+  /// moving wall, another wall stands in its way.
+  bool insert_wall(std::size_t wall);
+  /// Sets a wall in motion or holds it. Throws std::invalid_argument when it has no motion.
+  void set_motion(std::size_t wall, bool active);
   /// Opens or closes a source.
   void set_source(std::size_t source, bool open);
   /// Sets the origins of all particles to where they are now.

@@ -10,34 +10,39 @@
 
 namespace clca::automaton {
 
-/// A particle id, or one of the codes below; walls are numbered down from kFirstWall.
-using Owner = std::int32_t;
+/// Besides particles and walls (see Owner) a place may be free or on the border of the box.
 inline constexpr Owner kFree = -1;
-inline constexpr Owner kFirstWall = -2;
 inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();
-
-constexpr bool is_particle(Owner owner) {
-  return owner >= 0;
-}
-constexpr bool is_wall(Owner owner) {
-  return owner <= kFirstWall;
-}
 
 /// Owner of each place of a lattice, and whether it is taken as one bit, both indexed as
 /// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing.
+/// Where walls let overlap (may_overlap) a place may have two owners, no more.
 class Occupancy {
  public:
   /// The box with its border, walls and particles. Throws std::invalid_argument when a particle
-  /// overlaps a wall or another particle, or leaves the box, or when a kind is as wide as a
-  /// periodic box.
+  /// overlaps a wall or another particle without a Push that says so, or leaves the box, when a
+  /// place has three owners, or when a kind is as wide as a periodic box.
   explicit Occupancy(const State& state);
 
   /// Bytes that a lattice of this many places needs.
-  static double bytes_for(double places) { return places * (sizeof(Owner) + 1.0 / 8.0); }
+  static double bytes_for(double places, bool overlaps) {
+    return places * ((overlaps ? 2 : 1) * sizeof(Owner) + 1.0 / 8.0);
+  }
 
   bool taken(std::size_t index) const { return (words_[index >> 6U] >> (index & 63U) & 1U) != 0; }
   Owner owner(std::size_t index) const { return owners_[index]; }
+  /// The first owner of each place; a wall comes before particles, a lower id before a higher one.
   const std::vector<Owner>& owners() const { return owners_; }
+  /// kFree where there is none.
+  Owner second_owner(std::size_t index) const { return seconds_.empty() ? kFree : seconds_[index]; }
+  /// Whether this is one of the owners.
+  bool has(std::size_t index, Owner owner) const {
+    return owners_[index] == owner || second_owner(index) == owner;
+  }
+  /// Takes a place that may have an owner already, but not two. Throws std::logic_error otherwise.
+  void add(std::size_t index, Owner owner);
+  /// Takes one of the owners away. Returns true when the place is free now.
+  bool remove(std::size_t index, Owner owner);
 
   void take(std::size_t index, Owner owner) {
     words_[index >> 6U] |= std::uint64_t{1} << (index & 63U);
@@ -67,6 +72,7 @@ class Occupancy {
  private:
   std::vector<std::uint64_t> words_;
   std::vector<Owner> owners_;
+  std::vector<Owner> seconds_;  // empty where nothing may overlap
 };
 
 }  // namespace clca::automaton

@@ -2,8 +2,10 @@
 // The state of a run: a value that can be copied, compared and hashed.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "clca/automaton/motion.hpp"
 #include "clca/automaton/rules.hpp"
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/region.hpp"
@@ -35,12 +37,47 @@ struct Particle {
   bool operator==(const Particle&) const = default;
 };
 
-/// A fixed obstacle; its sites lie inside the box.
-struct Wall {
-  std::vector<lattice::Site> sites = {};
-  bool present = true;
+/// Takes part where sites have two occupants: a particle id, or the code of a wall.
+using Owner = std::int32_t;
+inline constexpr Owner kFirstWall = -2;  ///< further walls are numbered down
 
+constexpr bool is_particle(Owner owner) {
+  return owner >= 0;
+}
+constexpr bool is_wall(Owner owner) {
+  return owner <= kFirstWall;
+}
+constexpr Owner wall_code(std::size_t wall) {
+  return kFirstWall - static_cast<Owner>(wall);
+}
+constexpr std::size_t wall_number(Owner owner) {
+  return static_cast<std::size_t>(kFirstWall - owner);
+}
+
+/// An obstacle. The sites of one that does not move lie inside the box; one that moves may begin
+/// or end outside, where it is not there.
+struct Wall {
+  std::vector<lattice::Site> sites = {};  ///< at home
+  bool present = true;
+  std::optional<Motion> motion = {};
+  Passive passive = Passive::rigid;  ///< of one that moves
+  Travel travel = {};
+
+  /// Where the wall is now, as a vector from home.
+  lattice::Axial shift() const;
+  bool lets_overlap() const { return motion && passive == Passive::overlap; }
   bool operator==(const Wall&) const = default;
+};
+
+/// An overlap that a push has left: `pusher`, a particle or a wall, came onto `pushed`. The push
+/// began at the wall `source`, in `direction`.
+struct Push {
+  std::uint32_t pushed = 0;
+  Owner pusher = 0;
+  std::uint32_t source = 0;
+  lattice::Direction direction = lattice::Direction::down;
+
+  bool operator==(const Push&) const = default;
 };
 
 /// Emits particles while it is open.
@@ -78,6 +115,8 @@ struct State {
   std::vector<Wall> walls = {};
   std::vector<Source> sources = {};
   std::vector<Outlet> outlets = {};
+  /// By `pushed`, then `pusher`; one for each pair.
+  std::vector<Push> pushes = {};
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;
@@ -88,6 +127,15 @@ Eigen::Vector2d centre(const State& state, const Particle& particle);
 
 /// Number of particles that are still in the box.
 std::size_t present_count(const State& state);
+
+/// The sites inside the box that a wall covers now, whether it is present or not.
+std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall& wall);
+
+/// True when some wall may come to overlap with particles.
+bool may_overlap(const State& state);
+
+/// Cycles that all active cyclic walls have completed; 0 where there is none.
+std::uint64_t completed_cycles(const State& state);
 
 /// 64 bits over everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
