@@ -1,85 +1,64 @@
 #include "clca/automaton/automaton.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "automaton/fill.hpp"
 #include "automaton/source.hpp"
 #include "automaton/stepper.hpp"
+#include "automaton/wall_mover.hpp"
+#include "automaton/wall_presence.hpp"
 
 namespace clca::automaton {
 
 class Automaton::Impl {
  public:
   Impl(State initial, Options options)
-      : state(std::move(initial)), occupancy(state), stepper(state, options) {
-    state.origins.resize(state.particles.size());
-    welcome_from(0);
-  }
+      : world(std::move(initial)), stepper(world, options), walls(world.state) {}
 
   StepReport step() {
     StepReport report;
+    State& state = world.state;
+    walls.advance(world, report);
     const std::size_t before = state.particles.size();
-    const SourceReport sources = run_sources(state, occupancy);
+    const SourceReport sources = run_sources(state, world.occupancy);
     report.emitted = state.particles.size() - before;
-    welcome_from(before);
-    report.moved = stepper.advance(state, occupancy);
+    world.welcome_from(before);
+    report.moved = stepper.advance();
     if (!state.outlets.empty()) {
       std::size_t& removed = report.removed;
-      stepper.for_each_moved(state, [&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
+      stepper.for_each_moved([&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
       for (std::size_t id = before; id < state.particles.size(); ++id) {
         removed += discharge(static_cast<std::uint32_t>(id)) ? 1U : 0U;
       }
     }
-    report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting;
+    report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting &&
+                     report.walls_moved == 0 && stepper.was_quiet() && walls.is_still(state);
+    WallMover::end_step(world, report.moved > 0);
     ++state.step;
     return report;
   }
 
   FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
-    const std::size_t before = state.particles.size();
-    FillResult result = fill_region(state, occupancy, region, counts);
-    welcome_from(before);
-    for (std::size_t id = before; id < state.particles.size(); ++id) {
+    const std::size_t before = world.state.particles.size();
+    FillResult result = fill_region(world.state, world.occupancy, region, counts);
+    world.welcome_from(before);
+    for (std::size_t id = before; id < world.state.particles.size(); ++id) {
       discharge(static_cast<std::uint32_t>(id));
     }
     return result;
   }
 
-  void remove_wall(std::size_t number) {
-    Wall& wall = state.walls.at(number);
-    wall.present = false;
-    const Owner code = wall_code(number);
-    std::vector<std::size_t> vacated;
-    for (const lattice::Site site : wall.sites) {
-      const std::size_t index = state.lattice.index(site);
-      if (occupancy.owner(index) == code) {
-        occupancy.release(index);
-        vacated.push_back(index);
-      }
-    }
-    leave_to_others(vacated);
-    for (const std::size_t index : vacated) {
-      wake_upstream(state.lattice.site(index));
-    }
-  }
-
-  State state;
-  Occupancy occupancy;
+  World world;
   Stepper stepper;
+  WallMover walls;
 
  private:
-  /// Makes room for particles that are new from id `first` on and wakes them.
-  void welcome_from(std::size_t first) {
-    stepper.grow(state.particles.size());
-    for (std::size_t id = first; id < state.particles.size(); ++id) {
-      stepper.wake(static_cast<std::uint32_t>(id));
-    }
-  }
-
   /// Removes the particle if it lies wholly inside an outlet.
   bool discharge(std::uint32_t id) {
-    Particle& particle = state.particles[id];
+    State& state = world.state;
+    const Particle& particle = state.particles[id];
     if (!particle.present) {
       return false;
     }
@@ -89,45 +68,10 @@ class Automaton::Impl {
     if (outlet == state.outlets.end()) {
       return false;
     }
-    stepper.wake_around(state, occupancy, particle);
-    const lattice::Shape& shape = state.shape(particle);
-    for (const lattice::Axial part : shape.sites()) {
-      occupancy.release(state.lattice.index(particle.site() + part));
-    }
-    particle.present = false;
-    particle.previous = kRest;
     ++outlet->particles;
-    outlet->sites += shape.size();
+    outlet->sites += state.shape(particle).size();
+    world.take_away(id);
     return true;
-  }
-
-  /// Gives the sites of a wall that went to the walls that cover them too.
-  void leave_to_others(std::vector<std::size_t>& vacated) {
-    std::sort(vacated.begin(), vacated.end());
-    for (std::size_t other = 0; other < state.walls.size(); ++other) {
-      if (!state.walls[other].present) {
-        continue;
-      }
-      for (const lattice::Site site : state.walls[other].sites) {
-        const std::size_t index = state.lattice.index(site);
-        if (std::binary_search(vacated.begin(), vacated.end(), index)) {
-          occupancy.take(index, wall_code(other));
-        }
-      }
-    }
-  }
-
-  void wake_upstream(lattice::Site site) {
-    for (const lattice::Direction direction : candidate_directions(state.rules)) {
-      const lattice::Site from = site + lattice::unit(opposite(direction));
-      if (!state.lattice.contains(from)) {
-        continue;
-      }
-      const Owner owner = occupancy.owner(state.lattice.index(from));
-      if (is_particle(owner)) {
-        stepper.wake(static_cast<std::uint32_t>(owner));
-      }
-    }
   }
 };
 
@@ -138,10 +82,10 @@ Automaton::Automaton(Automaton&&) noexcept = default;
 Automaton& Automaton::operator=(Automaton&&) noexcept = default;
 
 const State& Automaton::state() const {
-  return impl_->state;
+  return impl_->world.state;
 }
 const Occupancy& Automaton::occupancy() const {
-  return impl_->occupancy;
+  return impl_->world.occupancy;
 }
 StepReport Automaton::step() {
   return impl_->step();
@@ -152,15 +96,27 @@ FillResult Automaton::fill(const lattice::Rectangle& region, std::span<const std
 }
 
 void Automaton::remove_wall(std::size_t wall) {
-  impl_->remove_wall(wall);
+  automaton::remove_wall(impl_->world, wall);
+}
+
+bool Automaton::insert_wall(std::size_t wall) {
+  return automaton::insert_wall(impl_->world, wall);
+}
+
+void Automaton::set_motion(std::size_t wall, bool active) {
+  Wall& moving = impl_->world.state.walls.at(wall);
+  if (!moving.motion) {
+    throw std::invalid_argument("a wall without motion cannot be set in motion");
+  }
+  moving.travel.active = active;
 }
 
 void Automaton::set_source(std::size_t source, bool open) {
-  impl_->state.sources.at(source).open = open;
+  impl_->world.state.sources.at(source).open = open;
 }
 
 void Automaton::mark_origins() {
-  State& state = impl_->state;
+  State& state = impl_->world.state;
   std::transform(state.particles.begin(), state.particles.end(), state.origins.begin(),
                  [](const Particle& particle) { return particle.site(); });
 }

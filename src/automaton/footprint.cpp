@@ -42,9 +42,7 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
   const std::span<const Direction> candidates = candidate_directions(state.rules);
   Footprint footprint;
   footprint.body = offsets(state.lattice, shape.sites(), odd_column);
-  footprint.around =
-      offsets(state.lattice, upstream(shape.sites(), candidates, shape.sites()), odd_column);
-  for (const Direction direction : candidates) {
+  for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
     const std::vector<Axial> lead = shape.lead(direction);
     const std::vector<Axial> trail = shape.trail(direction);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "automaton/retreat.hpp"
+
 namespace clca::automaton {
 
 namespace {
@@ -23,27 +25,28 @@ void for_each_lead_site(const lattice::Lattice& lattice, const Mover& mover, Vis
 
 }  // namespace
 
-Stepper::Stepper(const State& state, const Options& options)
-    : options_(options),
-      rule_(state.rules, state.seed),
-      order_(state.rules, state.seed),
-      footprints_(state),
-      claims_(state.lattice.memory_size()) {}
+Stepper::Stepper(World& world, const Options& options)
+    : world_(world),
+      options_(options),
+      rule_(world.state.rules, world.state.seed),
+      order_(world.state.rules, world.state.seed),
+      passive_(world),
+      claims_(world.state.lattice.memory_size()) {}
 
-std::size_t Stepper::advance(State& state, Occupancy& occupancy) {
+std::size_t Stepper::advance() {
   if (!options_.sleeping) {
-    for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
-      awake_.insert(id);
+    for (std::uint32_t id = 0; id < world_.state.particles.size(); ++id) {
+      world_.awake.insert(id);
     }
   }
-  awake_.drain(looked_at_);
+  world_.awake.drain(looked_at_);
   if (parallel()) {
-    carry_out<true>(state, occupancy);
+    carry_out<true>();
   } else {
-    carry_out<false>(state, occupancy);
+    carry_out<false>();
   }
   const std::size_t uncontested = falling_.size() + sloping_.size() - turns_.size();
-  return uncontested + move_contested(state, occupancy);
+  return pushed_.size() + uncontested + move_contested();
 }
 
 template <bool kShared, class Visit>
@@ -61,18 +64,29 @@ void Stepper::for_each(std::size_t count, Visit visit) const {
 }
 
 template <bool kShared>
-void Stepper::carry_out(State& state, Occupancy& occupancy) {
-  decide<kShared>(state, occupancy);
-  collect_movers(state);
-  find_contested<kShared>(state.lattice);
+void Stepper::carry_out() {
+  pushed_.clear();
+  quiet_ = true;
+  const bool overlaps = !world_.state.pushes.empty();
+  if (overlaps) {
+    leave_out_engaged();
+  }
+  decide<kShared>();
+  collect_movers();
+  if (overlaps) {
+    move_engaged();
+  }
+  find_contested<kShared>();
   turns_.clear();
-  move_uncontested<kShared>(falling_, state, occupancy);
-  move_uncontested<kShared>(sloping_, state, occupancy);
+  move_uncontested<kShared>(falling_);
+  move_uncontested<kShared>(sloping_);
 }
 
 template <bool kShared>
-void Stepper::decide(State& state, const Occupancy& occupancy) {
+void Stepper::decide() {
   wishes_.resize(looked_at_.size());
+  State& state = world_.state;
+  const Occupancy& occupancy = world_.occupancy;
   const lattice::Lattice& lattice = state.lattice;
   for_each<kShared>(looked_at_.size(), [&](std::size_t i) {
     const std::uint32_t id = looked_at_[i];
@@ -81,7 +95,7 @@ void Stepper::decide(State& state, const Occupancy& occupancy) {
       wishes_[i] = kRest;
       return;
     }
-    const Footprint& footprint = footprints_.of(particle);
+    const Footprint& footprint = world_.footprints.of(particle);
     const std::size_t place = lattice.index(particle.site());
     const int column = lattice.wrapped(particle.column);
     const auto is_free = [&](lattice::Direction direction) {
@@ -94,29 +108,33 @@ void Stepper::decide(State& state, const Occupancy& occupancy) {
   });
 }
 
-void Stepper::collect_movers(const State& state) {
-  const Move gravity = static_cast<Move>(state.rules.gravity);
+Mover Stepper::mover(std::uint32_t id, Move move) const {
+  const Particle& particle = world_.state.particles[id];
+  return {.place = world_.state.lattice.index(particle.site()),
+          .column = world_.state.lattice.wrapped(particle.column),
+          .id = id,
+          .move = move,
+          .contested = false,
+          .engaged = false,
+          .footprint = &world_.footprints.of(particle)};
+}
+
+void Stepper::collect_movers() {
+  const Move gravity = static_cast<Move>(world_.state.rules.gravity);
   falling_.clear();
   sloping_.clear();
   for (std::size_t i = 0; i < looked_at_.size(); ++i) {
-    if (wishes_[i] == kRest) {
-      continue;
+    if (wishes_[i] != kRest) {
+      (wishes_[i] == gravity ? falling_ : sloping_).push_back(mover(looked_at_[i], wishes_[i]));
     }
-    const Particle& particle = state.particles[looked_at_[i]];
-    std::vector<Mover>& movers = wishes_[i] == gravity ? falling_ : sloping_;
-    movers.push_back({.place = state.lattice.index(particle.site()),
-                      .column = state.lattice.wrapped(particle.column),
-                      .id = looked_at_[i],
-                      .move = wishes_[i],
-                      .contested = false,
-                      .footprint = &footprints_.of(particle)});
   }
 }
 
 // Movers in one direction never want the same site, so those along gravity, mostly the many, need
 // no claims of their own: they only look for those of the others.
 template <bool kShared>
-void Stepper::find_contested(const lattice::Lattice& lattice) {
+void Stepper::find_contested() {
+  const lattice::Lattice& lattice = world_.state.lattice;
   if (sloping_.empty()) {
     return;
   }
@@ -145,43 +163,50 @@ void Stepper::find_contested(const lattice::Lattice& lattice) {
 // A provisional target was free when the step began and what others vacate is nobody's target, so
 // a mover whose lead sites nobody else wants moves whatever its place in the order.
 template <bool kShared>
-void Stepper::move_uncontested(const std::vector<Mover>& movers, State& state,
-                               Occupancy& occupancy) {
+void Stepper::move_uncontested(const std::vector<Mover>& movers) {
   for_each<kShared>(movers.size(), [&](std::size_t i) {
     if (!movers[i].contested) {
-      carry<kShared>(movers[i], state, occupancy);
+      carry<kShared>(movers[i]);
     }
   });
   for (const Mover& mover : movers) {
     if (mover.contested) {
-      const Move previous = state.particles[mover.id].previous;
-      turns_.push_back({order_.key(mover.id, previous, mover.move, state.step), &mover});
+      turns_.push_back({key(mover.id, mover.move), &mover});
     }
   }
 }
 
-std::size_t Stepper::move_contested(State& state, Occupancy& occupancy) {
+std::size_t Stepper::move_contested() {
   std::sort(turns_.begin(), turns_.end(),
             [](const Turn& left, const Turn& right) { return left.key < right.key; });
   std::size_t moved = 0;
   for (const auto& [key, mover] : turns_) {
-    if (all_free(state.lattice, occupancy, mover->place, mover->column,
-                 mover->footprint->lead[mover->move])) {
-      carry<false>(*mover, state, occupancy);
+    const auto direction = static_cast<lattice::Direction>(mover->move);
+    if (mover->engaged && is_free(world_, mover->id, direction)) {
+      world_.shift(mover->id, direction);
+      ++moved;
+    } else if (!mover->engaged && all_free(world_.state.lattice, world_.occupancy, mover->place,
+                                           mover->column, mover->footprint->lead[mover->move])) {
+      carry<false>(*mover);
       ++moved;
     } else {
-      state.particles[mover->id].previous = kRest;
-      awake_.insert(mover->id);
+      rest(mover->id);
     }
   }
   return moved;
 }
 
+void Stepper::rest(std::uint32_t id) {
+  world_.state.particles[id].previous = kRest;
+  world_.awake.insert(id);
+}
+
 // Waking needs only the owners that stay where they are: movers are awake anyway. So it does not
 // matter which of the other moves of this step have been carried out already.
 template <bool kShared>
-void Stepper::carry(const Mover& mover, State& state, Occupancy& occupancy) {
-  const lattice::Lattice& lattice = state.lattice;
+void Stepper::carry(const Mover& mover) {
+  const lattice::Lattice& lattice = world_.state.lattice;
+  Occupancy& occupancy = world_.occupancy;
   const auto each = [&](const std::vector<lattice::Offset>& offsets, auto visit) {
     for (const lattice::Offset offset : offsets) {
       visit(lattice.at(mover.place, mover.column, offset));
@@ -189,9 +214,9 @@ void Stepper::carry(const Mover& mover, State& state, Occupancy& occupancy) {
   };
   const auto wake_one = [&](std::uint32_t id) {
     if constexpr (kShared) {
-      awake_.insert_shared(id);
+      world_.awake.insert_shared(id);
     } else {
-      awake_.insert(id);
+      world_.awake.insert(id);
     }
   };
   each(mover.footprint->lead[mover.move], [&](std::size_t site) {
@@ -215,23 +240,9 @@ void Stepper::carry(const Mover& mover, State& state, Occupancy& occupancy) {
       wake_one(static_cast<std::uint32_t>(owner));
     }
   });
-  Particle& particle = state.particles[mover.id];
-  const auto target = particle.site() + unit(static_cast<lattice::Direction>(mover.move));
-  particle.column = target.column;
-  particle.row = target.row;
+  Particle& particle = world_.state.particles[mover.id];
+  particle = moved(particle, static_cast<lattice::Direction>(mover.move));
   particle.previous = mover.move;
-}
-
-void Stepper::wake_around(const State& state, const Occupancy& occupancy,
-                          const Particle& particle) {
-  const std::size_t place = state.lattice.index(particle.site());
-  const int column = state.lattice.wrapped(particle.column);
-  for (const lattice::Offset offset : footprints_.of(particle).around) {
-    const Owner owner = occupancy.owner(state.lattice.at(place, column, offset));
-    if (is_particle(owner)) {
-      awake_.insert(static_cast<std::uint32_t>(owner));
-    }
-  }
 }
 
 }  // namespace clca::automaton

@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "automaton/active_rule.hpp"
-#include "automaton/awake_set.hpp"
 #include "automaton/claims.hpp"
+#include "automaton/passive_rule.hpp"
 #include "automaton/update_order.hpp"
+#include "automaton/world.hpp"
 #include "clca/automaton/automaton.hpp"
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/occupancy.hpp"
 
 namespace clca::automaton {
 
@@ -20,34 +19,37 @@ struct Mover {
   std::uint32_t id = 0;
   Move move = kRest;
   bool contested = false;
+  bool engaged = false;  ///< overlaps with somebody: has its turn among the contested
   const Footprint* footprint = nullptr;
 };
 
-/// Moves the particles of a state and keeps its occupancy in line.
+/// Moves the particles of a world by themselves.
 class Stepper {
  public:
-  Stepper(const State& state, const Options& options);
+  Stepper(World& world, const Options& options);
 
   /// Looks at the awake particles and carries out one step of moves. Everybody who may have gained
   /// a free direction is awake afterwards. Returns how many moved.
-  std::size_t advance(State& state, Occupancy& occupancy);
+  std::size_t advance();
+
+  /// True when nothing could be decided otherwise in the next step: no particle that overlaps had
+  /// moved in the step before the last.
+  bool was_quiet() const { return quiet_; }
 
   /// Calls `visit` with the id of each particle that moved in the last step.
   template <class Visit>
-  void for_each_moved(const State& state, Visit visit) const {
+  void for_each_moved(Visit visit) const {
     for (const std::vector<Mover>* movers : {&falling_, &sloping_}) {
       for (const Mover& mover : *movers) {
-        if (state.particles[mover.id].previous != kRest) {
+        if (world_.state.particles[mover.id].previous != kRest) {
           visit(mover.id);
         }
       }
     }
+    for (const Mover& mover : pushed_) {
+      visit(mover.id);
+    }
   }
-
-  void wake(std::uint32_t id) { awake_.insert(id); }
-  /// Wakes those who may gain a free direction when `particle` vanishes.
-  void wake_around(const State& state, const Occupancy& occupancy, const Particle& particle);
-  void grow(std::size_t particles) { awake_.resize(particles); }
 
  private:
   /// A contested mover and its place in the order.
@@ -64,29 +66,45 @@ class Stepper {
   template <bool kShared, class Visit>
   void for_each(std::size_t count, Visit visit) const;
   template <bool kShared>
-  void carry_out(State& state, Occupancy& occupancy);
+  void carry_out();
   template <bool kShared>
-  void decide(State& state, const Occupancy& occupancy);
-  void collect_movers(const State& state);
+  void decide();
+  void collect_movers();
   template <bool kShared>
-  void find_contested(const lattice::Lattice& lattice);
+  void find_contested();
   template <bool kShared>
-  void move_uncontested(const std::vector<Mover>& movers, State& state, Occupancy& occupancy);
-  std::size_t move_contested(State& state, Occupancy& occupancy);
+  void move_uncontested(const std::vector<Mover>& movers);
+  std::size_t move_contested();
   template <bool kShared>
-  void carry(const Mover& mover, State& state, Occupancy& occupancy);
+  void carry(const Mover& mover);
 
+  Mover mover(std::uint32_t id, Move move) const;
+  UpdateKey key(std::uint32_t id, Move move) const {
+    return order_.key(id, world_.state.particles[id].previous, move, world_.state.step);
+  }
+  void rest(std::uint32_t id);
+
+  // Particles that overlap, see engaged_step.cpp.
+  void leave_out_engaged();
+  void move_engaged();
+  void decide_engaged();
+  void move_pushed();
+  void yield_to_pushed(std::vector<Mover>& movers);
+
+  World& world_;
   Options options_;
   ActiveRule rule_;
   UpdateOrder order_;
-  FootprintTable footprints_;
-  AwakeSet awake_;
+  PassiveRule passive_;
   Claims claims_;
   std::vector<std::uint32_t> looked_at_;
   std::vector<Move> wishes_;    // of those looked at, in the same order
   std::vector<Mover> falling_;  // along gravity
   std::vector<Mover> sloping_;  // all other directions
   std::vector<Turn> turns_;
+  std::vector<Mover> pushed_;  // by the passive rule
+  std::vector<Mover> freed_;   // overlap, but go by themselves
+  bool quiet_ = true;
 };
 
 }  // namespace clca::automaton

@@ -15,9 +15,8 @@ struct Footprint {
   std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> lead;
   std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> trail;
   /// Sites whose owners may gain a free direction when the particle has moved that way (seen from
-  /// where it stood before); `around` is the same for a particle that vanishes.
+  /// where it stood before).
   std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> wake;
-  std::vector<lattice::Offset> around;
 };
 
 /// Directions that the rules allow: gravity first, then its neighbours clockwise and

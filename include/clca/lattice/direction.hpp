@@ -29,6 +29,13 @@ constexpr Direction opposite(Direction direction) {
   return rotated(direction, 3);
 }
 
+/// Turns by 60 degrees between two directions: 0 to 3.
+constexpr int turns_between(Direction one, Direction other) {
+  const int apart =
+      (static_cast<int>(one) - static_cast<int>(other) + kDirectionCount) % kDirectionCount;
+  return apart <= kDirectionCount / 2 ? apart : kDirectionCount - apart;
+}
+
 /// A lattice vector in axial coordinates: x steps up_right and q steps up.
 struct Axial {
   int x = 0;

@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
   source_species = 8,
   source_position = 9,
   scatter_direction = 10,
+  passive = 11,
 };
 
 /// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.

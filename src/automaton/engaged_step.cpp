@@ -1,0 +1,88 @@
+// The part of a step that concerns particles which overlap: those pushed move first.
+
+#include <algorithm>
+
+#include "automaton/retreat.hpp"
+#include "automaton/stepper.hpp"
+
+namespace clca::automaton {
+
+void Stepper::leave_out_engaged() {
+  std::erase_if(looked_at_, [&](std::uint32_t id) { return world_.pushes.engaged(id); });
+}
+
+// All decide from the state at the start of the step; then the pushed have their turn, and what
+// the others wanted is looked at again in the light of that.
+void Stepper::move_engaged() {
+  decide_engaged();
+  move_pushed();
+  yield_to_pushed(falling_);
+  yield_to_pushed(sloping_);
+  for (Mover& mover : freed_) {
+    mover.engaged = true;
+    mover.contested = true;
+    sloping_.push_back(mover);
+  }
+}
+
+void Stepper::decide_engaged() {
+  pushed_.clear();
+  freed_.clear();
+  State& state = world_.state;
+  for (const std::uint32_t id : world_.pushes.engaged_particles(state)) {
+    Particle& particle = state.particles[id];
+    quiet_ = quiet_ && particle.previous == kRest;
+    if (!PushBook::onto(state, id).empty()) {
+      pushed_.push_back(mover(id, passive_.provisional(id)));
+      continue;
+    }
+    const auto free = [&](lattice::Direction direction) { return is_free(world_, id, direction); };
+    const auto back = retreat(world_, id);
+    const Move move = back ? *back : rule_.provisional(id, particle.previous, state.step, free);
+    freed_.push_back(mover(id, move));
+  }
+  for (std::vector<Mover>* movers : {&pushed_, &freed_}) {
+    for (const Mover& mover : *movers) {
+      if (mover.move == kRest) {
+        state.particles[mover.id].previous = kRest;
+      }
+    }
+    std::erase_if(*movers, [](const Mover& mover) { return mover.move == kRest; });
+  }
+}
+
+void Stepper::move_pushed() {
+  std::vector<Turn> turns;
+  for (const Mover& mover : pushed_) {
+    turns.push_back({key(mover.id, mover.move), &mover});
+  }
+  std::sort(turns.begin(), turns.end(),
+            [](const Turn& left, const Turn& right) { return left.key < right.key; });
+  std::vector<Mover> moved;
+  for (const auto& [key, mover] : turns) {
+    if (passive_.move(mover->id, static_cast<lattice::Direction>(mover->move))) {
+      moved.push_back(*mover);
+    } else {
+      world_.state.particles[mover->id].previous = kRest;
+    }
+  }
+  pushed_ = std::move(moved);
+}
+
+// Who has been pushed onto meanwhile still has its turn, but overlaps now.
+void Stepper::yield_to_pushed(std::vector<Mover>& movers) {
+  std::erase_if(movers, [&](const Mover& mover) {
+    const Particle& particle = world_.state.particles[mover.id];
+    if (world_.pushes.engaged(mover.id)) {
+      freed_.push_back(mover);
+      return true;
+    }
+    if (!world_.is_free(particle, static_cast<lattice::Direction>(mover.move))) {
+      rest(mover.id);
+      return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,83 @@
+#include "automaton/wall_presence.hpp"
+
+#include <algorithm>
+
+namespace clca::automaton {
+
+namespace {
+
+std::vector<std::size_t> places_now(const State& state, const Wall& wall) {
+  std::vector<std::size_t> places;
+  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+    places.push_back(state.lattice.index(site));
+  }
+  return places;
+}
+
+/// Gives the places of a wall that went to the walls that cover them too.
+void leave_to_others(World& world, std::vector<std::size_t>& vacated) {
+  std::sort(vacated.begin(), vacated.end());
+  for (std::size_t other = 0; other < world.state.walls.size(); ++other) {
+    if (!world.state.walls[other].present) {
+      continue;
+    }
+    for (const std::size_t place : places_now(world.state, world.state.walls[other])) {
+      if (std::binary_search(vacated.begin(), vacated.end(), place)) {
+        world.occupancy.take(place, wall_code(other));
+      }
+    }
+  }
+}
+
+void forget_pushes(World& world, Owner code) {
+  const std::vector<Push> pushes = world.state.pushes;
+  for (const Push& push : pushes) {
+    if (push.pusher == code) {
+      world.pushes.forget(world.state, push.pushed, code);
+      world.awake.insert(push.pushed);
+    }
+  }
+}
+
+}  // namespace
+
+void remove_wall(World& world, std::size_t number) {
+  Wall& wall = world.state.walls.at(number);
+  const Owner code = wall_code(number);
+  wall.present = false;
+  std::vector<std::size_t> vacated;
+  for (const std::size_t place : places_now(world.state, wall)) {
+    if (world.occupancy.has(place, code) && world.occupancy.remove(place, code)) {
+      vacated.push_back(place);
+    }
+  }
+  forget_pushes(world, code);
+  leave_to_others(world, vacated);
+  for (const std::size_t place : vacated) {
+    if (!world.occupancy.taken(place)) {
+      world.wake_upstream(place);
+    }
+  }
+}
+
+bool insert_wall(World& world, std::size_t number) {
+  Wall& wall = world.state.walls.at(number);
+  if (wall.present) {
+    return true;
+  }
+  const std::vector<std::size_t> places = places_now(world.state, wall);
+  const bool barred = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
+    const Owner owner = world.occupancy.owner(place);
+    return is_particle(owner) || (owner != kFree && wall.motion.has_value());
+  });
+  if (barred) {
+    return false;
+  }
+  wall.present = true;
+  for (const std::size_t place : places) {
+    world.occupancy.take(place, wall_code(number));
+  }
+  return true;
+}
+
+}  // namespace clca::automaton

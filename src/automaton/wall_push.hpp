@@ -1,0 +1,27 @@
+#pragma once
+// One step of one wall: what it does with the particles in its way.
+
+#include <vector>
+
+#include "automaton/world.hpp"
+
+namespace clca::automaton {
+
+/// A wall about to take a step: the places in memory it enters and leaves.
+struct WallStep {
+  std::size_t wall = 0;
+  lattice::Direction direction = lattice::Direction::up;
+  std::vector<std::size_t> enters;
+  std::vector<std::size_t> leaves;
+};
+
+/// Pushes the particles in the way, and all that these stand against, along with the wall. Does
+/// nothing and returns false when one of them would meet the border or another wall.
+bool push_along(World& world, const WallStep& step);
+
+/// Enters the particles in the way. Does nothing and returns false when it would meet a border or
+/// another wall, make a third owner of a site, or go so deep into a particle that one move along
+/// the wall's, or at 60 degrees to it, could not free it again.
+bool enter(World& world, const WallStep& step);
+
+}  // namespace clca::automaton
