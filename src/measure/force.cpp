@@ -1,0 +1,206 @@
+#include "clca/measure/force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "clca/measure/profile.hpp"
+
+namespace clca::measure {
+
+namespace {
+
+using automaton::Occupancy;
+using automaton::Push;
+using automaton::State;
+using automaton::Wall;
+using lattice::Direction;
+using lattice::Site;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-9;
+constexpr double kBehind = 1;  // lattice spacings: a wall's roughness on the lattice and a half
+
+/// Where the wall stands, with columns that run on across a periodic seam, also outside the box.
+std::vector<Site> shifted_sites(const Wall& wall) {
+  std::vector<Site> sites = wall.sites;
+  const lattice::Axial shift = wall.shift();
+  for (Site& site : sites) {
+    site = site + shift;
+  }
+  return sites;
+}
+
+/// What lies within 45 degrees ahead of a wall; in a periodic box of any of its images.
+class Cone {
+ public:
+  Cone(const State& state, const Wall& wall, Direction direction)
+      : ahead_(lattice::position(unit(direction))), side_(-ahead_.y(), ahead_.x()) {
+    if (state.lattice.periodic()) {
+      period_ = lattice::kColumnPitch * state.lattice.columns();
+    }
+    for (const Site site : shifted_sites(wall)) {
+      if (state.lattice.contains(site)) {
+        add(lattice::position(site));
+      }
+    }
+  }
+
+  bool contains(const Eigen::Vector2d& point) const {
+    if (left_ > right_) {
+      return false;  // the wall has left the box
+    }
+    if (period_ == 0) {
+      return holds(point);
+    }
+    const double nearest = std::round(((left_ + right_) / 2 - point.x()) / period_);
+    return holds_image(point, nearest) || holds_image(point, nearest - 1) ||
+           holds_image(point, nearest + 1);
+  }
+
+ private:
+  void add(const Eigen::Vector2d& point) {
+    foremost_ = std::max(foremost_, point.dot(ahead_));
+    low_ = std::min(low_, point.dot(side_));
+    high_ = std::max(high_, point.dot(side_));
+    left_ = std::min(left_, point.x());
+    right_ = std::max(right_, point.x());
+  }
+
+  bool holds_image(const Eigen::Vector2d& point, double image) const {
+    return holds(point + Eigen::Vector2d(image * period_, 0));
+  }
+
+  bool holds(const Eigen::Vector2d& point) const {
+    const double distance = point.dot(ahead_) - foremost_;
+    const double lateral = point.dot(side_);
+    const double wider = std::max(distance, 0.0) + kRounding;
+    return distance >= -kBehind - kRounding && lateral >= low_ - wider && lateral <= high_ + wider;
+  }
+
+  Eigen::Vector2d ahead_;
+  Eigen::Vector2d side_;
+  double period_ = 0;  // lattice spacings; 0: not periodic
+  double foremost_ = -kInfinity;
+  double low_ = kInfinity;
+  double high_ = -kInfinity;
+  double left_ = kInfinity;
+  double right_ = -kInfinity;
+};
+
+/// Shared sites of a contact of two particles that lie in the cone.
+std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy, const Contact& contact,
+                            const Cone& cone) {
+  const automaton::Particle& particle = state.particles[contact.first];
+  std::uint64_t inside = 0;
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    const Site site = particle.site() + part;
+    if (occupancy.has(state.lattice.index(site), contact.second) &&
+        cone.contains(lattice::position(site))) {
+      ++inside;
+    }
+  }
+  return inside;
+}
+
+std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
+                                 const std::vector<Contact>& contacts) {
+  std::map<std::pair<std::uint32_t, Direction>, Cone> cones;
+  std::uint64_t inside = 0;
+  int all = 0;
+  for (const Contact& contact : contacts) {
+    const Push* push =
+        automaton::is_particle(contact.second) ? push_between(state, contact) : nullptr;
+    if (push == nullptr) {
+      continue;
+    }
+    const auto key = std::pair(push->source, push->direction);
+    auto cone = cones.find(key);
+    if (cone == cones.end()) {
+      const Wall& wall = state.walls[push->source];
+      cone = cones.emplace(key, Cone(state, wall, push->direction)).first;
+    }
+    inside += sites_in_cone(state, occupancy, contact, cone->second);
+    all += contact.sites;
+  }
+  return all > 0 ? std::optional(static_cast<double>(inside) / all) : std::nullopt;
+}
+
+/// Particles at rest that were pushed, each once; from one wall or from any.
+std::size_t jammed_count(const State& state, std::optional<std::size_t> source) {
+  std::size_t count = 0;
+  std::optional<std::uint32_t> last;  // pushes are in the order of `pushed`
+  for (const Push& push : state.pushes) {
+    const automaton::Particle& pushed = state.particles[push.pushed];
+    const bool jams = pushed.present && pushed.previous == automaton::kRest;
+    if (jams && push.pushed != last && (!source || push.source == *source)) {
+      ++count;
+      last = push.pushed;
+    }
+  }
+  return count;
+}
+
+WallForce wall_force(const State& state, std::size_t number, const std::vector<Contact>& contacts) {
+  const automaton::Travel& travel = state.walls[number].travel;
+  WallForce force{.wall = number,
+                  .travel = travel.offset,
+                  .stalled_since = travel.stalled_since,
+                  .stalls = travel.stalls,
+                  .jammed = jammed_count(state, number)};
+  for (const Contact& contact : contacts) {
+    const auto sites = static_cast<std::uint64_t>(contact.sites);
+    if (contact.second == automaton::wall_code(number)) {
+      ++force.particles;
+      force.sites += sites;
+    }
+    force.chain_sites += contact.source == number ? sites : 0;
+  }
+  return force;
+}
+
+}  // namespace
+
+ForceSummary force_summary(const State& state, const Occupancy& occupancy,
+                           const std::vector<Contact>& contacts) {
+  ForceSummary summary{.contacts = contacts.size(),
+                       .jammed = jammed_count(state, {}),
+                       .cone_share = cone_share(state, occupancy, contacts)};
+  for (const Contact& contact : contacts) {
+    summary.depth_max = std::max(summary.depth_max, contact.depth);
+    summary.sites += static_cast<std::uint64_t>(contact.sites);
+  }
+  for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+    if (state.walls[wall].motion) {
+      summary.walls.push_back(wall_force(state, wall, contacts));
+    }
+  }
+  return summary;
+}
+
+std::optional<double> penetration(const State& now, const Wall& wall,
+                                  const std::vector<double>& surface_at_start) {
+  const bool down = wall.motion && wall.motion->direction == Direction::down;
+  const bool up = wall.motion && wall.motion->direction == Direction::up;
+  if (!wall.present || (!down && !up)) {
+    return std::nullopt;
+  }
+  std::vector<double> covered(surface_at_start.size(), 0.0);
+  // Height of the outermost edge above the floor of the box.
+  double foremost = down ? kInfinity : -kInfinity;
+  for (const Site site : shifted_sites(wall)) {
+    const double height = lattice::position(site).y();
+    foremost = down ? std::min(foremost, height) : std::max(foremost, height + 1);
+    const int column = now.lattice.wrapped(site.column);
+    if (column >= 0 && column < now.lattice.columns()) {
+      const auto place = static_cast<std::size_t>(column);
+      covered[place] = surface_at_start[place];
+    }
+  }
+  const double surface = mean_height(covered);
+  return surface > 0 ? std::optional(surface - foremost) : std::nullopt;
+}
+
+}  // namespace clca::measure
