@@ -3,8 +3,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
+
+#include "measure/particle_sites.hpp"
 
 namespace clca::measure {
 
@@ -21,19 +22,6 @@ struct Span {
   int high = -1;
   bool empty() const { return high < 0; }
 };
-
-void for_each_site(const automaton::State& state, const std::function<void(lattice::Site)>& visit) {
-  for (const automaton::Particle& particle : state.particles) {
-    if (!particle.present) {
-      continue;
-    }
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      lattice::Site site = particle.site() + part;
-      site.column = state.lattice.wrapped(site.column);
-      visit(site);
-    }
-  }
-}
 
 std::vector<Span> column_spans(const automaton::State& state) {
   std::vector<Span> spans(static_cast<std::size_t>(state.lattice.columns()));

@@ -1,0 +1,34 @@
+#pragma once
+// Where particles were, to tell later how far they have come.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::measure {
+
+/// What a particle did between two moments, in lattice spacings.
+struct Journey {
+  Eigen::Vector2d from;          ///< its centre of mass at first, in the box
+  Eigen::Vector2d displacement;  ///< across a periodic seam too
+  double sites = 0;              ///< of the particle: its mass
+};
+
+/// The centres of mass of the particles at one moment.
+class Snapshot {
+ public:
+  explicit Snapshot(const automaton::State& state);
+
+  std::uint64_t step() const { return step_; }
+  /// Journeys since then of the particles present at both moments, by id.
+  std::vector<Journey> journeys(const automaton::State& now) const;
+
+ private:
+  std::uint64_t step_;
+  std::vector<std::optional<Eigen::Vector2d>> centres_;  // by id; none of removed particles
+};
+
+}  // namespace clca::measure

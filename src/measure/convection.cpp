@@ -1,0 +1,104 @@
+#include "clca/measure/convection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "measure/particle_sites.hpp"
+
+namespace clca::measure {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInside = 1.0 / 6;  // of the bed's width, to either side of its middle
+constexpr double kAtWalls = 1.0 / 3;
+
+double cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+Convection::Convection(const lattice::Lattice& lattice, double cell)
+    : grid_(lattice, cell), cells_(grid_.size()) {}
+
+void Convection::begin_cycle(const automaton::State& state) {
+  begin_.emplace(Begin{Snapshot(state), kInfinity, -kInfinity});
+  for_each_site(state, [&](lattice::Site site) {
+    begin_->left = std::min(begin_->left, lattice::kColumnPitch * (site.column - 0.5));
+    begin_->right = std::max(begin_->right, lattice::kColumnPitch * (site.column + 0.5));
+  });
+}
+
+void Convection::end_cycle(const automaton::State& state) {
+  if (!begin_) {
+    throw std::logic_error("a cycle ends that has not begun");
+  }
+  for (const Journey& journey : begin_->snapshot.journeys(state)) {
+    add(journey, begin_->left, begin_->right);
+  }
+  begin_.reset();
+  ++cycles_;
+}
+
+void Convection::add(const Journey& journey, double left, double right) {
+  const auto add_to = [&](Mean& mean) {
+    mean.weight += journey.sites;
+    mean.sum += journey.sites * journey.displacement;
+  };
+  add_to(cells_[grid_.index(journey.from)]);
+  const double width = right - left;
+  const Eigen::Vector2d at = journey.from - Eigen::Vector2d((left + right) / 2, 0);
+  if (std::abs(at.x()) <= kInside * width) {
+    add_to(inside_);
+  } else if (std::abs(at.x()) >= kAtWalls * width) {
+    add_to(at_walls_);
+  }
+  halves_[at.x() < 0 ? 0 : 1].add(at, journey);
+}
+
+void Convection::Moments::add(const Eigen::Vector2d& at, const Journey& journey) {
+  weight += journey.sites;
+  place += journey.sites * at;
+  drift += journey.sites * journey.displacement;
+  cross += journey.sites * cross_product(at, journey.displacement);
+  square += journey.sites * at.squaredNorm();
+}
+
+// Least squares of the drift against u + omega x (r - <r>); 0 for a half in one point.
+double Convection::Moments::rotation() const {
+  constexpr double kRounding = 1e-9;
+  if (weight == 0) {
+    return 0;
+  }
+  const double inertia = square - place.squaredNorm() / weight;
+  const double turning = cross - cross_product(place, drift) / weight;
+  return inertia > kRounding * square ? turning / inertia : 0;
+}
+
+std::vector<Arrow> Convection::arrows() const {
+  std::vector<Arrow> arrows;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const Mean& mean = cells_[cell];
+    if (mean.weight > 0) {
+      arrows.push_back({.centre = grid_.centre(cell),
+                        .displacement = mean.sum / mean.weight,
+                        .weight = mean.weight});
+    }
+  }
+  return arrows;
+}
+
+std::optional<Rolls> Convection::rolls() const {
+  if (inside_.weight == 0 || at_walls_.weight == 0) {
+    return std::nullopt;
+  }
+  return Rolls{
+      .centre_minus_wall = inside_.sum.y() / inside_.weight - at_walls_.sum.y() / at_walls_.weight,
+      .circulation_left = halves_[0].rotation(),
+      .circulation_right = halves_[1].rotation()};
+}
+
+}  // namespace clca::measure

@@ -1,0 +1,24 @@
+#pragma once
+// The sites of all particles.
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::measure {
+
+/// Calls visit(site) for every site of every present particle, in the box also where it is
+/// periodic. A site that two particles share comes twice.
+template <typename Visit>
+void for_each_site(const automaton::State& state, const Visit& visit) {
+  for (const automaton::Particle& particle : state.particles) {
+    if (!particle.present) {
+      continue;
+    }
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      lattice::Site site = particle.site() + part;
+      site.column = state.lattice.wrapped(site.column);
+      visit(site);
+    }
+  }
+}
+
+}  // namespace clca::measure

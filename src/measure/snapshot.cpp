@@ -1,0 +1,42 @@
+#include "clca/measure/snapshot.hpp"
+
+#include <cmath>
+
+namespace clca::measure {
+
+namespace {
+
+Eigen::Vector2d in_box(const lattice::Lattice& lattice, Eigen::Vector2d point) {
+  if (lattice.periodic()) {
+    const double period = lattice::kColumnPitch * lattice.columns();
+    point.x() -= period * std::floor(point.x() / period + 0.5 / lattice.columns());
+  }
+  return point;
+}
+
+}  // namespace
+
+Snapshot::Snapshot(const automaton::State& state)
+    : step_(state.step), centres_(state.particles.size()) {
+  for (std::size_t id = 0; id < centres_.size(); ++id) {
+    if (state.particles[id].present) {
+      centres_[id] = automaton::centre(state, state.particles[id]);
+    }
+  }
+}
+
+std::vector<Journey> Snapshot::journeys(const automaton::State& now) const {
+  std::vector<Journey> result;
+  result.reserve(centres_.size());
+  for (std::size_t id = 0; id < centres_.size(); ++id) {
+    const automaton::Particle& particle = now.particles[id];
+    if (centres_[id] && particle.present) {
+      result.push_back({.from = in_box(now.lattice, *centres_[id]),
+                        .displacement = automaton::centre(now, particle) - *centres_[id],
+                        .sites = static_cast<double>(now.shape(particle).size())});
+    }
+  }
+  return result;
+}
+
+}  // namespace clca::measure
