@@ -1,0 +1,160 @@
+#include "clca/measure/segregation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "clca/measure/grid.hpp"
+#include "clca/measure/profile.hpp"
+#include "measure/particle_sites.hpp"
+
+namespace clca::measure {
+
+namespace {
+
+using automaton::Particle;
+using automaton::State;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Sizes of the smallest and the largest particles present, in sites.
+struct Sizes {
+  std::size_t smallest = std::numeric_limits<std::size_t>::max();
+  std::size_t largest = 0;
+
+  bool differ() const { return smallest < largest; }
+};
+
+Sizes sizes_of(const State& state) {
+  Sizes sizes;
+  for (const Particle& particle : state.particles) {
+    if (particle.present) {
+      const std::size_t size = state.shape(particle).size();
+      sizes.smallest = std::min(sizes.smallest, size);
+      sizes.largest = std::max(sizes.largest, size);
+    }
+  }
+  return sizes;
+}
+
+/// Mean height of the centres of mass of the particles of a size that is present.
+double mean_height_of(const State& state, std::size_t size) {
+  double sum = 0;
+  double count = 0;
+  for (const Particle& particle : state.particles) {
+    if (particle.present && state.shape(particle).size() == size) {
+      sum += automaton::centre(state, particle).y();
+      count += 1;
+    }
+  }
+  return sum / count;
+}
+
+/// Vertical extent of particles: edges of sites, in lattice spacings above the floor of the box.
+struct Levels {
+  double bottom = kInfinity;
+  double top = -kInfinity;
+
+  void add(lattice::Site site) {
+    const double height = lattice::position(site).y();
+    bottom = std::min(bottom, height);
+    top = std::max(top, height + 1);
+  }
+};
+
+/// Of the bed, as segregation_index has it. There is a particle.
+double bed_height(const State& state) {
+  double sum = 0;
+  double count = 0;
+  Levels levels;
+  for_each_site(state, [&](lattice::Site site) {
+    levels.add(site);
+    sum += lattice::position(site).y() + 0.5;
+    count += 1;
+  });
+  return 2 * (sum / count - levels.bottom);
+}
+
+/// Id of the only particle of the only species that has just one; none where there is no such.
+std::optional<std::size_t> intruder(const State& state) {
+  std::vector<std::vector<std::size_t>> members(1U + std::numeric_limits<std::uint16_t>::max());
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      members[state.kinds[state.particles[id].kind].species].push_back(id);
+    }
+  }
+  const auto alone = [](const auto& ids) { return ids.size() == 1; };
+  if (std::count_if(members.begin(), members.end(), alone) != 1) {
+    return std::nullopt;
+  }
+  return std::find_if(members.begin(), members.end(), alone)->front();
+}
+
+}  // namespace
+
+std::optional<double> segregation_index(const State& state) {
+  const Sizes sizes = sizes_of(state);
+  if (!sizes.differ()) {
+    return std::nullopt;
+  }
+  const double apart = mean_height_of(state, sizes.largest) - mean_height_of(state, sizes.smallest);
+  return apart / (bed_height(state) / 2);
+}
+
+std::optional<double> lacey_index(const State& state, double cell) {
+  struct Count {
+    double all = 0;
+    double large = 0;
+  };
+  const Sizes sizes = sizes_of(state);
+  if (!sizes.differ()) {
+    return std::nullopt;
+  }
+  const Grid grid(state.lattice, cell);
+  std::vector<Count> counts(grid.size());
+  Count total;
+  for (const Particle& particle : state.particles) {
+    if (particle.present) {
+      const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
+      Count& count = counts[grid.index(automaton::centre(state, particle))];
+      count = {count.all + 1, count.large + large};
+      total = {total.all + 1, total.large + large};
+    }
+  }
+  double variance = 0;
+  double cells = 0;
+  const double share = total.large / total.all;
+  for (const Count& count : counts) {
+    if (count.all > 0) {
+      variance += count.all / total.all * std::pow(count.large / count.all - share, 2);
+      cells += 1;
+    }
+  }
+  if (cells >= total.all) {
+    return std::nullopt;
+  }
+  const double separated = share * (1 - share);
+  return (separated - variance) / (separated * (1 - (cells - 1) / (total.all - 1)));
+}
+
+std::optional<double> intruder_height(const State& state) {
+  const std::optional<std::size_t> id = intruder(state);
+  if (!id) {
+    return std::nullopt;
+  }
+  State others = state;
+  others.particles[*id].present = false;
+  const double surface = mean_height(surface_profile(others));
+  Levels bed;
+  for_each_site(state, [&](lattice::Site site) { bed.add(site); });
+  const Particle& particle = state.particles[*id];
+  Levels own;
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    own.add(particle.site() + part);
+  }
+  const double range = surface - (own.top - own.bottom) - bed.bottom;
+  return range > 0 ? std::optional((own.bottom - bed.bottom) / range) : std::nullopt;
+}
+
+}  // namespace clca::measure
