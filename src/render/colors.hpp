@@ -7,6 +7,7 @@ namespace clca::render {
 
 inline constexpr Rgb kPaper = {255, 255, 255};
 inline constexpr Rgb kWallColor = {74, 78, 84};
+inline constexpr Rgb kMovingWallColor = {112, 140, 86};
 inline constexpr Rgb kInk = {28, 31, 36};
 inline constexpr Rgb kPaleInk = {96, 102, 110};
 

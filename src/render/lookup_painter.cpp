@@ -20,7 +20,7 @@ void main() {
 )";
 
 // Beyond the border, owners go on for ever: floor and side walls have any thickness. All walls
-// are one owner, without seams between them.
+// that stand are one owner, without seams between them, and all that move are another.
 constexpr const char* kFragmentSource = R"(
 uniform isampler2D sites;     // (row, column)
 uniform sampler2D colors;     // of particle i: (i % 4096, i / 4096)
@@ -32,16 +32,20 @@ uniform float upward;         // q step of one sample up
 uniform int highest_owner;    // owners above count as free
 uniform vec4 paper;
 uniform vec4 wall;
+uniform vec4 moving_wall;
+uniform int moving_wall_code;
 uniform float outline_width;  // in weight
 uniform float outline_strength;
 out vec4 result;
 
 const int kFree = -1;
 const int kWall = -2;
+const int kMovingWall = -3;
 
 int owner(int row, int column) {
   int code = texelFetch(sites, clamp(anchor + ivec2(row, column), ivec2(0), last_site), 0).r;
-  return code > highest_owner ? kFree : max(code, kWall);
+  int wall_kind = code == moving_wall_code ? kMovingWall : kWall;
+  return code > highest_owner ? kFree : code < kFree ? wall_kind : code;
 }
 
 void main() {
@@ -66,7 +70,8 @@ void main() {
   vec4 fill = texelFetch(colors, ivec2(best & 4095, best >> 12), 0);
   vec4 particle = most - 0.5 < outline_width
       ? vec4(outline_color(fill.rgb, outline_strength), 1.0) : fill;
-  result = best == kFree ? paper : best == kWall ? wall : particle;
+  vec4 wall_color = best == kMovingWall ? moving_wall : wall;
+  result = best == kFree ? paper : best < kFree ? wall_color : particle;
 }
 )";
 
@@ -98,6 +103,8 @@ LookupPainter::LookupPainter(const Gl& gl, const lattice::Lattice& lattice, int 
   };
   set_color("paper", kPaper);
   set_color("wall", kWallColor);
+  set_color("moving_wall", kMovingWallColor);
+  gl.Uniform1i(place("moving_wall_code"), kMovingWall);
 }
 
 void LookupPainter::upload_colors(std::span<const Rgb> colors) {
@@ -153,7 +160,8 @@ void LookupPainter::draw(const Projection& projection, const Tile& tile) {
 }
 
 void LookupPainter::draw(const Projection& projection, const lattice::Rectangle& clip,
-                         const automaton::Occupancy& occupancy, std::span<const Rgb> colors) {
+                         const automaton::Occupancy& occupancy, std::span<const Rgb> colors,
+                         std::span<const lattice::Site> moving_walls) {
   gl_->ActiveTexture(GL_TEXTURE0 + kColorsUnit);
   upload_colors(colors);
   gl_->ActiveTexture(GL_TEXTURE0 + kSitesUnit);
@@ -162,6 +170,7 @@ void LookupPainter::draw(const Projection& projection, const lattice::Rectangle&
   gl_->Enable(GL_SCISSOR_TEST);
   for (const Tile& tile : tiles(lattice_, common(clip, projection.view()), largest_window_)) {
     sites_.upload(occupancy, tile.sites);
+    sites_.mark(moving_walls, tile.sites);
     draw(projection, tile);
   }
   gl_->check("drawing by lookup");

@@ -20,10 +20,12 @@ class LookupPainter {
   /// allows.
   LookupPainter(const Gl& gl, const lattice::Lattice& lattice, int largest_window = 0);
 
-  /// Walls, floor and side walls inside `clip`; particles too unless `colors` is empty. Leaves a
-  /// scissor box behind.
+  /// Walls, floor and side walls inside `clip`; particles too unless `colors` is empty. Walls at
+  /// the sites `moving_walls` (up the columns) have a colour of their own. Leaves a scissor box
+  /// behind.
   void draw(const Projection& projection, const lattice::Rectangle& clip,
-            const automaton::Occupancy& occupancy, std::span<const Rgb> colors);
+            const automaton::Occupancy& occupancy, std::span<const Rgb> colors,
+            std::span<const lattice::Site> moving_walls = {});
 
  private:
   void upload_colors(std::span<const Rgb> colors);

@@ -114,7 +114,11 @@ void PolygonPainter::collect(const Projection& projection, const automaton::Stat
   const GridWindow window(projection);
   const GridPoint anchor = grid_point(projection.anchor);
   const int columns = lattice_.columns();
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+  // Where particles of a kind overlap, the lower id lies on top, as by lookup.
+  const bool downwards = automaton::may_overlap(state);
+  const std::size_t count = state.particles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t id = downwards ? count - 1 - i : i;
     const automaton::Particle& particle = state.particles[id];
     if (!particle.present) {
       continue;

@@ -92,6 +92,34 @@ void SiteTexture::repeat_seam(const automaton::Occupancy& occupancy, const SiteW
   }
 }
 
+void SiteTexture::mark(std::span<const lattice::Site> sites, const SiteWindow& window) {
+  gl_->BindTexture(GL_TEXTURE_2D, name_);
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= sites.size(); ++i) {
+    const lattice::Site above = {sites[i - 1].column, sites[i - 1].row + 1};
+    if (i < sites.size() && sites[i] == above) {
+      continue;
+    }
+    const int image = lattice_.periodic() ? lattice_.columns() : 0;
+    for (int column = sites[first].column - image; column <= sites[first].column + image;
+         column += std::max(image, 1)) {
+      mark_run({column, sites[first].row}, static_cast<int>(i - first), window);
+    }
+    first = i;
+  }
+}
+
+void SiteTexture::mark_run(lattice::Site lowest, int length, const SiteWindow& window) {
+  const int low = std::max(lowest.row, window.first_row);
+  const int high = std::min(lowest.row + length - 1, window.last_row);
+  if (lowest.column < window.first_column || lowest.column > window.last_column || low > high) {
+    return;
+  }
+  const std::vector<automaton::Owner> codes(static_cast<std::size_t>(high - low + 1), kMovingWall);
+  upload_block(lowest.column - window.first_column, low - window.first_row, 1, high - low + 1,
+               codes.data());
+}
+
 void SiteTexture::open_lid(const SiteWindow& window) {
   if (window.last_row < lattice_.rows()) {
     return;

@@ -1,6 +1,7 @@
 #pragma once
 // The owners of a part of the lattice as a texture, and the parts that a view is drawn in.
 
+#include <span>
 #include <vector>
 
 #include "clca/automaton/occupancy.hpp"
@@ -30,6 +31,9 @@ struct Tile {
 std::vector<Tile> tiles(const lattice::Lattice& lattice, const lattice::Rectangle& area,
                         int largest);
 
+/// Stands in the texture for a wall that moves; the code of no wall.
+inline constexpr automaton::Owner kMovingWall = automaton::kBorder + 1;
+
 /// Texel (row, column) of the window holds the owner. The lid of the box is free, and in a
 /// periodic box the border columns repeat those at the other end.
 class SiteTexture {
@@ -37,10 +41,13 @@ class SiteTexture {
   SiteTexture(const Gl& gl, const lattice::Lattice& lattice);
 
   void upload(const automaton::Occupancy& occupancy, const SiteWindow& window);
+  /// Sets the texels of these sites of the box (up the columns) to kMovingWall.
+  void mark(std::span<const lattice::Site> sites, const SiteWindow& window);
 
  private:
   void upload_block(int column, int row, int columns, int rows, const automaton::Owner* owners);
   void repeat_seam(const automaton::Occupancy& occupancy, const SiteWindow& window);
+  void mark_run(lattice::Site lowest, int length, const SiteWindow& window);
   void open_lid(const SiteWindow& window);
 
   const Gl* gl_;

@@ -20,7 +20,8 @@ class RenderError : public std::runtime_error {
 };
 
 /// How particles are drawn: outlines of polygons, one instance a particle; or the lookup shader
-/// that finds the owner of each pixel's site. Both give the same picture but for rounding at edges.
+/// that finds the owner of each pixel's site. Both give the same picture but for rounding at edges
+/// and for overlaps: polygons lie over walls, the lookup shows the first owner of each site.
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
 struct Style {

@@ -1,0 +1,52 @@
+#include "render/seen_walls.hpp"
+
+#include <algorithm>
+
+namespace clca::render {
+
+namespace {
+
+bool moves(const automaton::Wall& wall) {
+  return wall.present && wall.motion.has_value();
+}
+
+}  // namespace
+
+bool any_wall_moves(const automaton::State& state) {
+  return std::any_of(state.walls.begin(), state.walls.end(), moves);
+}
+
+std::vector<lattice::Site> moving_wall_sites(const automaton::State& state) {
+  std::vector<lattice::Site> sites;
+  for (const automaton::Wall& wall : state.walls) {
+    if (moves(wall)) {
+      const std::vector<lattice::Site> now = automaton::sites_now(state.lattice, wall);
+      sites.insert(sites.end(), now.begin(), now.end());
+    }
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites;
+}
+
+SeenWalls::SeenWalls(const automaton::State& state) {
+  for (const automaton::Wall& wall : state.walls) {
+    walls_.push_back(wall.present ? Seen{true, wall.motion.has_value(), wall.shift(), wall.sites}
+                                  : Seen{});
+  }
+}
+
+bool SeenWalls::match(const automaton::State& state) const {
+  return std::equal(
+      walls_.begin(), walls_.end(), state.walls.begin(), state.walls.end(),
+      [](const Seen& seen, const automaton::Wall& wall) { return seen.looks_like(wall); });
+}
+
+bool SeenWalls::Seen::looks_like(const automaton::Wall& wall) const {
+  if (!present || !wall.present) {
+    return present == wall.present;
+  }
+  return moving == wall.motion.has_value() && shift == wall.shift() && sites == wall.sites;
+}
+
+}  // namespace clca::render

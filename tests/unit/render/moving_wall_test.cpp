@@ -1,0 +1,235 @@
+// Walls that move, and particles that overlap because of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "clca/render/coloring.hpp"
+#include "clca/render/compare.hpp"
+#include "packed_state.hpp"
+#include "render/colors.hpp"
+#include "render/seen_walls.hpp"
+
+namespace clca::render {
+namespace {
+
+constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
+
+std::size_t count_of(const Image& image, Rgb color) {
+  return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
+}
+
+automaton::Wall moving_wall(const automaton::State& state, const lattice::Rectangle& place) {
+  automaton::Wall wall;
+  wall.sites = lattice::sites_in(state.lattice, place);
+  wall.motion = automaton::Motion{lattice::Direction::up, automaton::Drive{1, 1000}};
+  return wall;
+}
+
+automaton::State with_moving_wall(bool periodic) {
+  automaton::State state = empty_state(40, 40, periodic);
+  state.kinds = {{lattice::Shape::hexagon(1), 0}};
+  state.walls = {{lattice::sites_in(state.lattice, {10, 3, 20, 6}), true},
+                 moving_wall(state, {-1, 12, 12, 15})};
+  return state;
+}
+
+/// The state without motions.
+automaton::State at_rest(automaton::State state) {
+  for (automaton::Wall& wall : state.walls) {
+    wall.sites = automaton::sites_now(state.lattice, wall);
+    wall.motion.reset();
+  }
+  return state;
+}
+
+constexpr lattice::Rectangle kView = {-2, -2, 38, 42};
+
+/// Ten pixels a spacing.
+Image seen(const automaton::State& state, Drawing drawing) {
+  return picture(state, drawing, 400, 440, 1, kView);
+}
+
+Rgb at(const Image& image, double x, double y) {
+  return image.at(static_cast<int>((x - kView.left) * 10),
+                  image.height - 1 - static_cast<int>((y - kView.bottom) * 10));
+}
+
+TEST(MovingWall, HasAColorOfItsOwnWhereItStandsNow) {
+  for (const bool periodic : {false, true}) {
+    automaton::State state = with_moving_wall(periodic);
+    for (const int offset : {0, 7}) {
+      state.walls[1].travel.offset = offset;
+      for (const Drawing drawing : kBothWays) {
+        const Image image = seen(state, drawing);
+        EXPECT_EQ(at(image, 5, 13.5 + offset), kMovingWallColor);
+        EXPECT_EQ(at(image, 5, 13.5 + 7 - offset), kPaper);
+        EXPECT_EQ(at(image, 15, 4.5), kWallColor);
+        EXPECT_EQ(at(image, 15, -0.9), kWallColor);
+        EXPECT_GT(count_of(image, kMovingWallColor), 3000U);
+      }
+    }
+  }
+}
+
+TEST(MovingWall, HasTheFormOfAWallThatStands) {
+  for (const bool periodic : {false, true}) {
+    automaton::State state = with_moving_wall(periodic);
+    state.walls[1].travel.offset = 5;
+    for (const Drawing drawing : kBothWays) {
+      Image image = seen(state, drawing);
+      std::replace(image.pixels.begin(), image.pixels.end(), kMovingWallColor, kWallColor);
+      EXPECT_LE(compare(image, seen(at_rest(state), drawing), 0).pixels, 50U);
+    }
+  }
+}
+
+TEST(MovingWall, IsDrawnInsideTheBoxOnly) {
+  automaton::State state = with_moving_wall(false);
+  for (const int offset : {-14, 26, 500}) {
+    state.walls[1].travel.offset = offset;
+    for (const Drawing drawing : kBothWays) {
+      const Image image = picture(state, drawing, 300, 300, 1);
+      const std::size_t green = count_of(image, kMovingWallColor);
+      EXPECT_EQ(green > 0, offset != 500);
+    }
+  }
+}
+
+TEST(MovingWall, CrossesThePeriodicSeamInOneColor) {
+  automaton::State state = with_moving_wall(true);
+  state.walls = {moving_wall(state, {-0.1, 12, 0.1, 18})};  // column 0
+  for (const lattice::Site site : lattice::sites_in(state.lattice, {33, 12, 34, 18})) {
+    state.walls[0].sites.push_back(site);  // column 39
+  }
+  const double left = -lattice::kColumnPitch / 2;
+  const double right = left + 40 * lattice::kColumnPitch;
+  for (const Drawing drawing : kBothWays) {
+    const Image image = seen(state, drawing);
+    for (const double x : {left + 0.1, right - 0.1}) {
+      EXPECT_EQ(at(image, x, 14.5), kMovingWallColor);
+      for (double y = 2; y < 39; y += 0.1) {
+        EXPECT_NE(at(image, x, y), kWallColor);
+      }
+    }
+  }
+}
+
+TEST(MovingWall, IsNotThereWhenItIsTakenAway) {
+  automaton::State state = with_moving_wall(false);
+  state.walls[1].present = false;
+  for (const Drawing drawing : kBothWays) {
+    EXPECT_EQ(count_of(picture(state, drawing, 300, 300, 1), kMovingWallColor), 0U);
+  }
+}
+
+TEST(MovingWall, IsFollowedByTheBackdrop) {
+  Style style;
+  style.width = 300;
+  style.height = 300;
+  style.drawing = Drawing::polygons;
+  style.annotations = false;
+  automaton::State state = with_moving_wall(false);
+  Painter painter(style, state.lattice, state.kinds);
+  for (int step = 0; step < 6; ++step) {
+    ++state.walls[1].travel.clock;
+    state.walls[1].travel.offset = step / 2;
+    EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), {}, {}),
+              picture(state, Drawing::polygons, 300, 300, 2));
+  }
+}
+
+TEST(SeenWalls, MatchWhenTheSameIsSeen) {
+  const automaton::State state = with_moving_wall(false);
+  const SeenWalls seen(state);
+  automaton::State other = state;
+  other.walls[1].travel.clock = 17;
+  other.walls[1].travel.stalls = 3;
+  other.walls[1].travel.active = true;
+  EXPECT_TRUE(seen.match(other));
+  other.walls[1].travel.offset = 1;
+  EXPECT_FALSE(seen.match(other));
+  other = state;
+  other.walls[0].present = false;
+  EXPECT_FALSE(seen.match(other));
+  EXPECT_TRUE(SeenWalls(other).match(other));
+  EXPECT_FALSE(SeenWalls(other).match(state));
+  other = state;
+  other.walls[0].sites.pop_back();
+  EXPECT_FALSE(seen.match(other));
+  other = state;
+  other.walls[1].motion.reset();
+  EXPECT_FALSE(seen.match(other));
+  other.walls.pop_back();
+  EXPECT_FALSE(seen.match(other));
+}
+
+TEST(MovingWall, HasAColorUnlikeAnyOther) {
+  const auto distance = [](Rgb a, Rgb b) {
+    return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+  };
+  EXPECT_GT(distance(kMovingWallColor, kWallColor), 60);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_GT(distance(kMovingWallColor, palette_color(i)), 60) << i;
+  }
+}
+
+/// Two particles of which one has come onto the other, and one that a wall has entered.
+automaton::State overlapping() {
+  automaton::State state = empty_state(24, 20, false);
+  state.kinds = {{lattice::Shape::hexagon(2), 0}};
+  for (const lattice::Site site : {lattice::Site{6, 6}, {9, 8}, {17, 14}}) {
+    automaton::Particle particle;
+    particle.column = site.column;
+    particle.row = site.row;
+    state.particles.push_back(particle);
+    state.origins.push_back(site);
+  }
+  state.walls = {moving_wall(state, {14, 14, 30, 16})};
+  state.walls[0].passive = automaton::Passive::overlap;
+  state.pushes = {{1, 0, 0, lattice::Direction::up},
+                  {2, automaton::wall_code(0), 0, lattice::Direction::down}};
+  return state;
+}
+
+TEST(Painter, DrawsOverlappingParticlesTheLowerIdOnTop) {
+  const automaton::State state = overlapping();
+  automaton::State alone = state;
+  alone.particles.resize(1);
+  alone.origins.resize(1);
+  alone.pushes.clear();
+  const Eigen::Vector2d middle = centre(state, state.particles[0]);
+  // Inside the lower particle, where it has sites of the other one.
+  const lattice::Rectangle view = {middle.x() - 1.9, middle.y() - 1.3, middle.x() + 1.9,
+                                   middle.y() + 1.3};
+  for (const Drawing drawing : kBothWays) {
+    EXPECT_LE(compare(picture(state, drawing, 190, 130, 1, view),
+                      picture(alone, drawing, 190, 130, 1, view), 2)
+                  .pixels,
+              20U);
+  }
+}
+
+TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
+  automaton::State state = overlapping();
+  state.particles.resize(2);
+  state.origins.resize(2);
+  state.pushes.resize(1);
+  const Difference difference = compare(picture(state, Drawing::polygons, 480, 440, 1),
+                                        picture(state, Drawing::lookup, 480, 440, 1), 2);
+  EXPECT_LE(difference.pixels, 480U * 440 / 200);  // outlines beside the overlap
+}
+
+TEST(Painter, DrawsAWallInAParticleBothWays) {
+  const automaton::State state = overlapping();
+  const Rgb grain = color_by_id(state).colors[2];
+  for (const Drawing drawing : kBothWays) {
+    const Image image = picture(state, drawing, 480, 440, 1);
+    EXPECT_GT(count_of(image, grain), 1000U);
+    EXPECT_GT(count_of(image, kMovingWallColor), 500U);
+  }
+  EXPECT_EQ(picture(state, Drawing::automatic, 480, 440, 1),
+            picture(state, Drawing::lookup, 480, 440, 1));
+}
+
+}  // namespace
+}  // namespace clca::render
