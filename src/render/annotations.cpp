@@ -3,27 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
-#include "clca/render/coloring.hpp"
 #include "render/colors.hpp"
-#include "render/legend_lines.hpp"
 #include "render/marks.hpp"
 
 namespace clca::render {
 
 namespace {
 
-// In text sizes, down from the lower edge of the view.
-constexpr double kLegendMiddle = 1.1;
-constexpr double kTickLabelBaseline = 2.55;
-constexpr double kLegendPitch = 1.3;  // from line to line
-// From the middle of a line of text down to its baseline.
-constexpr double kHalfLetter = 0.36;
-constexpr double kTitleSize = 1.2;
-constexpr double kGap = 1.5;  // at least, between what stands on the left and on the right
+constexpr double kTitleSize = 1.2;  // in text sizes
 
 }  // namespace
 
@@ -53,12 +42,13 @@ std::vector<double> ticks(double low, double high, int count) {
 }
 
 void Annotator::draw(Image& image, const Layout& layout, const Caption& caption,
-                     const Legend& legend) {
+                     const Legend& legend, double fade) {
   if (layout.text_size == 0) {
     return;
   }
   image_ = &image;
   layout_ = layout;
+  fade_ = fade;
   draw_caption(caption);
   font_.set_size(layout.text_size);
   const double right = draw_scale_bar() - em(kGap);
@@ -66,7 +56,7 @@ void Annotator::draw(Image& image, const Layout& layout, const Caption& caption,
   for (const Legend::Bar& bar : legend.bars) {
     left = draw_color_bar(bar, left, right) + em(kGap);
   }
-  draw_patches(legend.patches, left, right);
+  draw_entries(legend, left, right);
 }
 
 void Annotator::draw_caption(const Caption& caption) {
@@ -107,61 +97,6 @@ double Annotator::draw_scale_bar() {
   }
   font_.draw(*image_, label_left, middle + em(kHalfLetter), label, kInk);
   return label_left;
-}
-
-double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double right) {
-  const int width = static_cast<int>(std::min(em(13), (right - left) * 0.6));
-  if (width < em(4)) {
-    return left;
-  }
-  const double top = std::round(below_panel(kLegendMiddle - 0.4));
-  const double bottom = std::round(below_panel(kLegendMiddle + 0.4));
-  for (int x = 0; x < width; ++x) {
-    fill_box(*image_, left + x, top, left + x + 1, bottom, map_color((x + 0.5) / width));
-  }
-  const double stroke = std::max(1.0, std::round(em(0.07)));
-  double label_end = -std::numeric_limits<double>::infinity();
-  for (const double value : ticks(bar.low, bar.high, 6)) {
-    const double share = bar.high > bar.low ? (value - bar.low) / (bar.high - bar.low) : 0;
-    const double x = left + share * (width - stroke);
-    fill_box(*image_, x, bottom, x + stroke, bottom + em(0.25), kInk);
-    const std::string label = fmt::format("{:g}", value);
-    const double label_width = font_.width(label);
-    const double label_left = std::max<double>(layout_.text_left, x - label_width / 2);
-    if (label_left > label_end + em(0.5)) {
-      font_.draw(*image_, label_left, below_panel(kTickLabelBaseline), label, kInk);
-      label_end = label_left + label_width;
-    }
-  }
-  const double label_left = left + width + em(0.8);
-  const std::string label = font_.shortened(bar.label, right - label_left);
-  font_.draw(*image_, label_left, below_panel(kLegendMiddle + kHalfLetter), label, kInk);
-  return label_left + font_.width(label);
-}
-
-void Annotator::draw_patches(const std::vector<Legend::Patch>& patches, double left, double right) {
-  const double radius = em(0.52);
-  const double label_place = 2 * radius + em(0.35);
-  // The scale bar shortens the first line only.
-  const std::array rooms = {right - left, layout_.text_right - left};
-  std::vector<std::string> labels;
-  std::vector<double> widths;
-  for (const Legend::Patch& patch : patches) {
-    labels.push_back(font_.shortened(patch.label, rooms.back() - label_place));
-    widths.push_back(label_place + font_.width(labels.back()));
-  }
-  for (const LegendItem& item : legend_lines(widths, font_.width("…"), em(1.0), rooms)) {
-    const double x = left + item.left;
-    const double middle = below_panel(kLegendMiddle + kLegendPitch * item.line);
-    const double baseline = middle + em(kHalfLetter);
-    if (!item.entry) {
-      font_.draw(*image_, x, baseline, "…", kInk);
-      continue;
-    }
-    draw_hexagon(*image_, x + radius, middle, radius, std::max(1.0, em(0.09)),
-                 patches[*item.entry].color);
-    font_.draw(*image_, x + label_place, baseline, labels[*item.entry], kInk);
-  }
 }
 
 }  // namespace clca::render

@@ -1,6 +1,10 @@
 #pragma once
 // Captions, legend and scale bar around the view of a finished picture.
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "clca/render/painter.hpp"
 #include "render/font.hpp"
 #include "render/layout.hpp"
@@ -18,14 +22,32 @@ class Annotator {
   /// Throws RenderError when there is no font.
   Annotator() = default;
 
-  void draw(Image& image, const Layout& layout, const Caption& caption, const Legend& legend);
+  /// `fade`: of the colours of the picture that the legend explains, see Overlay.
+  void draw(Image& image, const Layout& layout, const Caption& caption, const Legend& legend,
+            double fade = 0);
 
  private:
+  // In text sizes.
+  static constexpr double kLegendMiddle = 1.1;  // down from the lower edge of the view
+  static constexpr double kHalfLetter = 0.36;   // from the middle of a line down to its baseline
+  static constexpr double kGap = 1.5;  // at least, between what stands on the left and on the right
+
+  /// A mark, a patch unless it has a stroke, and its label.
+  struct Entry {
+    std::string label;
+    double mark_width = 0;  ///< pixels
+    Rgb color = {};
+    std::optional<Stroke> stroke = {};
+  };
+
   void draw_caption(const Caption& caption);
   /// Returns the left end, to keep clear of.
   double draw_scale_bar();
   double draw_color_bar(const Legend::Bar& bar, double left, double right);
-  void draw_patches(const std::vector<Legend::Patch>& patches, double left, double right);
+  Stroke key_stroke(const Legend::Line& line) const;
+  std::vector<Entry> entries_of(const Legend& legend) const;
+  void draw_mark(const Entry& entry, double left, double middle);
+  void draw_entries(const Legend& legend, double left, double right);
   double em(double text_sizes) const { return text_sizes * layout_.text_size; }
   double below_panel(double text_sizes) const {
     return layout_.panel.y + layout_.panel.height + em(text_sizes);
@@ -34,6 +56,7 @@ class Annotator {
   Font font_;
   Image* image_ = nullptr;
   Layout layout_;
+  double fade_ = 0;
 };
 
 }  // namespace clca::render

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "clca/render/painter.hpp"
+#include "render/blend.hpp"
 #include "render/utf8.hpp"
 
 namespace clca::render {
@@ -24,13 +25,6 @@ constexpr std::array kFontFiles = {
 };
 
 constexpr double kUnits = 64;  // FreeType counts in 1/64 pixel
-
-void blend(Rgb& pixel, Rgb ink, unsigned coverage) {
-  const auto mixed = [coverage](unsigned paper, unsigned color) {
-    return static_cast<std::uint8_t>((paper * (255 - coverage) + color * coverage + 127) / 255);
-  };
-  pixel = {mixed(pixel.red, ink.red), mixed(pixel.green, ink.green), mixed(pixel.blue, ink.blue)};
-}
 
 void draw_bitmap(Image& image, int left, int top, const FT_Bitmap& bitmap, Rgb color) {
   for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {

@@ -11,6 +11,7 @@
 #include "render/lookup_painter.hpp"
 #include "render/polygon_painter.hpp"
 #include "render/seen_walls.hpp"
+#include "render/strokes.hpp"
 
 namespace clca::render {
 
@@ -49,12 +50,14 @@ class Painter::Impl {
   }
 
   Image draw(const automaton::State& state, const automaton::Occupancy& occupancy,
-             const Coloring& coloring, const Caption& caption) {
+             const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
     require_match(state, occupancy, coloring);
     Image picture(style_.width, style_.height, kPaper);
-    paste(draw_panel(state, occupancy, coloring.colors), layout_.panel, picture);
+    Image panel = draw_panel(state, occupancy, coloring.colors);
+    draw_overlay(panel, overlay, projection_.corner, layout_.scale);
+    paste(panel, layout_.panel, picture);
     if (annotator_) {
-      annotator_->draw(picture, layout_, caption, coloring.legend);
+      annotator_->draw(picture, layout_, caption, coloring.legend, overlay.fade);
     }
     return picture;
   }
@@ -148,8 +151,8 @@ Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
 Image Painter::draw(const automaton::State& state, const automaton::Occupancy& occupancy,
-                    const Coloring& coloring, const Caption& caption) {
-  return impl_->draw(state, occupancy, coloring, caption);
+                    const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
+  return impl_->draw(state, occupancy, coloring, caption, overlay);
 }
 
 }  // namespace clca::render

@@ -10,6 +10,7 @@
 #include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
 #include "clca/render/image.hpp"
+#include "clca/render/overlay.hpp"
 
 namespace clca::render {
 
@@ -34,7 +35,8 @@ struct Style {
   bool annotations = true;  ///< captions, scale bar, legend; needs a font
 };
 
-/// Explains the colours of a picture: named patches, or a bar of a colour map from low to high.
+/// Explains the colours of a picture: named patches, a bar of a colour map from low to high, and
+/// lines or arrows as the overlay has them.
 struct Legend {
   struct Patch {
     std::string label;
@@ -45,8 +47,16 @@ struct Legend {
     double low = 0;
     double high = 1;
   };
+  struct Line {
+    std::string label;
+    double width = 0.5;  ///< lattice spacings; drawn no thicker than a line of text
+    double length = 0;   ///< lattice spacings; 0 where it tells nothing
+    Rgb color = {};
+    bool arrow = false;
+  };
   std::vector<Patch> patches;
   std::vector<Bar> bars;  ///< none or one
+  std::vector<Line> lines;
 };
 
 /// One colour per particle id, and what the colours mean.
@@ -72,7 +82,7 @@ class Painter {
   Painter& operator=(Painter&&) noexcept;
 
   Image draw(const automaton::State& state, const automaton::Occupancy& occupancy,
-             const Coloring& coloring, const Caption& caption);
+             const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 
  private:
   class Impl;
