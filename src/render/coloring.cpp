@@ -102,6 +102,22 @@ Coloring color_by_displacement(const State& state, double high) {
   return result;
 }
 
+Coloring color_by_force(const State& state, std::span<const double> index, double high) {
+  constexpr Rgb kFree = {228, 230, 233};
+  if (!(high > 0)) {
+    throw std::invalid_argument("the force at the end of the colour bar is positive");
+  }
+  if (index.size() < state.particles.size()) {
+    throw std::invalid_argument("a colouring by force needs one index for each particle");
+  }
+  Coloring result;
+  result.colors = colors_by_id(
+      state, [&](std::size_t id) { return index[id] > 0 ? map_color(index[id] / high) : kFree; });
+  result.legend.bars.push_back({"overlapped sites", 0, high});
+  result.legend.patches.push_back({"none", kFree});
+  return result;
+}
+
 Coloring color_by_speed(const State& state) {
   constexpr Rgb kMoving = {213, 94, 0};
   constexpr Rgb kResting = {176, 196, 214};

@@ -26,6 +26,9 @@ Coloring color_by_species(const automaton::State& state, std::span<const NamedCo
 Coloring color_by_layer(const automaton::State& state, int layers);
 /// Distance from the origin; the bar ends at `high` lattice spacings.
 Coloring color_by_displacement(const automaton::State& state, double high);
+/// Overlapped sites by particle id, after a force index; the bar ends at `high`. Particles without
+/// any are pale.
+Coloring color_by_force(const automaton::State& state, std::span<const double> index, double high);
 /// Moving in the last step, or at rest.
 Coloring color_by_speed(const automaton::State& state);
 /// Neighbouring ids well apart.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "packed_state.hpp"
@@ -100,6 +101,26 @@ TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
   EXPECT_THROW(color_by_displacement(state, 0), std::invalid_argument);
+}
+
+TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
+  const automaton::State state = tower(4);
+  const std::vector<double> index = {0, 5, 20, NAN};
+  const Coloring coloring = color_by_force(state, index, 10);
+  EXPECT_EQ(coloring.colors[1], map_color(0.5));
+  EXPECT_EQ(coloring.colors[2], map_color(1));
+  EXPECT_EQ(coloring.colors[3], coloring.colors[0]);
+  ASSERT_EQ(coloring.legend.patches.size(), 1U);
+  EXPECT_EQ(coloring.legend.patches[0].color, coloring.colors[0]);
+  for (int i = 0; i <= 100; ++i) {
+    EXPECT_GT(distance(coloring.colors[0], map_color(i / 100.0)), 100);
+  }
+  ASSERT_EQ(coloring.legend.bars.size(), 1U);
+  EXPECT_EQ(coloring.legend.bars[0].label, "overlapped sites");
+  EXPECT_EQ(coloring.legend.bars[0].low, 0);
+  EXPECT_EQ(coloring.legend.bars[0].high, 10);
+  EXPECT_THROW(color_by_force(state, index, 0), std::invalid_argument);
+  EXPECT_THROW(color_by_force(state, std::span(index).first(3), 10), std::invalid_argument);
 }
 
 TEST(Coloring, BySpeedTellsMovingFromResting) {
