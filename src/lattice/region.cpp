@@ -32,26 +32,29 @@ Part part_between(double from, double along, double low, double high) {
   return {std::max(0.0, std::min(enter, leave)), std::min(1.0, std::max(enter, leave))};
 }
 
-int bounded(double value, int high) {
-  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(high)));
+int bounded(double value, int low, int high) {
+  const double whole = std::floor(value);
+  return static_cast<int>(std::clamp(whole, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// The sites met on the way between the ends, those of the lattice at least: neighbours follow each
-/// other.
-std::vector<Site> chain_along(const Lattice& lattice, const Segment& segment) {
+/// The sites met on the way between the ends, those of the catchment at least: neighbours follow
+/// each other.
+std::vector<Site> chain_along(const Catchment& catchment, const Segment& segment) {
   const Site first = nearest_site(segment.from);
   const Site last = nearest_site(segment.to);
   const int steps = std::max(1, length(last - first));
   const Eigen::Vector2d start = position(first);
   const Eigen::Vector2d along = position(last) - start;
-  constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the lattice
+  constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the catchment
+  const Rows rows = catchment.all_rows();
   const Part across =
-      part_between(start.x(), along.x(), -kBeyond, kColumnPitch * lattice.columns() + kBeyond);
-  const Part upwards = part_between(start.y(), along.y(), -kBeyond, lattice.rows() + kBeyond);
+      part_between(start.x(), along.x(), kColumnPitch * catchment.first_column() - kBeyond,
+                   kColumnPitch * catchment.end_column() + kBeyond);
+  const Part upwards = part_between(start.y(), along.y(), rows.first - kBeyond, rows.end + kBeyond);
   const double begin = std::floor(std::max(across.begin, upwards.begin) * steps);
   const double end = std::ceil(std::min(across.end, upwards.end) * steps);
   std::vector<Site> chain;
-  for (int i = bounded(begin, steps); i <= end; ++i) {
+  for (int i = bounded(begin, 0, steps); i <= end; ++i) {
     // The nudge keeps points that lie exactly between two sites on one side of the line.
     const Eigen::Vector2d nudge(1e-6, 2e-6);
     chain.push_back(nearest_site(start + along * (static_cast<double>(i) / steps) + nudge));
@@ -60,7 +63,7 @@ std::vector<Site> chain_along(const Lattice& lattice, const Segment& segment) {
 }
 
 /// The sites of a column that are within `reach` of the segment.
-void add_column(const Lattice& lattice, const Segment& segment, int column, double reach,
+void add_column(const Catchment& catchment, const Segment& segment, int column, double reach,
                 std::vector<Site>& sites) {
   const Eigen::Vector2d along = segment.to - segment.from;
   const double x = kColumnPitch * column;
@@ -71,8 +74,9 @@ void add_column(const Lattice& lattice, const Segment& segment, int column, doub
   }
   const auto [low, high] = std::minmax(
       {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
-  const int last_row = bounded(high + margin + 2, lattice.rows());
-  for (int row = bounded(low - margin - 1, lattice.rows()); row < last_row; ++row) {
+  const Rows rows = catchment.rows(column);
+  const int last_row = bounded(high + margin + 2, rows.first, rows.end);
+  for (int row = bounded(low - margin - 1, rows.first, rows.end); row < last_row; ++row) {
     const Site site = {column, row};
     if (distance(segment, position(site)) <= reach) {
       sites.push_back(site);
@@ -98,15 +102,17 @@ Site nearest_site(const Eigen::Vector2d& point) {
   return best;
 }
 
-std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
+std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle) {
   // Columns and rows that can hold a site of the rectangle.
-  const int first_column = bounded(rectangle.left / kColumnPitch - 1, lattice.columns());
-  const int last_column = bounded(rectangle.right / kColumnPitch + 2, lattice.columns());
-  const int first_row = bounded(rectangle.bottom - 1, lattice.rows());
-  const int last_row = bounded(rectangle.top + 2, lattice.rows());
+  const int low = catchment.first_column();
+  const int high = catchment.end_column();
+  const int last_column = bounded(rectangle.right / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
-  for (int column = first_column; column < last_column; ++column) {
-    for (int row = first_row; row < last_row; ++row) {
+  for (int column = bounded(rectangle.left / kColumnPitch - 1, low, high); column < last_column;
+       ++column) {
+    const Rows rows = catchment.rows(column);
+    const int last_row = bounded(rectangle.top + 2, rows.first, rows.end);
+    for (int row = bounded(rectangle.bottom - 1, rows.first, rows.end); row < last_row; ++row) {
       if (rectangle.contains(position(Site{column, row}))) {
         sites.push_back({column, row});
       }
@@ -115,24 +121,33 @@ std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
   return sites;
 }
 
-std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
+std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
+  return sites_in(Catchment(lattice), rectangle);
+}
+
+std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment) {
   const double reach = 0.5 * segment.thickness;
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
-  const int last_column = bounded((right + reach) / kColumnPitch + 2, lattice.columns());
+  const int low = catchment.first_column();
+  const int high = catchment.end_column();
+  const int last_column = bounded((right + reach) / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
-  for (int column = bounded((left - reach) / kColumnPitch - 1, lattice.columns());
-       column < last_column; ++column) {
-    add_column(lattice, segment, column, reach, sites);
+  for (int column = bounded((left - reach) / kColumnPitch - 1, low, high); column < last_column;
+       ++column) {
+    add_column(catchment, segment, column, reach, sites);
   }
-  for (const Site site : chain_along(lattice, segment)) {
-    if (site.column >= 0 && site.column < lattice.columns() && site.row >= 0 &&
-        site.row < lattice.rows()) {
+  for (const Site site : chain_along(catchment, segment)) {
+    if (catchment.contains(site)) {
       sites.push_back(site);
     }
   }
   std::sort(sites.begin(), sites.end());
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
+}
+
+std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
+  return sites_along(Catchment(lattice), segment);
 }
 
 }  // namespace clca::lattice

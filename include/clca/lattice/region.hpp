@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "clca/lattice/catchment.hpp"
 #include "clca/lattice/lattice.hpp"
 
 namespace clca::lattice {
@@ -25,13 +26,20 @@ struct Segment {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
   double thickness = 1;
+
+  bool operator==(const Segment& other) const {
+    return from == other.from && to == other.to && thickness == other.thickness;
+  }
 };
 
-/// The sites of the lattice inside `rectangle`, up the columns from the left.
+/// The sites inside `rectangle`, up the columns from the left: those of the lattice, or those that
+/// come into it.
+std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle);
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
 
-/// The sites of the lattice within half its thickness of the segment, and always a connected
-/// chain along it, so that nothing leaks through.
+/// The sites within half its thickness of the segment, and always a connected chain along it, so
+/// that nothing leaks through: those of the lattice, or those that come into it. Sorted.
+std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment);
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
 
 /// The site nearest to a point given in lattice spacings.
