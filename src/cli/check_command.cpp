@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
@@ -16,6 +17,7 @@ namespace {
 void check(const SceneOptions& options) {
   constexpr double kMebibyte = 1 << 20;
   const scene::Scene scene = load_scene(options);
+  scene::check_walls(scene);
   const scene::Size size = scene::size_of(scene);
   fmt::print("{}", scene::to_yaml(scene));
   fmt::print("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,

@@ -93,6 +93,7 @@ render::Coloring Pictures::coloring(const automaton::State& state) const {
     case scene::ColorBy::id:
       return render::color_by_id(state);
     case scene::ColorBy::species:
+    case scene::ColorBy::force:
       break;
   }
   return render::color_by_species(state, species_colors(scene_));

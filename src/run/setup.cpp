@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "clca/scene/walls.hpp"
+
 namespace clca::run {
 
 namespace {
@@ -51,13 +53,6 @@ std::vector<automaton::Kind> kinds_of(const scene::Species& species, std::uint16
   return kinds;
 }
 
-std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const scene::Wall& wall) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
-    return lattice::sites_in(lattice, *box);
-  }
-  return lattice::sites_along(lattice, std::get<lattice::Segment>(wall.form));
-}
-
 /// A species' weight shared among its kinds, all in whole numbers.
 std::vector<std::uint32_t> kind_weights(const automaton::State& state,
                                         const std::vector<std::uint32_t>& species_weights) {
@@ -89,6 +84,7 @@ automaton::Source make_source(const automaton::State& state, const scene::Source
 }  // namespace
 
 automaton::State initial_state(const scene::Scene& scene) {
+  scene::check_walls(scene);
   automaton::State state{
       .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
       .rules = scene.rules,
@@ -99,8 +95,13 @@ automaton::State initial_state(const scene::Scene& scene) {
       state.kinds.push_back(std::move(kind));
     }
   }
-  for (const scene::Wall& wall : scene.walls) {
-    state.walls.push_back({.sites = wall_sites(state.lattice, wall), .present = true});
+  const std::vector<bool> there = scene::walls_there_first(scene);
+  for (std::size_t number = 0; number < scene.walls.size(); ++number) {
+    const scene::Wall& wall = scene.walls[number];
+    state.walls.push_back({.sites = scene::wall_sites(state.lattice, wall),
+                           .present = there[number],
+                           .motion = wall.motion,
+                           .passive = wall.passive});
   }
   for (const scene::Source& source : scene.sources) {
     state.sources.push_back(make_source(state, source));

@@ -80,6 +80,11 @@ Results stage_measures(const std::vector<scene::Measure>& wanted,
       case scene::Measure::outflow:
         add_outflow(results, automaton, history);
         break;
+      case scene::Measure::force:
+      case scene::Measure::segregation:
+      case scene::Measure::intruder:
+      case scene::Measure::convection:
+        break;
     }
   }
   return results;

@@ -165,7 +165,7 @@ std::string join_path(std::string_view path, std::string_view key) {
   return path.empty() ? printable(key) : fmt::format("{}.{}", path, printable(key));
 }
 
-Fields::Fields(const Value& map, std::string path, std::span<const std::string_view> keys)
+KeyedMap::KeyedMap(const Value& map, std::string path, std::span<const std::string_view> keys)
     : map_(map), path_(std::move(path)) {
   for (const Entry& entry : read_map(map, path_.empty() ? "scene" : path_)) {
     if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
@@ -176,7 +176,7 @@ Fields::Fields(const Value& map, std::string path, std::span<const std::string_v
   }
 }
 
-const Value& Fields::at(std::string_view key) const {
+const Value& KeyedMap::at(std::string_view key) const {
   const Value* value = find(key);
   if (value == nullptr) {
     fail(place(), fmt::format("{}: key '{}' is missing", path_.empty() ? "scene" : path_, key));
@@ -184,7 +184,7 @@ const Value& Fields::at(std::string_view key) const {
   return *value;
 }
 
-std::string_view Fields::only(std::initializer_list<std::string_view> keys) const {
+std::string_view KeyedMap::only(std::initializer_list<std::string_view> keys) const {
   const std::vector<std::string_view> all = keys;
   std::vector<std::string_view> present;
   std::copy_if(all.begin(), all.end(), std::back_inserter(present),
@@ -197,22 +197,22 @@ std::string_view Fields::only(std::initializer_list<std::string_view> keys) cons
   return present.front();
 }
 
-std::uint64_t Fields::count(std::string_view key, std::uint64_t low, std::uint64_t high,
-                            std::optional<std::uint64_t> otherwise) const {
+std::uint64_t KeyedMap::count(std::string_view key, std::uint64_t low, std::uint64_t high,
+                              std::optional<std::uint64_t> otherwise) const {
   return otherwise && find(key) == nullptr ? *otherwise : read_count(at(key), path(key), low, high);
 }
 
-int Fields::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
+int KeyedMap::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
   return otherwise && find(key) == nullptr ? *otherwise : read_int(at(key), path(key), low, high);
 }
 
-double Fields::number(std::string_view key, double low, double high,
-                      std::optional<double> otherwise) const {
+double KeyedMap::number(std::string_view key, double low, double high,
+                        std::optional<double> otherwise) const {
   return otherwise && find(key) == nullptr ? *otherwise
                                            : read_number(at(key), path(key), low, high);
 }
 
-bool Fields::boolean(std::string_view key, bool otherwise) const {
+bool KeyedMap::boolean(std::string_view key, bool otherwise) const {
   const Value* value = find(key);
   return value == nullptr ? otherwise : read_bool(*value, path(key));
 }

@@ -58,10 +58,10 @@ std::vector<std::string_view> names_of(const std::vector<Thing>& things) {
 std::string join_path(std::string_view path, std::string_view key);
 
 /// A map with known keys.
-class Fields {
+class KeyedMap {
  public:
   /// Throws SceneError when the value is no map or has a key that is not among `keys`.
-  Fields(const Value& map, std::string path, std::span<const std::string_view> keys);
+  KeyedMap(const Value& map, std::string path, std::span<const std::string_view> keys);
 
   const Value* find(std::string_view key) const { return map_.find(key); }
   /// Throws SceneError when the key is missing.

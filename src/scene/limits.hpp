@@ -10,7 +10,7 @@ namespace clca::scene {
 inline constexpr std::uint64_t kVersion = 1;
 inline constexpr std::size_t kLongestTitle = 200;
 inline constexpr std::size_t kLongestName = 64;
-/// Of species, walls, sources, outlets and stages, each.
+/// Of species, walls, parts of a wall, sources, outlets and stages, each.
 inline constexpr std::size_t kMostThings = 1000;
 
 inline constexpr double kWidest = 866'025;  ///< at most 1,000,000 columns
@@ -30,9 +30,18 @@ inline constexpr double kLeastRate = 1e-6;
 inline constexpr double kGreatestRate = 1000;
 inline constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
 
+inline constexpr int kFarthestOffset = 1'000'000;  ///< of a moving wall from home
+/// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
+inline constexpr int kWidestWave = 10'000;
+inline constexpr std::uint64_t kLongestWave = 10'000'000;
+inline constexpr std::uint64_t kSineSteps = 7;  ///< of a period, for each site of amplitude
+inline constexpr std::uint64_t kTriangleSteps = 4;
+inline constexpr std::size_t kMostPoints = 100'000;  ///< of a path
+
 inline constexpr int kLeastPixels = 16;
 inline constexpr int kMostPixels = 65'536;
 inline constexpr int kMostLayers = 256;
 inline constexpr int kMostSupersampling = 4;
+inline constexpr double kLargestCell = 1000;
 
 }  // namespace clca::scene

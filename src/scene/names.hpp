@@ -18,20 +18,29 @@ inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites
 inline constexpr std::array<std::string_view, 2> kRodKeys = {"radius", "length"};
 inline constexpr std::array<std::string_view, 6> kRulesKeys = {
     "inertia", "scatter", "candidates", "gravity", "update_priority", "ties"};
-inline constexpr std::array<std::string_view, 2> kWallKeys = {"box", "line"};
+inline constexpr std::array<std::string_view, 5> kWallKeys = {"box", "line", "parts", "motion",
+                                                              "passive"};
+inline constexpr std::array<std::string_view, 2> kPartKeys = {"box", "line"};
 inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
+inline constexpr std::array<std::string_view, 6> kMotionKeys = {"direction", "period", "distance",
+                                                                "wave",      "shake",  "path"};
+inline constexpr std::array<std::string_view, 3> kWaveKeys = {"form", "amplitude", "period"};
+inline constexpr std::array<std::string_view, 2> kShakeKeys = {"amplitude", "wait"};
 inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", "species", "rate",
                                                                 "count"};
 inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
-inline constexpr std::array<std::string_view, 6> kStageKeys = {"name",    "fill",  "remove",
-                                                               "sources", "until", "max_steps"};
+inline constexpr std::array<std::string_view, 8> kStageKeys = {
+    "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
 inline constexpr std::array<std::string_view, 2> kFillKeys = {"region", "counts"};
-inline constexpr std::array<std::string_view, 2> kUntilKeys = {"steps", "discharged"};
-inline constexpr std::array<std::string_view, 2> kOutputKeys = {"frames", "series"};
-inline constexpr std::array<std::string_view, 9> kFramesKeys = {
+inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
+inline constexpr std::array<std::string_view, 4> kOutputKeys = {"frames", "series", "fields",
+                                                                "contacts"};
+inline constexpr std::array<std::string_view, 10> kFramesKeys = {
     "every", "width",   "height",        "color_by", "layers",
-    "view",  "drawing", "supersampling", "caption"};
+    "view",  "drawing", "supersampling", "caption",  "overlay"};
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
+inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
+inline constexpr std::array<std::string_view, 1> kContactsKeys = {"every"};
 
 /// A word of the format and what it stands for.
 template <class T>
@@ -55,20 +64,36 @@ inline constexpr std::array<Named<automaton::UpdateClass>, 3> kUpdateClassNames 
      {"gravity", automaton::UpdateClass::gravity}}};
 inline constexpr std::array<Named<automaton::Ties>, 2> kTiesNames = {
     {{"particle", automaton::Ties::particle}, {"direction", automaton::Ties::direction}}};
-inline constexpr std::array<Named<Measure>, 6> kMeasureNames = {{{"profile", Measure::profile},
-                                                                 {"repose", Measure::repose},
-                                                                 {"runout", Measure::runout},
-                                                                 {"packing", Measure::packing},
-                                                                 {"moved", Measure::moved},
-                                                                 {"outflow", Measure::outflow}}};
-inline constexpr std::array<Named<ColorBy>, 5> kColorByNames = {
+inline constexpr std::array<Named<automaton::Waveform>, 2> kWaveformNames = {
+    {{"sine", automaton::Waveform::sine}, {"triangle", automaton::Waveform::triangle}}};
+inline constexpr std::array<Named<automaton::Passive>, 2> kPassiveNames = {
+    {{"rigid", automaton::Passive::rigid}, {"overlap", automaton::Passive::overlap}}};
+inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {
+    {{"profile", Measure::profile},
+     {"repose", Measure::repose},
+     {"runout", Measure::runout},
+     {"packing", Measure::packing},
+     {"moved", Measure::moved},
+     {"outflow", Measure::outflow},
+     {"force", Measure::force},
+     {"segregation", Measure::segregation},
+     {"intruder", Measure::intruder},
+     {"convection", Measure::convection}}};
+/// What is measured where a scene does not say: those that mean something in every scene.
+inline constexpr std::array<Measure, 6> kDefaultMeasures = {Measure::profile, Measure::repose,
+                                                            Measure::runout,  Measure::packing,
+                                                            Measure::moved,   Measure::outflow};
+inline constexpr std::array<Named<ColorBy>, 6> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},
      {"displacement", ColorBy::displacement},
      {"speed", ColorBy::speed},
-     {"id", ColorBy::id}}};
+     {"id", ColorBy::id},
+     {"force", ColorBy::force}}};
 inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
     {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
+inline constexpr std::array<Named<Overlay>, 3> kOverlayNames = {
+    {{"none", Overlay::none}, {"forces", Overlay::forces}, {"arrows", Overlay::arrows}}};
 
 template <class T, std::size_t kCount>
 constexpr std::string_view name_of(const std::array<Named<T>, kCount>& names, T value) {

@@ -19,7 +19,7 @@ namespace clca::scene {
 
 namespace {
 
-void check_version(const Fields& fields) {
+void check_version(const KeyedMap& fields) {
   const Value& version = fields.at("clca");
   if (!version.is(Value::Kind::scalar) || version.quoted ||
       version.text != std::to_string(kVersion)) {
@@ -33,17 +33,9 @@ std::string name_of_file(const std::string& file) {
   return stem.empty() ? "scene" : stem;
 }
 
-std::vector<Measure> all_measures() {
-  std::vector<Measure> measures;
-  for (const auto& named : kMeasureNames) {
-    measures.push_back(named.value);
-  }
-  return measures;
-}
-
 /// Reads what is there under `key`; leaves the default where nothing is.
 template <class T, class Read, class... More>
-void read_into(T& target, const Fields& fields, std::string_view key, Read read,
+void read_into(T& target, const KeyedMap& fields, std::string_view key, Read read,
                const More&... more) {
   if (const Value* value = fields.find(key)) {
     target = read(*value, more...);
@@ -51,12 +43,12 @@ void read_into(T& target, const Fields& fields, std::string_view key, Read read,
 }
 
 Scene read_scene(const Value& root, const std::string& file) {
-  const Fields fields(root, "", kSceneKeys);
+  const KeyedMap fields(root, "", kSceneKeys);
   check_version(fields);
   Scene scene;
   scene.name = name_of_file(file);
   scene.title = first_characters(scene.name, kLongestTitle);
-  scene.measures = all_measures();
+  scene.measures.assign(kDefaultMeasures.begin(), kDefaultMeasures.end());
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
   scene.box = read_box(fields.at("box"));
@@ -66,8 +58,9 @@ Scene read_scene(const Value& root, const std::string& file) {
   read_into(scene.sources, fields, "sources", read_sources, scene);
   read_into(scene.outlets, fields, "outlets", read_outlets, scene);
   scene.stages = read_stages(fields.at("stages"), scene);
+  check_history(scene, fields.at("stages"));
   read_into(scene.measures, fields, "measure", read_measures);
-  read_into(scene.output, fields, "output", read_output);
+  read_into(scene.output, fields, "output", read_output, scene);
   check_use(scene, root);
   return scene;
 }

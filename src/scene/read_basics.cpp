@@ -47,7 +47,7 @@ std::string read_title(const Value& value) {
 }
 
 Box read_box(const Value& value) {
-  const Fields fields(value, "box", kBoxKeys);
+  const KeyedMap fields(value, "box", kBoxKeys);
   return {.width = fields.number("width", 1, kWidest),
           .height = fields.number("height", 1, kHighest),
           .periodic = fields.boolean("periodic", false),
@@ -59,7 +59,7 @@ lattice::Lattice lattice_of(const Box& box) {
 }
 
 automaton::Rules read_rules(const Value& value) {
-  const Fields fields(value, "rules", kRulesKeys);
+  const KeyedMap fields(value, "rules", kRulesKeys);
   automaton::Rules rules;
   rules.inertia = fields.number("inertia", 0, 1, rules.inertia);
   rules.scatter = fields.number("scatter", 0, 1, rules.scatter);

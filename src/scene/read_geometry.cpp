@@ -1,4 +1,4 @@
-// Places in the box: rectangles and points, walls, outlets, sources.
+// Places in the box: rectangles and points, outlets, sources.
 
 #include <fmt/format.h>
 
@@ -12,69 +12,6 @@
 namespace clca::scene {
 
 namespace {
-
-std::string shown(const lattice::Rectangle& edges) {
-  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
-}
-
-/// The part of the segment, from 0 to 1, that lies in the rectangle; low > high when none does.
-std::pair<double, double> clipped(const lattice::Segment& segment,
-                                  const lattice::Rectangle& rectangle) {
-  double low = 0;
-  double high = 1;
-  const auto clip = [&](double from, double along, double least, double most) {
-    if (along == 0) {
-      high = from >= least && from <= most ? high : -1;
-      return;
-    }
-    const auto [enter, leave] = std::minmax({(least - from) / along, (most - from) / along});
-    low = std::max(low, enter);
-    high = std::min(high, leave);
-  };
-  const Eigen::Vector2d along = segment.to - segment.from;
-  clip(segment.from.x(), along.x(), rectangle.left, rectangle.right);
-  clip(segment.from.y(), along.y(), rectangle.bottom, rectangle.top);
-  return {low, high};
-}
-
-bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
-  // Further inside than two spacings there is a site beside every point; this spares counting all
-  // sites of a long wall.
-  const lattice::Rectangle inside = {2, 2, lattice::kColumnPitch * lattice.columns() - 3,
-                                     lattice.rows() - 3.0};
-  const auto [low, high] = clipped(segment, inside);
-  const bool crosses = inside.left < inside.right && inside.bottom < inside.top && low <= high;
-  return !crosses && lattice::sites_along(lattice, segment).empty();
-}
-
-lattice::Segment read_line(const Value& value, const std::string& path) {
-  const Fields fields(value, path, kLineKeys);
-  lattice::Segment segment = {.from = read_point(fields.at("from"), fields.path("from")),
-                              .to = read_point(fields.at("to"), fields.path("to")),
-                              .thickness = fields.number("thickness", 0, kThickest, 1)};
-  if (segment.from == segment.to) {
-    fail(fields.at("to").place, fmt::format("{}: from and to are the same point", path));
-  }
-  return segment;
-}
-
-Wall read_wall(const Entry& entry, const Box& box) {
-  const Fields fields(entry.value, join_path("walls", entry.key), kWallKeys);
-  const std::string_view key = fields.only({"box", "line"});
-  Wall wall{.name = entry.key, .form = {}};
-  if (key == "box") {
-    wall.form = read_region(fields.at(key), fields.path(key), box);
-    return wall;
-  }
-  const lattice::Segment segment = read_line(fields.at(key), fields.path(key));
-  if (covers_no_site(lattice_of(box), segment)) {
-    fail(fields.at(key).place,
-         fmt::format("{}: no site of the box, {} wide and {} high, lies on it", fields.path(key),
-                     box.width, box.height));
-  }
-  wall.form = segment;
-  return wall;
-}
 
 Eigen::Vector2d read_source_point(const Value& value, const std::string& path, const Box& box) {
   Eigen::Vector2d point = read_point(value, path);
@@ -110,7 +47,7 @@ std::vector<std::uint32_t> read_weights(const Value& value, const std::string& p
 }
 
 Source read_source(const Entry& entry, const Scene& scene) {
-  const Fields fields(entry.value, join_path("sources", entry.key), kSourceKeys);
+  const KeyedMap fields(entry.value, join_path("sources", entry.key), kSourceKeys);
   Source source;
   source.name = entry.key;
   const std::string_view key = fields.only({"at", "region"});
@@ -131,6 +68,10 @@ Source read_source(const Entry& entry, const Scene& scene) {
 }
 
 }  // namespace
+
+std::string shown(const lattice::Rectangle& edges) {
+  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
+}
 
 Eigen::Vector2d read_point(const Value& value, const std::string& path) {
   const std::vector<Value>& items = read_list(value, path, 2, 2);
@@ -178,14 +119,6 @@ lattice::Rectangle read_region(const Value& value, const std::string& path, cons
   return region;
 }
 
-std::vector<Wall> read_walls(const Value& value, const Scene& scene) {
-  std::vector<Wall> walls;
-  for (const Entry& entry : read_named(value, "walls")) {
-    walls.push_back(read_wall(entry, scene.box));
-  }
-  return walls;
-}
-
 std::vector<Source> read_sources(const Value& value, const Scene& scene) {
   std::vector<Source> sources;
   for (const Entry& entry : read_named(value, "sources")) {
@@ -197,7 +130,7 @@ std::vector<Source> read_sources(const Value& value, const Scene& scene) {
 std::vector<Outlet> read_outlets(const Value& value, const Scene& scene) {
   std::vector<Outlet> outlets;
   for (const Entry& entry : read_named(value, "outlets")) {
-    const Fields fields(entry.value, join_path("outlets", entry.key), kOutletKeys);
+    const KeyedMap fields(entry.value, join_path("outlets", entry.key), kOutletKeys);
     outlets.push_back(
         {entry.key, read_region(fields.at("region"), fields.path("region"), scene.box)});
   }

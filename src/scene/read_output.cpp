@@ -22,9 +22,44 @@ void check_map_or_none(const Value& value, const std::string& path) {
   }
 }
 
-Frames read_frames(const Value& value, const std::string& path) {
+bool lets_overlap(const Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(),
+                     [](const Wall& wall) { return wall.passive == automaton::Passive::overlap; });
+}
+
+bool moves_in_cycles(const Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
+    return wall.motion && automaton::is_cyclic(*wall.motion);
+  });
+}
+
+/// There are forces only where walls enter particles.
+void require_overlap(const Value& value, const std::string& path, std::string_view what,
+                     const Scene& scene) {
+  if (!lets_overlap(scene)) {
+    fail(value.place,
+         fmt::format("{}: no {} without a wall that moves with passive: overlap", path, what));
+  }
+}
+
+/// What can be drawn depends on how walls move.
+void check_drawn(const KeyedMap& fields, const Frames& frames, const Scene& scene) {
+  if (frames.color_by == ColorBy::force) {
+    require_overlap(fields.at("color_by"), fields.path("color_by"), "force", scene);
+  }
+  if (frames.overlay == Overlay::forces) {
+    require_overlap(fields.at("overlay"), fields.path("overlay"), "forces", scene);
+  }
+  if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
+    fail(fields.at("overlay").place,
+         fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake",
+                     fields.path("overlay")));
+  }
+}
+
+Frames read_frames(const Value& value, const std::string& path, const Scene& scene) {
   check_map_or_none(value, path);
-  const Fields fields(value, path, kFramesKeys);
+  const KeyedMap fields(value, path, kFramesKeys);
   Frames frames;
   frames.place = to_string(value.place);
   frames.every = fields.count("every", 1, kMostSteps, frames.every);
@@ -39,15 +74,35 @@ Frames read_frames(const Value& value, const std::string& path) {
   frames.supersampling =
       fields.integer("supersampling", 1, kMostSupersampling, frames.supersampling);
   frames.caption = fields.boolean("caption", frames.caption);
+  frames.overlay = fields.choice("overlay", kOverlayNames, frames.overlay);
+  check_drawn(fields, frames, scene);
   return frames;
 }
 
 Series read_series(const Value& value, const std::string& path) {
   check_map_or_none(value, path);
-  const Fields fields(value, path, kSeriesKeys);
+  const KeyedMap fields(value, path, kSeriesKeys);
   Series series;
   series.every = fields.count("every", 1, kMostSteps, series.every);
   return series;
+}
+
+Fields read_fields(const Value& value, const std::string& path) {
+  check_map_or_none(value, path);
+  const KeyedMap map(value, path, kFieldsKeys);
+  Fields fields;
+  fields.cell = map.number("cell", 1, kLargestCell, fields.cell);
+  fields.every = map.count("every", 1, kMostSteps, fields.every);
+  return fields;
+}
+
+Contacts read_contacts(const Value& value, const std::string& path, const Scene& scene) {
+  check_map_or_none(value, path);
+  const KeyedMap fields(value, path, kContactsKeys);
+  Contacts contacts;
+  contacts.every = fields.count("every", 1, kMostSteps, contacts.every);
+  require_overlap(value, path, "contacts", scene);
+  return contacts;
 }
 
 }  // namespace
@@ -64,14 +119,20 @@ std::vector<Measure> read_measures(const Value& value) {
   return measures;
 }
 
-Output read_output(const Value& value) {
-  const Fields fields(value, "output", kOutputKeys);
+Output read_output(const Value& value, const Scene& scene) {
+  const KeyedMap fields(value, "output", kOutputKeys);
   Output output;
   if (const Value* frames = fields.find("frames"); !is_none(frames)) {
-    output.frames = read_frames(*frames, fields.path("frames"));
+    output.frames = read_frames(*frames, fields.path("frames"), scene);
   }
   if (const Value* series = fields.find("series"); !is_none(series)) {
     output.series = read_series(*series, fields.path("series"));
+  }
+  if (const Value* means = fields.find("fields"); !is_none(means)) {
+    output.fields = read_fields(*means, fields.path("fields"));
+  }
+  if (const Value* contacts = fields.find("contacts"); !is_none(contacts)) {
+    output.contacts = read_contacts(*contacts, fields.path("contacts"), scene);
   }
   return output;
 }

@@ -34,12 +34,12 @@ std::vector<lattice::Axial> read_sites(const Value& value, const std::string& pa
 }
 
 RodSpec read_rod(const Value& value, const std::string& path) {
-  const Fields fields(value, path, kRodKeys);
+  const KeyedMap fields(value, path, kRodKeys);
   return {.radius = fields.integer("radius", 0, kLargestRadius),
           .length = fields.integer("length", 1, kLongestRod)};
 }
 
-ShapeSpec read_spec(const Fields& fields) {
+ShapeSpec read_spec(const KeyedMap& fields) {
   const std::string_view key = fields.only({"hexagon", "sites", "polygon", "rod"});
   const Value& value = fields.at(key);
   const std::string path = fields.path(key);
@@ -149,7 +149,7 @@ void check_width(const Species& species, const Box& box, const Entry& entry) {
 }  // namespace
 
 ReadShape read_shape(const Value& value, const std::string& path) {
-  const Fields fields(value, path, kShapeKeys);
+  const KeyedMap fields(value, path, kShapeKeys);
   const ShapeSpec spec = read_spec(fields);
   try {
     return {spec, build_checked(spec)};
@@ -161,7 +161,7 @@ ReadShape read_shape(const Value& value, const std::string& path) {
 std::vector<Species> read_species(const Value& value, const Box& box) {
   std::vector<Species> all;
   for (const Entry& entry : read_named(value, "species")) {
-    const Fields fields(entry.value, join_path("species", entry.key), kSpeciesKeys);
+    const KeyedMap fields(entry.value, join_path("species", entry.key), kSpeciesKeys);
     ReadShape read = read_shape(fields.at("shape"), fields.path("shape"));
     Species species{entry.key, std::move(read.spec), std::move(read.shape), {0}, {}};
     if (const Value* orientations = fields.find("orientations")) {

@@ -3,52 +3,11 @@
 #include <fmt/format.h>
 
 #include "scene/names.hpp"
+#include "scene/resolve_text.hpp"
 
 namespace clca::scene {
 
 namespace {
-
-/// In quotes: a title may hold anything that is one line.
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') {
-      result += '\\';
-    }
-    result += letter;
-  }
-  return result + "\"";
-}
-
-/// Names are plain, but for the few that YAML takes for something else.
-std::string name(std::string_view text) {
-  const bool special = text.starts_with('-') || text == "null" || text == "Null" || text == "NULL";
-  return special ? quoted(text) : std::string(text);
-}
-
-/// `open`, the texts of the items with commas between, `close`.
-template <class Items, class Text>
-std::string enclosed(char open, const Items& items, char close, Text text) {
-  std::string result(1, open);
-  for (const auto& item : items) {
-    result += result.size() > 1 ? ", " : "";
-    result += text(item);
-  }
-  return result + close;
-}
-
-template <class Items, class Text>
-std::string list(const Items& items, Text text) {
-  return enclosed('[', items, ']', text);
-}
-
-std::string rectangle(const lattice::Rectangle& edges) {
-  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
-}
-
-std::string point(const Eigen::Vector2d& place) {
-  return fmt::format("[{}, {}]", place.x(), place.y());
-}
 
 std::string sites(const std::vector<lattice::Axial>& all) {
   return list(all, [](lattice::Axial site) { return fmt::format("[{}, {}]", site.x, site.q); });
@@ -91,15 +50,6 @@ std::string rules_block(const automaton::Rules& rules) {
       name_of(kTiesNames, rules.ties));
 }
 
-std::string wall_line(const Wall& wall) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
-    return fmt::format("  {}: {{box: {}}}\n", name(wall.name), rectangle(*box));
-  }
-  const auto& line = std::get<lattice::Segment>(wall.form);
-  return fmt::format("  {}: {{line: {{from: {}, to: {}, thickness: {}}}}}\n", name(wall.name),
-                     point(line.from), point(line.to), line.thickness);
-}
-
 /// `{small: 3, large: 1}` without the species that are 0.
 template <class Number>
 std::string per_species(const std::vector<Number>& numbers, const Scene& scene) {
@@ -139,6 +89,9 @@ std::string until(const UntilSteps& end) {
 std::string until(const UntilDischarged& end) {
   return fmt::format("{{discharged: {}}}", end.share);
 }
+std::string until(const UntilCycles& end) {
+  return fmt::format("{{cycles: {}}}", end.cycles);
+}
 
 template <class Thing>
 std::string references(std::string_view key, const std::vector<std::size_t>& places,
@@ -154,6 +107,8 @@ std::string stage_block(const Stage& stage, const Scene& scene) {
                          per_species(stage.fill->counts, scene));
   }
   block += references("remove", stage.remove, scene.walls);
+  block += references("insert", stage.insert, scene.walls);
+  block += references("move", stage.move, scene.walls);
   block += references("sources", stage.sources, scene.sources);
   return block + fmt::format("    until: {}\n    max_steps: {}\n",
                              std::visit([](const auto& end) { return until(end); }, stage.until),
@@ -168,16 +123,22 @@ std::string frames_block(const Frames& frames) {
   if (frames.view) {
     block += fmt::format("    view: {}\n", rectangle(*frames.view));
   }
-  return block + fmt::format("    drawing: {}\n    supersampling: {}\n    caption: {}\n",
-                             name_of(kDrawingNames, frames.drawing), frames.supersampling,
-                             frames.caption);
+  return block +
+         fmt::format("    drawing: {}\n    supersampling: {}\n    caption: {}\n    overlay: {}\n",
+                     name_of(kDrawingNames, frames.drawing), frames.supersampling, frames.caption,
+                     name_of(kOverlayNames, frames.overlay));
 }
 
 std::string output_block(const Output& output) {
-  return fmt::format("output:\n{}{}",
-                     output.frames ? frames_block(*output.frames) : "  frames: none\n",
-                     output.series ? fmt::format("  series: {{every: {}}}\n", output.series->every)
-                                   : "  series: none\n");
+  const auto every = [](const auto& table) {
+    return table ? fmt::format("{{every: {}}}", table->every) : std::string("none");
+  };
+  const auto& fields = output.fields;
+  return fmt::format(
+      "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n",
+      output.frames ? frames_block(*output.frames) : "  frames: none\n", every(output.series),
+      fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
+      every(output.contacts));
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.

@@ -16,13 +16,19 @@ auto content(const Fill& fill) {
   return std::tie(fill.region, fill.counts);
 }
 
-auto content(const lattice::Segment& line) {
-  return std::tie(line.from, line.to, line.thickness);
+auto content(const Wall& wall) {
+  return std::tie(wall.name, wall.parts, wall.motion, wall.passive);
+}
+
+auto content(const Stage& stage) {
+  return std::tie(stage.name, stage.fill, stage.remove, stage.insert, stage.move, stage.sources,
+                  stage.until, stage.max_steps);
 }
 
 auto content(const Frames& frames) {
   return std::tie(frames.every, frames.width, frames.height, frames.color_by, frames.layers,
-                  frames.view, frames.drawing, frames.supersampling, frames.caption);
+                  frames.view, frames.drawing, frames.supersampling, frames.caption,
+                  frames.overlay);
 }
 
 auto content(const Scene& scene) {
@@ -48,15 +54,12 @@ bool Scene::operator==(const Scene& other) const {
   return content(*this) == content(other);
 }
 
+bool Stage::operator==(const Stage& other) const {
+  return content(*this) == content(other);
+}
+
 bool Wall::operator==(const Wall& other) const {
-  if (name != other.name || form.index() != other.form.index()) {
-    return false;
-  }
-  if (const auto* box = std::get_if<lattice::Rectangle>(&form)) {
-    return *box == std::get<lattice::Rectangle>(other.form);
-  }
-  return content(std::get<lattice::Segment>(form)) ==
-         content(std::get<lattice::Segment>(other.form));
+  return content(*this) == content(other);
 }
 
 }  // namespace clca::scene

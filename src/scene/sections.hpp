@@ -24,10 +24,14 @@ automaton::Rules read_rules(const Value& value);
 lattice::Rectangle read_rectangle(const Value& value, const std::string& path);
 /// A rectangle that holds at least one site of the box.
 lattice::Rectangle read_region(const Value& value, const std::string& path, const Box& box);
+/// `[left, bottom, right, top]`
+std::string shown(const lattice::Rectangle& edges);
 /// [x, y]
 Eigen::Vector2d read_point(const Value& value, const std::string& path);
 /// True when no site of the lattice lies in the rectangle; costs nothing.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
+
+automaton::Motion read_motion(const Value& value, const std::string& path);
 
 // These take the scene as far as it has been read: its box and whatever they refer to by name.
 std::vector<Wall> read_walls(const Value& value, const Scene& scene);
@@ -35,10 +39,22 @@ std::vector<Source> read_sources(const Value& value, const Scene& scene);
 std::vector<Outlet> read_outlets(const Value& value, const Scene& scene);
 std::vector<Stage> read_stages(const Value& value, const Scene& scene);
 
-std::vector<Measure> read_measures(const Value& value);
-Output read_output(const Value& value);
+class KeyedMap;
+/// The end of a stage that has been read as far as what it moves.
+Until read_until(const Value& value, const std::string& path, const Stage& stage,
+                 const Scene& scene);
+/// The bound on the steps of a stage that has been read so far, and whether the end that it waits
+/// for can come at all.
+std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene);
 
-/// What concerns the scene as a whole: every species and source is used, there are particles.
+std::vector<Measure> read_measures(const Value& value);
+Output read_output(const Value& value, const Scene& scene);
+
+/// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
+/// what the stages were read from.
+void check_history(const Scene& scene, const Value& list);
+/// What concerns the scene as a whole: every species, source and motion is used, there are
+/// particles.
 void check_use(const Scene& scene, const Value& root);
 
 }  // namespace clca::scene

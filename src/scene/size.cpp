@@ -7,6 +7,7 @@
 #include "clca/automaton/occupancy.hpp"
 #include "clca/scene/resolve.hpp"
 #include "scene/sections.hpp"
+#include "scene/sweep.hpp"
 
 namespace clca::scene {
 
@@ -42,21 +43,23 @@ double emitted(const Scene& scene, std::size_t source) {
   return count ? std::min(most, static_cast<double>(*count)) : most;
 }
 
-/// Sites of the box in the rectangle, from above.
-double most_sites(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
-  const auto share = [](double low, double high, double most) {
-    return std::clamp(high, 0.0, most) - std::clamp(low, 0.0, most);
+/// Sites of the catchment in the rectangle, from above.
+double most_sites(const lattice::Catchment& catchment, const lattice::Rectangle& rectangle) {
+  const auto share = [](double low, double high, double first, double end) {
+    return std::clamp(high, first, end) - std::clamp(low, first, end);
   };
-  const double columns = share(rectangle.left / lattice::kColumnPitch - 1,
-                               rectangle.right / lattice::kColumnPitch + 1, lattice.columns());
-  return columns * share(rectangle.bottom - 1, rectangle.top + 1, lattice.rows());
+  const double columns =
+      share(rectangle.left / lattice::kColumnPitch - 1, rectangle.right / lattice::kColumnPitch + 1,
+            catchment.first_column(), catchment.end_column());
+  const lattice::Rows rows = catchment.all_rows();
+  return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
 }
 
-double wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&wall.form)) {
-    return most_sites(lattice, *box);
+double part_sites(const lattice::Catchment& catchment, const WallPart& part) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
+    return most_sites(catchment, *box);
   }
-  const auto& line = std::get<lattice::Segment>(wall.form);
+  const auto& line = std::get<lattice::Segment>(part);
   // Of a band around the line, wide enough for the cells of the sites on its edge, or of the
   // rectangle around it.
   const double band = ((line.to - line.from).norm() + line.thickness + 4) * (line.thickness + 4) /
@@ -64,16 +67,31 @@ double wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
   const Eigen::Vector2d reach(line.thickness, line.thickness);
   const Eigen::Vector2d low = line.from.cwiseMin(line.to) - reach;
   const Eigen::Vector2d high = line.from.cwiseMax(line.to) + reach;
-  return std::min(band, most_sites(lattice, {low.x(), low.y(), high.x(), high.y()}));
+  return std::min(band, most_sites(catchment, {low.x(), low.y(), high.x(), high.y()}));
+}
+
+/// Each step of a motion brings in those along two edges of the box at the most.
+double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
+  const double columns = lattice.columns();
+  const double rows = lattice.rows();
+  const automaton::Range range =
+      wall.motion ? automaton::range_of(*wall.motion) : automaton::Range{};
+  const double all = columns * rows + (range.high - range.low) * (columns + rows + 1);
+  double sum = 0;
+  for (const WallPart& part : wall.parts) {
+    sum += std::min(all, part_sites(catchment_of(lattice, wall), part));
+  }
+  return sum;
 }
 
 /// The list of places that the largest fill tries.
 double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
+  const lattice::Catchment box(lattice);
   double most = 0;
   for (const Stage& stage : scene.stages) {
     for (std::size_t i = 0; stage.fill && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
-      const double places = stage.fill->counts[i] > 0 ? most_sites(lattice, stage.fill->region) : 0;
+      const double places = stage.fill->counts[i] > 0 ? most_sites(box, stage.fill->region) : 0;
       most = std::max(most, places * (sizeof(lattice::Site) + kTrialBytes * kinds));
     }
   }
@@ -100,11 +118,14 @@ Size size_of(const Scene& scene) {
     particles = std::min(particles, static_cast<double>(lattice.columns()) * lattice.rows());
   }
   const auto places = static_cast<double>(lattice.memory_size());
-  double bytes = automaton::Occupancy::bytes_for(places, false) + automaton::Claims::bytes_for(places) +
-                 kParticleBytes * particles + fill_bytes(scene, lattice) +
-                 picture_bytes(scene.output);
+  const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
+    return wall.passive == automaton::Passive::overlap;
+  });
+  double bytes = automaton::Occupancy::bytes_for(places, overlaps) +
+                 automaton::Claims::bytes_for(places) + kParticleBytes * particles +
+                 fill_bytes(scene, lattice) + picture_bytes(scene.output);
   for (const Wall& wall : scene.walls) {
-    bytes += sizeof(lattice::Site) * wall_sites(lattice, wall);
+    bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }
   return {.columns = lattice.columns(),
           .rows = lattice.rows(),

@@ -10,9 +10,11 @@
 #include <variant>
 #include <vector>
 
+#include "clca/automaton/motion.hpp"
 #include "clca/automaton/rules.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
+#include "clca/scene/output.hpp"
 
 namespace clca::scene {
 
@@ -66,9 +68,15 @@ struct Species {
   bool operator==(const Species&) const = default;
 };
 
+using WallPart = std::variant<lattice::Rectangle, lattice::Segment>;
+
+/// One body. Without motion each of its parts has a site in the box; see check_walls for the rest.
 struct Wall {
   std::string name;
-  std::variant<lattice::Rectangle, lattice::Segment> form;
+  std::vector<WallPart> parts;
+  std::optional<automaton::Motion> motion = {};
+  automaton::Passive passive = automaton::Passive::rigid;  ///< of one that moves
+  std::string place = {};
 
   bool operator==(const Wall& other) const;
 };
@@ -112,50 +120,26 @@ struct UntilDischarged {
 
   bool operator==(const UntilDischarged&) const = default;
 };
-using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged>;
+/// Ends when the walls that go to and fro have all done so this many times.
+struct UntilCycles {
+  std::uint64_t cycles = 0;
+
+  bool operator==(const UntilCycles&) const = default;
+};
+using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles>;
 
 struct Stage {
   std::string name;
   std::optional<Fill> fill;
   std::vector<std::size_t> remove;   ///< walls, by index
+  std::vector<std::size_t> insert;   ///< likewise; see walls_there_first
+  std::vector<std::size_t> move;     ///< walls in motion during this stage, by index
   std::vector<std::size_t> sources;  ///< open during this stage, by index
   Until until;
   std::uint64_t max_steps = 1'000'000;
+  std::string insert_place;  ///< of the list `insert`
 
-  bool operator==(const Stage&) const = default;
-};
-
-enum class Measure : std::uint8_t { profile, repose, runout, packing, moved, outflow };
-
-enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, id };
-enum class Drawing : std::uint8_t { automatic, polygons, lookup };
-
-struct Frames {
-  std::uint64_t every = 10;
-  int width = 1280;
-  int height = 720;
-  ColorBy color_by = ColorBy::species;
-  int layers = 8;                               ///< for ColorBy::stage_layer
-  std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
-  Drawing drawing = Drawing::automatic;
-  int supersampling = 2;
-  bool caption = true;
-  std::string place;
-
-  bool operator==(const Frames& other) const;
-};
-
-struct Series {
-  std::uint64_t every = 1;
-
-  bool operator==(const Series&) const = default;
-};
-
-struct Output {
-  std::optional<Frames> frames;
-  std::optional<Series> series;
-
-  bool operator==(const Output&) const = default;
+  bool operator==(const Stage& other) const;
 };
 
 struct Scene {

@@ -52,6 +52,22 @@ TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
   EXPECT_EQ(state.kinds[3].species, 1);
 }
 
+TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
+  const automaton::State state = initial_state(small_scene(
+      {"walls={plate: {box: [1, 70, 9, 74], motion: {direction: down, distance: 30}, passive: "
+       "overlap}, post: {box: [2, 0, 4, 3]}}",
+       "stages=[{name: first, fill: {region: [10, 0, 20, 40], counts: {small: 1, rod: 1}}}, {name: "
+       "second, insert: [plate], move: [plate]}]"}));
+  ASSERT_EQ(state.walls.size(), 2U);
+  EXPECT_FALSE(state.walls[0].present);
+  EXPECT_EQ(state.walls[0].motion,
+            (automaton::Motion{lattice::Direction::down, automaton::Drive{1, 30}}));
+  EXPECT_EQ(state.walls[0].passive, automaton::Passive::overlap);
+  EXPECT_FALSE(state.walls[0].sites.empty()) << "outside the box at home";
+  EXPECT_TRUE(state.walls[1].present);
+  EXPECT_FALSE(state.walls[1].motion.has_value());
+}
+
 TEST(Setup, WhereTheCoordinatesOfAShapeStartDoesNotMatter) {
   const auto near = small_scene({"species.rod.shape={sites: [[0, 0], [1, 0], [2, 0]]}"});
   const auto far = small_scene({"species.rod.shape={sites: [[90, 7], [91, 7], [92, 7]]}"});

@@ -102,11 +102,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:11:27: error: measure: 'profile' is named twice"},
     {"a misspelt measure", "measure: [profil]",
      "scene.yaml:11:11: error: measure: expected one of profile, repose, runout, packing, "
-     "moved, outflow, found 'profil'; did you mean 'profile'?"},
+     "moved, outflow, force, segregation, intruder, convection, found 'profil'; did you mean "
+     "'profile'?"},
     {"a measure outside a list", "measure: profile",
      "scene.yaml:11:10: error: measure: expected a list, found 'profile'"},
     {"output that comes later", "output: {trajectory: {every: 10}}",
-     "scene.yaml:12:10: error: unknown key 'trajectory' in output (allowed: frames, series)"},
+     "scene.yaml:12:10: error: unknown key 'trajectory' in output (allowed: frames, series, "
+     "fields, contacts)"},
     {"frames that are neither a map nor none", "output: {frames: 10}",
      "scene.yaml:12:18: error: output.frames: expected a map or none, found '10'"},
     {"a picture without width", "output: {frames: {width: 0}}",
@@ -117,10 +119,11 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "1000000000000, found '0'"},
     {"a misspelt colouring", "output: {frames: {color_by: specis}}",
      "scene.yaml:12:29: error: output.frames.color_by: expected one of species, stage_layer, "
-     "displacement, speed, id, found 'specis'; did you mean 'species'?"},
+     "displacement, speed, id, force, found 'specis'; did you mean 'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
-     "width, height, color_by, layers, view, drawing, supersampling, caption); did you mean "
+     "width, height, color_by, layers, view, drawing, supersampling, caption, overlay); did you "
+     "mean "
      "'color_by'?"},
     {"too much supersampling", "output: {frames: {supersampling: 8}}",
      "scene.yaml:12:34: error: output.frames.supersampling: expected a whole number from 1 to "
@@ -133,6 +136,35 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:12:28: error: output.frames.caption: expected true or false, found '1'"},
     {"a misspelt none", "output: {series: non}",
      "scene.yaml:12:18: error: output.series: expected a map or none, found 'non'"},
+    {"forces without overlap", "output: {frames: {color_by: force}}",
+     "scene.yaml:12:29: error: output.frames.color_by: no force without a wall that moves with "
+     "passive: overlap",
+     Judge::parser},
+    {"an overlay of forces without overlap", "output: {frames: {overlay: forces}}",
+     "scene.yaml:12:28: error: output.frames.overlay: no forces without a wall that moves with "
+     "passive: overlap",
+     Judge::parser},
+    {"arrows without cycles", "output: {frames: {overlay: arrows}}",
+     "scene.yaml:12:28: error: output.frames.overlay: no arrows without a stage that moves a wall "
+     "with a wave or a shake",
+     Judge::parser},
+    {"a misspelt overlay", "output: {frames: {overlay: force}}",
+     "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, found "
+     "'force'; did you mean 'forces'?"},
+    {"cells of nothing", "output: {fields: {cell: 0.5}}",
+     "scene.yaml:12:25: error: output.fields.cell: expected a number from 1 to 1000, found '0.5'"},
+    {"fields every 0 steps", "output: {fields: {every: 0}}",
+     "scene.yaml:12:26: error: output.fields.every: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"a misspelt key of fields", "output: {fields: {cells: 8}}",
+     "scene.yaml:12:19: error: unknown key 'cells' in output.fields (allowed: cell, every); did "
+     "you mean 'cell'?"},
+    {"contacts without overlap", "output: {contacts: {every: 2}}",
+     "scene.yaml:12:20: error: output.contacts: no contacts without a wall that moves with "
+     "passive: overlap",
+     Judge::parser},
+    {"contacts that are neither a map nor none", "output: {contacts: 10}",
+     "scene.yaml:12:20: error: output.contacts: expected a map or none, found '10'"},
 });
 
 }  // namespace

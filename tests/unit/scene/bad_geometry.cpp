@@ -23,15 +23,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:7:22: error: walls.right.box: expected [left, bottom, right, top] with left "
      "< right and bottom < top, found [51, 0, 50, 50]",
      Judge::parser},
-    {"a wall that moves, which comes later",
-     "walls: {plate: {box: [0, 40, 50, 42], motion: {direction: down}}}",
-     "scene.yaml:7:39: error: unknown key 'motion' in walls.plate (allowed: box, line)"},
     {"a wall in two ways",
      "walls: {right: {box: [50, 0, 51, 50], line: {from: [0, 0], to: [1, 1]}}}",
-     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, found box and "
+     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, parts, found box and "
      "line"},
     {"a wall in no way", "walls: {right: {}}",
-     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, found none"},
+     "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, parts, found none"},
     {"a line without an end", "walls: {slope: {line: {from: [0, 0]}}}",
      "scene.yaml:7:23: error: walls.slope.line: key 'to' is missing"},
     {"a line that is a point", "walls: {slope: {line: {from: [5, 5], to: [5, 5]}}}",

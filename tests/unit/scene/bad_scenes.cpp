@@ -29,7 +29,8 @@ std::vector<Block> blocks_of(std::string_view text) {
 
 std::vector<BadScene> bad_scenes() {
   std::vector<BadScene> all;
-  for (const auto& some : {bad_basics(), bad_species(), bad_geometry(), bad_stages()}) {
+  for (const auto& some :
+       {bad_basics(), bad_species(), bad_geometry(), bad_motion(), bad_stages(), bad_journeys()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -8,7 +8,7 @@
 
 namespace clca::scene::testing {
 
-/// Who can know that the scene is wrong: the schema too, or only the parser.
+/// Who can know that the scene is wrong: the schema too, or only the parser and check_walls.
 enum class Judge { schema, parser };
 
 struct BadScene {
@@ -21,7 +21,9 @@ struct BadScene {
 std::span<const BadScene> bad_basics();
 std::span<const BadScene> bad_species();
 std::span<const BadScene> bad_geometry();
+std::span<const BadScene> bad_motion();
 std::span<const BadScene> bad_stages();
+std::span<const BadScene> bad_journeys();
 
 /// All of them.
 std::vector<BadScene> bad_scenes();

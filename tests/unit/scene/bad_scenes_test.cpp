@@ -5,6 +5,7 @@
 #include <string>
 
 #include "clca/scene/parse.hpp"
+#include "clca/scene/walls.hpp"
 
 namespace clca::scene::testing {
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string refusal(const std::string& text) {
   try {
-    parse(text, "scene.yaml");
+    check_walls(parse(text, "scene.yaml"));
     return "accepted";
   } catch (const SceneError& error) {
     return error.what();

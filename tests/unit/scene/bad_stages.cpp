@@ -29,8 +29,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "stages:\n"
      "  - name: first\n"
      "    untill: settled",
-     "scene.yaml:12:5: error: unknown key 'untill' in stages.first (allowed: name, fill, "
-     "remove, sources, until, max_steps); did you mean 'until'?"},
+     "scene.yaml:12:5: error: unknown key 'untill' in stages.first (allowed: name, fill, remove, "
+     "insert, move, sources, until, max_steps); did you mean 'until'?"},
     {"a fill without a region", "stages: [{name: first, fill: {counts: {small: 5}}}]",
      "scene.yaml:10:30: error: stages.first.fill: key 'region' is missing"},
     {"a fill without counts", "stages: [{name: first, fill: {region: [0, 0, 50, 50]}}]",
@@ -68,14 +68,14 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:10:34: error: stages.first.sources: unknown source 'rain' (known: spout)",
      Judge::parser},
     {"a misspelt end", "stages: [{name: first, sources: [spout], until: setled}]",
-     "scene.yaml:10:49: error: stages.first.until: expected settled, {steps: N} or "
-     "{discharged: SHARE}, found 'setled'; did you mean 'settled'?"},
+     "scene.yaml:10:49: error: stages.first.until: expected settled, {steps: N}, {discharged: "
+     "SHARE} or {cycles: N}, found 'setled'; did you mean 'settled'?"},
     {"a misspelt key of an end", "stages: [{name: first, sources: [spout], until: {step: 5}}]",
      "scene.yaml:10:50: error: unknown key 'step' in stages.first.until (allowed: steps, "
-     "discharged); did you mean 'steps'?"},
+     "discharged, cycles); did you mean 'steps'?"},
     {"two ends", "stages: [{name: first, sources: [spout], until: {steps: 5, discharged: 1}}]",
      "scene.yaml:10:49: error: stages.first.until: expected exactly one of steps, discharged, "
-     "found steps and discharged"},
+     "cycles, found steps and discharged"},
     {"an end after 0 steps", "stages: [{name: first, sources: [spout], until: {steps: 0}}]",
      "scene.yaml:10:57: error: stages.first.until.steps: expected a whole number from 1 to "
      "1000000000000, found '0'"},

@@ -9,6 +9,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
 
 namespace clca::scene {
 
@@ -16,10 +17,15 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr double kMostBytes = 1e7;
+
 /// Empty when the text parses or is refused in one printable line with a place in it.
 std::string trouble_with(const std::string& text) {
   try {
     const Scene scene = parse(text, "scene.yaml");
+    if (size_of(scene).bytes < kMostBytes) {
+      check_walls(scene);
+    }
     return parse(to_yaml(scene), "scene.yaml") == scene ? "" : "differs after a round trip";
   } catch (const SceneError& error) {
     const std::string message = error.what();
@@ -62,11 +68,29 @@ std::string block_scene() {
       "      - right\n");
 }
 
+std::string moving_scene() {
+  return testing::scene_with(
+      "walls:\n"
+      "  tray: {parts: [{box: [0, 0, 9, 2]}, {line: {from: [0, 2], to: [0, 60]}}],\n"
+      "         motion: {shake: {amplitude: 2, wait: 5}}, passive: overlap}\n"
+      "  lid: {box: [10, 60, 20, 90], motion: {direction: down, period: 4, distance: 20}}\n"
+      "  ram: {box: [30, 40, 40, 42], motion: {path: [[3, 1], [9, -5]]}}\n"
+      "  comb: {box: [60, 40, 70, 42], motion: {wave: {form: triangle, amplitude: 2, period: 8}}}\n"
+      "stages:\n"
+      "  - {name: first, sources: [spout], insert: [lid], move: [tray, lid], until: {cycles: 3}}\n"
+      "  - {name: second, remove: [lid], move: [comb, ram], until: {cycles: 2}, max_steps: 99}\n"
+      "output: {frames: {color_by: force, overlay: arrows}, fields: {cell: 2}, contacts: {}}\n");
+}
+
+std::vector<std::string> scenes() {
+  return {testing::small_scene(), block_scene(), moving_scene()};
+}
+
 }  // namespace
 
 TEST(DamagedScene, CutAnywhereIsASceneOrOneLine) {
-  for (const std::string& text : {testing::small_scene(), block_scene()}) {
-    ASSERT_EQ(trouble_with(text), "");
+  for (const std::string& text : scenes()) {
+    ASSERT_NO_THROW(check_walls(parse(text, "scene.yaml")));
     for (std::size_t length = 0; length < text.size(); ++length) {
       ASSERT_EQ(trouble_with(text.substr(0, length)), "") << text.substr(0, length);
     }
@@ -76,7 +100,7 @@ TEST(DamagedScene, CutAnywhereIsASceneOrOneLine) {
 TEST(DamagedScene, WithOneByteChangedIsASceneOrOneLine) {
   constexpr std::string_view kNasty = "\0\t\n\r \"'#&*!|>%@`{}[],:-?~.<09aZ\x80\xC3\xFF"sv;
   Numbers numbers;
-  for (const std::string& text : {testing::small_scene(), block_scene()}) {
+  for (const std::string& text : scenes()) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       for (int kind = 0; kind < 4; ++kind) {
         std::string damaged = text;
@@ -95,8 +119,8 @@ TEST(DamagedScene, WithOneByteChangedIsASceneOrOneLine) {
 
 TEST(DamagedScene, WithAPieceMovedIsASceneOrOneLine) {
   Numbers numbers;
-  for (int round = 0; round < 2000; ++round) {
-    std::string text = round % 2 == 0 ? testing::small_scene() : block_scene();
+  for (std::size_t round = 0; round < 3000; ++round) {
+    std::string text = scenes()[round % 3];
     const std::size_t from = numbers.below(text.size());
     const std::string piece = text.substr(from, 1 + numbers.below(30));
     text.erase(from, piece.size());

@@ -54,10 +54,12 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "stages has no item 'flwo'; it has 2, numbered from 0, named first, flow; did you mean "
      "'flow'?"},
     {"stages.flow.until=setled",
-     "stages.flow.until: expected settled, {steps: N} or {discharged: SHARE}, found 'setled'; did "
+     "stages.flow.until: expected settled, {steps: N}, {discharged: SHARE} or {cycles: N}, found "
+     "'setled'; did "
      "you mean 'settled'?"},
     {"measure.0=profil",
-     "measure: expected one of profile, repose, runout, packing, moved, outflow, found 'profil'; "
+     "measure: expected one of profile, repose, runout, packing, moved, outflow, force, "
+     "segregation, intruder, convection, found 'profil'; "
      "did you mean 'profile'?"},
     {"seed=[1", "the '[' is not closed, or a ',' is missing after it"},
     {"seed=&a 1", "anchors ('&') are not part of the format"},

@@ -131,12 +131,12 @@ TEST(Parse, ReadsWallsOfBothForms) {
       "  right: {box: [50, 0, 51.5, 50]}\n"
       "  slope: {line: {from: [0, 10], to: [40, 0]}}\n"
       "  thick: {line: {from: [-10, 10], to: [40, 0], thickness: 2.5}}\n");
-  EXPECT_EQ(std::get<lattice::Rectangle>(scene.walls[0].form),
+  EXPECT_EQ(std::get<lattice::Rectangle>(scene.walls[0].parts.at(0)),
             (lattice::Rectangle{50, 0, 51.5, 50}));
-  const auto& slope = std::get<lattice::Segment>(scene.walls[1].form);
+  const auto& slope = std::get<lattice::Segment>(scene.walls[1].parts.at(0));
   EXPECT_EQ(slope.to, Eigen::Vector2d(40, 0));
   EXPECT_EQ(slope.thickness, 1);
-  EXPECT_EQ(std::get<lattice::Segment>(scene.walls[2].form).thickness, 2.5);
+  EXPECT_EQ(std::get<lattice::Segment>(scene.walls[2].parts.at(0)).thickness, 2.5);
 }
 
 TEST(Parse, AcceptsAWallThatOnlyGrazesTheBox) {
@@ -190,7 +190,7 @@ TEST(Parse, ReadsMeasuresAndOutput) {
   EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
   EXPECT_EQ(scene.output.frames,
             (Frames{5, 640, 480, ColorBy::stage_layer, 4, lattice::Rectangle{-5, 0, 50, 40},
-                    Drawing::lookup, 4, false, ""}));
+                    Drawing::lookup, 4, false, Overlay::none, ""}));
   EXPECT_EQ(scene.output.series, Series{3});
 }
 

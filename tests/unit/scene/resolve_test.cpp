@@ -102,7 +102,10 @@ output:
     drawing: auto
     supersampling: 2
     caption: true
+    overlay: none
   series: {every: 1}
+  fields: none
+  contacts: none
 )");
 }
 

@@ -193,13 +193,19 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/definitions/shape", words_of(kShapeKeys)},
       {"/definitions/shape/properties/rod", words_of(kRodKeys)},
       {"/definitions/wall", words_of(kWallKeys)},
-      {"/definitions/wall/properties/line", words_of(kLineKeys)},
+      {"/definitions/part", words_of(kPartKeys)},
+      {"/definitions/line", words_of(kLineKeys)},
+      {"/definitions/motion", words_of(kMotionKeys)},
+      {"/definitions/motion/properties/wave", words_of(kWaveKeys)},
+      {"/definitions/motion/properties/shake", words_of(kShakeKeys)},
       {"/definitions/source", words_of(kSourceKeys)},
       {"/definitions/stage", words_of(kStageKeys)},
       {"/definitions/stage/properties/fill", words_of(kFillKeys)},
       {"/definitions/until", words_of(kUntilKeys)},
       {"/definitions/frames", words_of(kFramesKeys)},
       {"/definitions/series", words_of(kSeriesKeys)},
+      {"/definitions/fields", words_of(kFieldsKeys)},
+      {"/definitions/contacts", words_of(kContactsKeys)},
   };
   EXPECT_EQ(keys, known_keys);
   const std::string rules = "/properties/rules/properties/";
@@ -211,13 +217,22 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/properties/measure/items", words_of(words(kMeasureNames))},
       {"/definitions/frames/properties/color_by", words_of(words(kColorByNames))},
       {"/definitions/frames/properties/drawing", words_of(words(kDrawingNames))},
+      {"/definitions/frames/properties/overlay", words_of(words(kOverlayNames))},
+      {"/definitions/wall/properties/passive", words_of(words(kPassiveNames))},
+      {"/definitions/motion/properties/direction", words_of(words(kDirectionNames))},
+      {"/definitions/motion/properties/wave/properties/form", words_of(words(kWaveformNames))},
   };
   EXPECT_EQ(choices, known_choices);
 }
 
 TEST(Schema, NamesTheDefaultsOfTheParser) {
-  const nlohmann::json scene = json_of(to_yaml(
-      parse(testing::scene_with("rules: {}\noutput: {frames: {}, series: {}}"), "scene.yaml")));
+  constexpr std::string_view kDefaults =
+      "rules: {}\n"
+      "walls: {plate: {box: [0, 40, 9, 42], motion: {shake: {amplitude: 1}}, passive: overlap}}\n"
+      "stages: [{name: first, sources: [spout], move: [plate], max_steps: 9}]\n"
+      "output: {frames: {}, series: {}, fields: {}, contacts: {}}";
+  const nlohmann::json scene =
+      json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
   const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {
     const auto& properties = schema_text().at(nlohmann::json::json_pointer(schema_pointer));
     for (const auto& [key, property] : properties.at("properties").items()) {
@@ -232,6 +247,8 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
   compare("/properties/rules", "/rules");
   compare("/definitions/frames", "/output/frames");
   compare("/definitions/series", "/output/series");
+  compare("/definitions/fields", "/output/fields");
+  compare("/definitions/contacts", "/output/contacts");
 }
 
 }  // namespace clca::scene

@@ -1,0 +1,75 @@
+#pragma once
+// What a scene wants to have measured and written. Lengths in lattice spacings, time in steps.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "clca/lattice/region.hpp"
+
+namespace clca::scene {
+
+enum class Measure : std::uint8_t {
+  profile,
+  repose,
+  runout,
+  packing,
+  moved,
+  outflow,
+  force,
+  segregation,
+  intruder,
+  convection
+};
+
+enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, id, force };
+enum class Drawing : std::uint8_t { automatic, polygons, lookup };
+enum class Overlay : std::uint8_t { none, forces, arrows };
+
+struct Frames {
+  std::uint64_t every = 10;
+  int width = 1280;
+  int height = 720;
+  ColorBy color_by = ColorBy::species;
+  int layers = 8;                               ///< for ColorBy::stage_layer
+  std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
+  Drawing drawing = Drawing::automatic;
+  int supersampling = 2;
+  bool caption = true;
+  Overlay overlay = Overlay::none;  ///< drawn over the particles
+  std::string place;                ///< FILE:LINE:COLUMN, for messages
+
+  bool operator==(const Frames& other) const;
+};
+
+struct Series {
+  std::uint64_t every = 1;
+
+  bool operator==(const Series&) const = default;
+};
+
+/// Means over square cells of the plane.
+struct Fields {
+  double cell = 8;  ///< side of a cell
+  std::uint64_t every = 100;
+
+  bool operator==(const Fields&) const = default;
+};
+
+/// How often contacts are taken for means over time.
+struct Contacts {
+  std::uint64_t every = 1;
+
+  bool operator==(const Contacts&) const = default;
+};
+
+struct Output {
+  std::optional<Frames> frames;
+  std::optional<Series> series;
+  std::optional<Fields> fields;
+  std::optional<Contacts> contacts;
+
+  bool operator==(const Output&) const = default;
+};
+
+}  // namespace clca::scene

@@ -1,0 +1,138 @@
+// Moving walls that never come, or come across another wall.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "clca/scene/parse.hpp"
+#include "clca/scene/walls.hpp"
+#include "scene/sections.hpp"
+#include "scene/sweep.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+[[noreturn]] void fail(const Wall& wall, const std::string& message) {
+  throw SceneError(fmt::format("{}: error: walls.{}: {}", wall.place, wall.name, message));
+}
+
+lattice::Rectangle around(const WallPart& part) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
+    return *box;
+  }
+  const auto& line = std::get<lattice::Segment>(part);
+  const double reach = line.thickness + 1;
+  const Eigen::Vector2d low = line.from.cwiseMin(line.to);
+  const Eigen::Vector2d high = line.from.cwiseMax(line.to);
+  return {low.x() - reach, low.y() - reach, high.x() + reach, high.y() + reach};
+}
+
+/// Holds every site that the wall ever covers, as if nothing wrapped around.
+lattice::Rectangle around(const Wall& wall) {
+  lattice::Rectangle all = around(wall.parts.front());
+  for (const WallPart& part : wall.parts) {
+    const lattice::Rectangle one = around(part);
+    all = {std::min(all.left, one.left), std::min(all.bottom, one.bottom),
+           std::max(all.right, one.right), std::max(all.top, one.top)};
+  }
+  if (!wall.motion) {
+    return all;
+  }
+  const automaton::Range range = automaton::range_of(*wall.motion);
+  const Eigen::Vector2d step = lattice::position(lattice::unit(wall.motion->direction));
+  const auto [left, right] = std::minmax({step.x() * range.low, step.x() * range.high});
+  const auto [down, up] = std::minmax({step.y() * range.low, step.y() * range.high});
+  return {all.left + left - 1, all.bottom + down - 1, all.right + right + 1, all.top + up + 1};
+}
+
+/// Spares looking at the sites of walls that are far apart.
+bool far_apart(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
+  const lattice::Rectangle one = around(a);
+  const lattice::Rectangle other = around(b);
+  const bool apart = one.top < other.bottom || other.top < one.bottom;
+  return apart || (!lattice.periodic() && (one.right < other.left || other.right < one.left));
+}
+
+bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
+  const std::vector<lattice::Site> sites = wall_sites(lattice, a);
+  const std::vector<lattice::Site> others = wall_sites(lattice, b);
+  return std::any_of(sites.begin(), sites.end(), [&](lattice::Site site) {
+    return std::binary_search(others.begin(), others.end(), site);
+  });
+}
+
+/// The walls that are there in some stage that moves `mover`.
+std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<bool>>& there,
+                             std::size_t mover) {
+  std::vector<bool> result(scene.walls.size(), false);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const std::vector<std::size_t>& moved = scene.stages[i].move;
+    if (std::find(moved.begin(), moved.end(), mover) != moved.end()) {
+      std::transform(result.begin(), result.end(), there[i].begin(), result.begin(),
+                     std::logical_or<>());
+    }
+  }
+  result[mover] = false;
+  return result;
+}
+
+/// One place in memory for each of the box: a bit.
+std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
+  std::vector<bool> way(lattice.memory_size(), false);
+  bool empty = true;
+  meets(lattice, wall, [&](lattice::Site site) {
+    way[lattice.index(site)] = true;
+    empty = false;
+    return false;
+  });
+  return empty ? std::vector<bool>() : way;
+}
+
+void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::vector<bool>& way,
+                const Wall& other) {
+  if (far_apart(lattice, mover, other)) {
+    return;
+  }
+  if (other.motion == mover.motion) {
+    if (share_home(lattice, mover, other)) {
+      fail(mover, fmt::format("shares sites with wall '{}', which moves just so; make them parts "
+                              "of one wall, or move one of them elsewhere",
+                              other.name));
+    }
+    return;
+  }
+  if (meets(lattice, other, [&](lattice::Site site) { return way[lattice.index(site)]; })) {
+    fail(mover, fmt::format("its way meets {} wall '{}'; {}, or move one of them elsewhere",
+                            other.motion ? "that of" : "the standing", other.name,
+                            other.motion ? "shorten a distance or amplitude"
+                                         : "shorten the distance or amplitude"));
+  }
+}
+
+}  // namespace
+
+void check_walls(const Scene& scene) {
+  const lattice::Lattice lattice = lattice_of(scene.box);
+  const std::vector<std::vector<bool>> there = walls_there(scene);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const Wall& mover = scene.walls[i];
+    if (!mover.motion) {
+      continue;
+    }
+    const std::vector<bool> way = way_of(lattice, mover);
+    if (way.empty()) {
+      fail(mover, fmt::format("no site of the box, {} wide and {} high, lies on its way",
+                              scene.box.width, scene.box.height));
+    }
+    const std::vector<bool> met = companions(scene, there, i);
+    for (std::size_t other = 0; other < scene.walls.size(); ++other) {
+      if (met[other]) {
+        check_pair(lattice, mover, way, scene.walls[other]);
+      }
+    }
+  }
+}
+
+}  // namespace clca::scene

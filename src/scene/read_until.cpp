@@ -1,0 +1,135 @@
+// When a stage ends.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/fields.hpp"
+#include "scene/limits.hpp"
+#include "scene/sections.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+/// The first wall of the stage that goes to and fro; null where none does.
+const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
+  for (const std::size_t wall : stage.move) {
+    if (scene.walls[wall].motion && automaton::is_cyclic(*scene.walls[wall].motion)) {
+      return &scene.walls[wall];
+    }
+  }
+  return nullptr;
+}
+
+/// Steps that the end needs at the least; 0 where nothing can be said.
+std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
+  if (const auto* steps = std::get_if<UntilSteps>(&stage.until)) {
+    return steps->steps;
+  }
+  const auto* cycles = std::get_if<UntilCycles>(&stage.until);
+  std::uint64_t longest = 0;
+  for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
+    const auto& motion = scene.walls[stage.move[i]].motion;
+    const auto* wave = motion ? std::get_if<automaton::Wave>(&motion->program) : nullptr;
+    longest = std::max(longest, wave != nullptr ? wave->period : 0);
+  }
+  return cycles != nullptr ? cycles->cycles * longest : 0;  // at most 10^19
+}
+
+/// Why a stage until settled would go on for ever, and what to do; empty when it would not.
+std::string endless(const Stage& stage, const Scene& scene) {
+  if (scene.rules.candidates == automaton::Candidates::all) {
+    return "with rules.candidates: all; give max_steps";
+  }
+  if (const Wall* wall = cyclic_wall(stage, scene)) {
+    return fmt::format(
+        "while wall '{}' goes to and fro; end the stage after cycles or steps, or "
+        "give max_steps",
+        wall->name);
+  }
+  const lattice::Direction gravity = scene.rules.gravity;
+  if (scene.box.periodic && gravity != lattice::Direction::down &&
+      gravity != lattice::Direction::up) {
+    return "with a sideways rules.gravity in a periodic box; give max_steps";
+  }
+  for (const std::size_t source : stage.sources) {
+    if (!scene.sources[source].count) {
+      return fmt::format("while source '{}' is open, which has no count; give max_steps",
+                         scene.sources[source].name);
+    }
+  }
+  return {};
+}
+
+UntilDischarged read_discharged(const KeyedMap& fields, std::string_view key) {
+  const double share = fields.number(key, 0, 1);
+  if (share == 0) {
+    fail(fields.at(key).place,
+         fmt::format("{}: expected a number above 0 and up to 1, found 0", fields.path(key)));
+  }
+  return {share};
+}
+
+}  // namespace
+
+Until read_until(const Value& value, const std::string& path, const Stage& stage,
+                 const Scene& scene) {
+  if (!value.is(Value::Kind::map)) {
+    constexpr std::array<std::string_view, 1> kSettled = {"settled"};
+    if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
+      fail(value.place,
+           fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}} or {{cycles: "
+                       "N}}, found {}{}",
+                       path, found(value), suggestion(value.text, kSettled)));
+    }
+    return UntilSettled{};
+  }
+  const KeyedMap fields(value, path, kUntilKeys);
+  const std::string_view key = fields.only({"steps", "discharged", "cycles"});
+  if (key == "steps") {
+    return UntilSteps{fields.count(key, 1, kMostSteps)};
+  }
+  if (key == "cycles") {
+    if (cyclic_wall(stage, scene) == nullptr) {
+      fail(value.place, fmt::format("{}: no wall of this stage goes to and fro; name one with a "
+                                    "wave or a shake under move",
+                                    path));
+    }
+    return UntilCycles{fields.count(key, 1, kMostSteps)};
+  }
+  const UntilDischarged discharged = read_discharged(fields, key);
+  if (scene.outlets.empty()) {
+    fail(value.place, fmt::format("{}: nothing can be discharged, the scene has no outlets", path));
+  }
+  return discharged;
+}
+
+std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene) {
+  const Value* until = fields.find("until");
+  const Place& place = until == nullptr ? fields.place() : until->place;
+  const std::uint64_t least = least_steps(stage, scene);
+  const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
+  if (const Value* value = fields.find("max_steps")) {
+    const std::uint64_t most = fields.count("max_steps", 1, kMostSteps);
+    if (most < least) {
+      fail(value->place,
+           fmt::format("{}: {} is less than the {} steps {}", fields.path("max_steps"), most, least,
+                       cycles ? "that the cycles of until take" : "of until"));
+    }
+    return most;
+  }
+  if (least > kMostSteps) {
+    fail(place, fmt::format("{}: the cycles take {} steps; expected at most {}",
+                            fields.path("until"), least, kMostSteps));
+  }
+  if (std::holds_alternative<UntilSettled>(stage.until)) {
+    if (const std::string reason = endless(stage, scene); !reason.empty()) {
+      fail(place, fmt::format("{}: never comes to rest {}", fields.path("until"), reason));
+    }
+  }
+  return std::max(stage.max_steps, least);
+}
+
+}  // namespace clca::scene

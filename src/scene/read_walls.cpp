@@ -1,0 +1,112 @@
+// Walls: their parts, and how they move.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/fields.hpp"
+#include "scene/limits.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+/// The part of the segment, from 0 to 1, that lies in the rectangle; low > high when none does.
+std::pair<double, double> clipped(const lattice::Segment& segment,
+                                  const lattice::Rectangle& rectangle) {
+  double low = 0;
+  double high = 1;
+  const auto clip = [&](double from, double along, double least, double most) {
+    if (along == 0) {
+      high = from >= least && from <= most ? high : -1;
+      return;
+    }
+    const auto [enter, leave] = std::minmax({(least - from) / along, (most - from) / along});
+    low = std::max(low, enter);
+    high = std::min(high, leave);
+  };
+  const Eigen::Vector2d along = segment.to - segment.from;
+  clip(segment.from.x(), along.x(), rectangle.left, rectangle.right);
+  clip(segment.from.y(), along.y(), rectangle.bottom, rectangle.top);
+  return {low, high};
+}
+
+bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
+  // Further inside than two spacings there is a site beside every point; this spares counting all
+  // sites of a long wall.
+  const lattice::Rectangle inside = {2, 2, lattice::kColumnPitch * lattice.columns() - 3,
+                                     lattice.rows() - 3.0};
+  const auto [low, high] = clipped(segment, inside);
+  const bool crosses = inside.left < inside.right && inside.bottom < inside.top && low <= high;
+  return !crosses && lattice::sites_along(lattice, segment).empty();
+}
+
+lattice::Segment read_line(const Value& value, const std::string& path) {
+  const KeyedMap fields(value, path, kLineKeys);
+  lattice::Segment segment = {.from = read_point(fields.at("from"), fields.path("from")),
+                              .to = read_point(fields.at("to"), fields.path("to")),
+                              .thickness = fields.number("thickness", 0, kThickest, 1)};
+  if (segment.from == segment.to) {
+    fail(fields.at("to").place, fmt::format("{}: from and to are the same point", path));
+  }
+  return segment;
+}
+
+/// What is under the key `box` or `line`. Only a wall that moves may be outside the box at home.
+WallPart read_part(const KeyedMap& fields, std::string_view key, const Box& box, bool moves) {
+  const Value& value = fields.at(key);
+  const std::string path = fields.path(key);
+  if (key == "box") {
+    return moves ? read_rectangle(value, path) : read_region(value, path, box);
+  }
+  const lattice::Segment segment = read_line(value, path);
+  if (!moves && covers_no_site(lattice_of(box), segment)) {
+    fail(value.place, fmt::format("{}: no site of the box, {} wide and {} high, lies on it", path,
+                                  box.width, box.height));
+  }
+  return segment;
+}
+
+std::vector<WallPart> read_parts(const KeyedMap& fields, const Box& box, bool moves) {
+  const std::string_view key = fields.only({"box", "line", "parts"});
+  if (key != "parts") {
+    return {read_part(fields, key, box, moves)};
+  }
+  std::vector<WallPart> parts;
+  const std::string path = fields.path(key);
+  for (const Value& item : read_list(fields.at(key), path, 1, kMostThings)) {
+    const KeyedMap part(item, join_path(path, std::to_string(parts.size())), kPartKeys);
+    parts.push_back(read_part(part, part.only({"box", "line"}), box, moves));
+  }
+  return parts;
+}
+
+Wall read_wall(const Entry& entry, const Box& box) {
+  const KeyedMap fields(entry.value, join_path("walls", entry.key), kWallKeys);
+  const Value* motion = fields.find("motion");
+  const Value* passive = fields.find("passive");
+  Wall wall{.name = entry.key, .parts = read_parts(fields, box, motion != nullptr)};
+  wall.place = to_string(entry.value.place);
+  if (motion != nullptr) {
+    wall.motion = read_motion(*motion, fields.path("motion"));
+  } else if (passive != nullptr) {
+    fail(passive->place,
+         fmt::format("{}: only a wall that moves has it; give the wall a motion, or leave it out",
+                     fields.path("passive")));
+  }
+  wall.passive = fields.choice("passive", kPassiveNames, wall.passive);
+  return wall;
+}
+
+}  // namespace
+
+std::vector<Wall> read_walls(const Value& value, const Scene& scene) {
+  std::vector<Wall> walls;
+  for (const Entry& entry : read_named(value, "walls")) {
+    walls.push_back(read_wall(entry, scene.box));
+  }
+  return walls;
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,57 @@
+// Walls and their motions as the text of a scene.
+
+#include <fmt/format.h>
+
+#include "scene/names.hpp"
+#include "scene/resolve_text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+std::string part_text(const WallPart& part) {
+  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
+    return fmt::format("box: {}", rectangle(*box));
+  }
+  const auto& line = std::get<lattice::Segment>(part);
+  return fmt::format("line: {{from: {}, to: {}, thickness: {}}}", point(line.from), point(line.to),
+                     line.thickness);
+}
+
+std::string parts_text(const std::vector<WallPart>& parts) {
+  const auto item = [](const WallPart& part) { return fmt::format("{{{}}}", part_text(part)); };
+  return parts.size() == 1 ? part_text(parts.front()) : fmt::format("parts: {}", list(parts, item));
+}
+
+std::string program(const automaton::Drive& drive) {
+  return fmt::format("period: {}, distance: {}", drive.period, drive.distance);
+}
+std::string program(const automaton::Wave& wave) {
+  return fmt::format("wave: {{form: {}, amplitude: {}, period: {}}}",
+                     name_of(kWaveformNames, wave.form), wave.amplitude, wave.period);
+}
+std::string program(const automaton::Shake& shake) {
+  return fmt::format("shake: {{amplitude: {}, wait: {}}}", shake.amplitude,
+                     shake.wait ? std::to_string(*shake.wait) : "settled");
+}
+std::string program(const automaton::Path& path) {
+  return fmt::format("path: {}", list(path.points, [](const automaton::Path::Point& point) {
+                       return fmt::format("[{}, {}]", point.step, point.offset);
+                     }));
+}
+
+}  // namespace
+
+std::string wall_line(const Wall& wall) {
+  std::string line = fmt::format("  {}: {{{}", name(wall.name), parts_text(wall.parts));
+  if (wall.motion) {
+    line +=
+        fmt::format(", motion: {{direction: {}, {}}}, passive: {}",
+                    name_of(kDirectionNames, wall.motion->direction),
+                    std::visit([](const auto& one) { return program(one); }, wall.motion->program),
+                    name_of(kPassiveNames, wall.passive));
+  }
+  return line + "}\n";
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,66 @@
+#include "clca/scene/walls.hpp"
+
+#include <algorithm>
+
+#include "clca/lattice/region.hpp"
+#include "scene/sweep.hpp"
+
+namespace clca::scene {
+
+lattice::Catchment catchment_of(const lattice::Lattice& lattice, const Wall& wall) {
+  if (!wall.motion) {
+    return lattice::Catchment(lattice);
+  }
+  const automaton::Range range = automaton::range_of(*wall.motion);
+  return {lattice, wall.motion->direction, range.low, range.high};
+}
+
+std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
+  const lattice::Catchment catchment = catchment_of(lattice, wall);
+  std::vector<lattice::Site> sites;
+  for (const WallPart& part : wall.parts) {
+    const auto* box = std::get_if<lattice::Rectangle>(&part);
+    const std::vector<lattice::Site> more =
+        box != nullptr ? lattice::sites_in(catchment, *box)
+                       : lattice::sites_along(catchment, std::get<lattice::Segment>(part));
+    sites.insert(sites.end(), more.begin(), more.end());
+  }
+  if (wall.parts.size() > 1) {
+    std::sort(sites.begin(), sites.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  }
+  return sites;
+}
+
+std::vector<bool> walls_there_first(const Scene& scene) {
+  std::vector<bool> there(scene.walls.size(), true);
+  std::vector<bool> known(scene.walls.size(), false);
+  const auto note = [&](const std::vector<std::size_t>& walls, bool before) {
+    for (const std::size_t wall : walls) {
+      there[wall] = known[wall] ? there[wall] : before;
+      known[wall] = true;
+    }
+  };
+  for (const Stage& stage : scene.stages) {
+    note(stage.insert, false);
+    note(stage.remove, true);
+  }
+  return there;
+}
+
+std::vector<std::vector<bool>> walls_there(const Scene& scene) {
+  std::vector<bool> there = walls_there_first(scene);
+  std::vector<std::vector<bool>> all;
+  for (const Stage& stage : scene.stages) {
+    for (const std::size_t wall : stage.remove) {
+      there[wall] = false;
+    }
+    for (const std::size_t wall : stage.insert) {
+      there[wall] = true;
+    }
+    all.push_back(there);
+  }
+  return all;
+}
+
+}  // namespace clca::scene

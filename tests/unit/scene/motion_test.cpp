@@ -1,0 +1,172 @@
+// Walls that move: from text to values and back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "bad_scenes.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using automaton::Motion;
+using lattice::Direction;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Scene scene_with(std::string_view part) {
+  Scene scene = parse(testing::scene_with(part), "scene.yaml");
+  check_walls(scene);
+  return scene;
+}
+
+/// A plate that moves in the only stage, for 9 steps.
+std::string plate(const std::string& motion) {
+  return "walls: {plate: {box: [10, 40, 20, 42], " + motion +
+         "}}\n"
+         "stages: [{name: first, sources: [spout], move: [plate], until: {steps: 9}}]\n";
+}
+
+Motion motion_of(const std::string& motion) {
+  return *scene_with(plate("motion: " + motion)).walls[0].motion;
+}
+
+constexpr std::string_view kTray =
+    "walls:\n"
+    "  tray:\n"
+    "    parts: [{box: [0, 0, 100, 2]}, {line: {from: [0, 2], to: [0, 60]}}]\n"
+    "    motion: {shake: {amplitude: 2}}\n"
+    "    passive: overlap\n"
+    "  lid: {box: [10, 80, 20, 90], motion: {direction: down, period: 4, distance: 40}}\n"
+    "  gate: {box: [50, 30, 51, 40]}\n"
+    "stages:\n"
+    "  - {name: first, sources: [spout], insert: [lid], move: [tray, lid], until: {cycles: 3}}\n"
+    "  - {name: second, remove: [lid, gate], move: [tray], max_steps: 50}\n"
+    "  - {name: third, insert: [gate, lid], move: [], until: settled}\n"
+    "measure: [force, segregation, intruder, convection]\n"
+    "output:\n"
+    "  frames: {color_by: force, overlay: arrows}\n"
+    "  fields: {cell: 2.5}\n"
+    "  contacts: {every: 3}\n";
+
+}  // namespace
+
+TEST(ParseMotion, ReadsADriveOneSiteAStepUnlessThePeriodSaysOtherwise) {
+  EXPECT_EQ(motion_of("{direction: down, distance: 30}"),
+            (Motion{Direction::down, automaton::Drive{1, 30}}));
+  EXPECT_EQ(motion_of("{direction: up_left, period: 4, distance: 1000000}"),
+            (Motion{Direction::up_left, automaton::Drive{4, 1'000'000}}));
+}
+
+TEST(ParseMotion, ReadsWavesDownToTheShortestPeriod) {
+  EXPECT_EQ(motion_of("{wave: {amplitude: 2, period: 14}}"),
+            (Motion{Direction::up, automaton::Wave{automaton::Waveform::sine, 2, 14}}));
+  EXPECT_EQ(motion_of("{direction: down_left, wave: {form: triangle, amplitude: 3, period: 12}}"),
+            (Motion{Direction::down_left, automaton::Wave{automaton::Waveform::triangle, 3, 12}}));
+}
+
+TEST(ParseMotion, TheWidestAndLongestWaveStaysWithinItsAmplitude) {
+  const Motion motion = motion_of("{wave: {amplitude: 10000, period: 10000000}}");
+  const auto& wave = std::get<automaton::Wave>(motion.program);
+  EXPECT_EQ(automaton::target(wave, 2'500'000), 10'000);
+  EXPECT_EQ(automaton::target(wave, 5'000'000), 0);
+  EXPECT_EQ(automaton::target(wave, 7'500'000), -10'000);
+}
+
+TEST(ParseMotion, ReadsShakesThatWaitUntilSettledOrSoManySteps) {
+  EXPECT_EQ(motion_of("{shake: {amplitude: 2}}"), (Motion{Direction::up, automaton::Shake{2, {}}}));
+  EXPECT_EQ(motion_of("{shake: {amplitude: 2, wait: settled}}"),
+            motion_of("{shake: {amplitude: 2}}"));
+  EXPECT_EQ(motion_of("{direction: up_right, shake: {amplitude: 1, wait: 50}}"),
+            (Motion{Direction::up_right, automaton::Shake{1, 50}}));
+}
+
+TEST(ParseMotion, ReadsPathsAsSteepAsOneSiteAStep) {
+  EXPECT_EQ(motion_of("{path: [[3, 3], [4, 2], [100, -50]]}"),
+            (Motion{Direction::up, automaton::Path{{{3, 3}, {4, 2}, {100, -50}}}}));
+}
+
+TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
+  const Scene scene = scene_with(kTray);
+  const Wall& tray = scene.walls[0];
+  EXPECT_THAT(tray.parts, ElementsAre(WallPart(lattice::Rectangle{0, 0, 100, 2}),
+                                      WallPart(lattice::Segment{{0, 2}, {0, 60}, 1})));
+  EXPECT_EQ(tray.passive, automaton::Passive::overlap);
+  EXPECT_EQ(tray.place, "scene.yaml:9:5");
+  EXPECT_EQ(scene.walls[1].passive, automaton::Passive::rigid);
+  EXPECT_FALSE(scene.walls[2].motion.has_value());
+}
+
+TEST(ParseMotion, ReadsWhatStagesInsertAndMove) {
+  const Scene scene = scene_with(kTray);
+  EXPECT_THAT(scene.stages[0].insert, ElementsAre(1));
+  EXPECT_EQ(scene.stages[0].insert_place, "scene.yaml:17:45");
+  EXPECT_THAT(scene.stages[0].move, ElementsAre(0, 1));
+  EXPECT_EQ(scene.stages[0].until, Until(UntilCycles{3}));
+  EXPECT_EQ(scene.stages[0].max_steps, 1'000'000);
+  EXPECT_TRUE(scene.stages[1].insert_place.empty());
+  EXPECT_TRUE(scene.stages[2].move.empty());
+}
+
+TEST(ParseMotion, ADefaultBoundGivesWayToTheCyclesOfTheLongestWave) {
+  const Scene scene = scene_with(
+      "walls:\n"
+      "  fast: {box: [10, 40, 20, 42], motion: {wave: {amplitude: 1, period: 10}}}\n"
+      "  slow: {box: [60, 40, 70, 42], motion: {wave: {amplitude: 1, period: 1000}}}\n"
+      "stages: [{name: first, sources: [spout], move: [fast, slow], until: {cycles: 2000}}]");
+  EXPECT_EQ(scene.stages[0].max_steps, 2'000'000);
+}
+
+TEST(ParseMotion, ReadsNewMeasuresAndOutputs) {
+  const Scene scene = scene_with(kTray);
+  EXPECT_THAT(scene.measures, ElementsAre(Measure::force, Measure::segregation, Measure::intruder,
+                                          Measure::convection));
+  EXPECT_EQ(scene.output.frames->color_by, ColorBy::force);
+  EXPECT_EQ(scene.output.frames->overlay, Overlay::arrows);
+  EXPECT_EQ(scene.output.fields, (Fields{2.5, 100}));
+  EXPECT_EQ(scene.output.contacts, Contacts{3});
+  EXPECT_EQ(scene_with("output: {fields: {}, contacts: none}").output.fields, (Fields{8, 100}));
+}
+
+TEST(ParseMotion, ToYamlAndBackIsTheSameScene) {
+  for (const std::string& part :
+       {std::string(kTray), plate("motion: {direction: down, period: 7, distance: 5}"),
+        plate("motion: {direction: down, wave: {amplitude: 1, period: 9}}, passive: overlap"),
+        plate("motion: {wave: {form: triangle, amplitude: 1, period: 9}}"),
+        plate("motion: {shake: {amplitude: 3, wait: 7}}"),
+        plate("motion: {path: [[9, 5], [1000000000000, -1000000]]}")}) {
+    const Scene scene = scene_with(part);
+    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+  }
+}
+
+TEST(ParseMotion, ToYamlShowsEveryDefaultOfWallsThatMove) {
+  const std::string text = to_yaml(scene_with(kTray));
+  for (const std::string_view line :
+       {"  tray: {parts: [{box: [0, 0, 100, 2]}, {line: {from: [0, 2], to: [0, 60], thickness: "
+        "1}}], motion: {direction: up, shake: {amplitude: 2, wait: settled}}, passive: overlap}\n",
+        "  lid: {box: [10, 80, 20, 90], motion: {direction: down, period: 4, distance: 40}, "
+        "passive: rigid}\n",
+        "  gate: {box: [50, 30, 51, 40]}\n",
+        "    insert: [lid]\n    move: [tray, lid]\n    sources: [spout]\n    until: {cycles: 3}\n",
+        "    overlay: arrows\n", "  fields: {cell: 2.5, every: 100}\n",
+        "  contacts: {every: 3}\n"}) {
+    EXPECT_THAT(text, HasSubstr(std::string(line)));
+  }
+}
+
+TEST(ParseMotion, ScenesDifferWhenAMotionDiffers) {
+  const Scene scene = scene_with(plate("motion: {shake: {amplitude: 3}}"));
+  for (const std::string_view other :
+       {"motion: {shake: {amplitude: 2}}", "motion: {direction: down, shake: {amplitude: 3}}",
+        "motion: {shake: {amplitude: 3}}, passive: overlap", "motion: {path: [[3, 3]]}"}) {
+    EXPECT_NE(scene_with(plate(std::string(other))), scene) << other;
+  }
+}
+
+}  // namespace clca::scene
