@@ -174,6 +174,21 @@ TEST_F(CliTest, ASceneBeyondTheMemoryLimitIsRefusedBeforeAnythingIsAllocated) {
       HasSubstr("MiB of memory"));
 }
 
+TEST_F(CliTest, WallsThatMeetAreWrongInputForCheckAndRunOnceTheMemoryIsKnownToSuffice) {
+  write("small.yaml", kScene);
+  const std::vector<std::string> meeting = {
+      "--set", "walls.plate={box: [28, 40, 32, 60], motion: {direction: down, distance: 9}}",
+      "--set", "stages.packing.move=[plate]"};
+  for (const std::string command : {"check", "run"}) {
+    std::vector<std::string> arguments = {command, "small.yaml"};
+    arguments.insert(arguments.end(), meeting.begin(), meeting.end());
+    expect_refused(run(arguments), 2,
+                   AllOf(StartsWith("--set walls.plate="), HasSubstr("standing wall 'gate'")));
+    arguments.insert(arguments.end(), {"--memory-limit", "64KiB"});
+    expect_refused(run(arguments), 2, HasSubstr("--memory-limit"));
+  }
+}
+
 TEST_F(CliTest, AnUnknownDriverOrVectorWidthIsRefusedInsteadOfCrashing) {
   write("small.yaml", kScene);
   expect_refused(run({"run", "small.yaml"}, {.environment = {{"GALLIUM_DRIVER", "zink"}}}), 2,
