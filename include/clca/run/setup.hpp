@@ -7,7 +7,8 @@
 namespace clca::run {
 
 /// The box with its walls, sources (closed) and outlets; no particles yet. Orientations that look
-/// alike become one kind.
+/// alike become one kind. Throws scene::SceneError when the walls cannot move as they should (see
+/// scene::check_walls).
 automaton::State initial_state(const scene::Scene& scene);
 
 }  // namespace clca::run
