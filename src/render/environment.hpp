@@ -9,8 +9,4 @@ namespace clca::render {
 /// nothing. Mesa crashes on values it does not know, so they are looked at before it starts.
 std::string environment_problem(const char* driver, const char* vector_width);
 
-/// Checks the environment and asks for rasterisation in the calling thread, unless the user has
-/// chosen a number of threads (LP_NUM_THREADS). Throws RenderError.
-void prepare_environment();
-
 }  // namespace clca::render

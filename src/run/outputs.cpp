@@ -8,7 +8,8 @@
 
 namespace clca::run {
 
-Outputs::Outputs(const scene::Scene& scene, const automaton::State& state) : scene_(scene) {
+Outputs::Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only)
+    : scene_(scene), last_picture_only_(last_picture_only) {
   if (scene.output.frames) {
     pictures_.emplace(scene, state);
   }
@@ -25,6 +26,8 @@ void Outputs::open(const store::RunFolder& folder) {
 void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton) {
   if (pictures_) {
     pictures_->begin_stage(stage.name, automaton.state());
+  }
+  if (pictures_ && !last_picture_only_) {
     pictures_->draw(automaton, *folder_);
   }
   if (series_) {
@@ -34,7 +37,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton&
 
 void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
                          std::uint64_t steps_in_stage, std::size_t moving) {
-  if (pictures_ && steps_in_stage % scene_.output.frames->every == 0) {
+  if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(automaton, *folder_);
   }
   if (series_) {
@@ -44,7 +47,7 @@ void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& 
 
 void Outputs::end_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                         std::size_t moving, const StageHistory& history) {
-  if (pictures_) {
+  if (pictures_ && (!last_picture_only_ || &stage == &scene_.stages.back())) {
     pictures_->draw(automaton, *folder_);
   }
   if (series_) {

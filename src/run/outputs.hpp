@@ -15,7 +15,7 @@ namespace clca::run {
 class Outputs {
  public:
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
-  Outputs(const scene::Scene& scene, const automaton::State& state);
+  Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only);
 
   /// From here on files go to `folder`, which must outlive this object.
   void open(const store::RunFolder& folder);
@@ -30,6 +30,7 @@ class Outputs {
 
  private:
   const scene::Scene& scene_;
+  bool last_picture_only_;
   const store::RunFolder* folder_ = nullptr;
   std::optional<Pictures> pictures_;
   std::optional<SeriesTable> series_;

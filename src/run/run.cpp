@@ -23,7 +23,7 @@ class Run {
         options_(options),
         events_(events),
         automaton_(initial_state(scene), {.threads = options.threads}),
-        outputs_(scene, automaton_.state()) {
+        outputs_(scene, automaton_.state(), options.last_picture_only) {
     prepare_stage(automaton_, scene, scene.stages.front());
     folder_.emplace(options.folder);
     log_.emplace(folder_->log(), events);

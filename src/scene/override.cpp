@@ -94,9 +94,9 @@ Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t d
 
 }  // namespace
 
-void apply_override(Value& root, const std::string& text) {
+void apply_override(Value& root, const std::string& text, std::string_view option) {
   const auto origin =
-      std::make_shared<const Origin>(Origin{fmt::format("--set {}", printable(text)), false});
+      std::make_shared<const Origin>(Origin{fmt::format("{} {}", option, printable(text)), false});
   const Place place = {origin, 1, 1};
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {

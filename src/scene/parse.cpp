@@ -87,8 +87,8 @@ std::string read_text_of(const std::filesystem::path& file, const Place& place) 
 
 }  // namespace
 
-Scene parse(std::string_view text, const std::string& file,
-            const std::vector<Override>& overrides) {
+Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
+            const std::vector<Override>& varied) {
   const auto origin = std::make_shared<const Origin>(Origin{printable(file), true});
   Value root = read_document(text, origin);
   if (!root.is(Value::Kind::map)) {
@@ -96,15 +96,19 @@ Scene parse(std::string_view text, const std::string& file,
                                  kVersion, found(root)));
   }
   for (const Override& text_of_override : overrides) {
-    apply_override(root, text_of_override);
+    apply_override(root, text_of_override, "--set");
+  }
+  for (const Override& text_of_override : varied) {
+    apply_override(root, text_of_override, "--vary");
   }
   return read_scene(root, file);
 }
 
-Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                 const std::vector<Override>& varied) {
   const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
                        1};
-  return parse(read_text_of(file, start), file.string(), overrides);
+  return parse(read_text_of(file, start), file.string(), overrides, varied);
 }
 
 }  // namespace clca::scene

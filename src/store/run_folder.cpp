@@ -63,8 +63,8 @@ RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
   }
 }
 
-fs::path RunFolder::frame(const std::string& scene, std::uint64_t step) const {
-  return path_ / "frames" / fmt::format("{}-{:06}.png", scene, step);
+fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {
+  return run / "frames" / fmt::format("{}-{:06}.png", scene, step);
 }
 
 }  // namespace clca::store

@@ -1,7 +1,6 @@
 #include "clca/store/table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -44,7 +43,11 @@ void Table::add_row(std::vector<Cell> cells) {
 }
 
 std::string Table::to_csv() const {
-  return fmt::format("{}\n{}", fmt::join(columns_, ","), rows_);
+  std::string header;
+  for (const std::string& column : columns_) {
+    header += (header.empty() ? "" : ",") + quoted(column);
+  }
+  return fmt::format("{}\n{}", header, rows_);
 }
 
 }  // namespace clca::store

@@ -92,6 +92,12 @@ class Painter {
 /// The box and its frame, floor and side walls drawn a few spacings thick.
 lattice::Rectangle whole_box(const lattice::Lattice& lattice);
 
+/// Checks the driver's settings in the environment of the process and asks for rasterisation in
+/// the calling thread, unless the user has chosen a number of threads (LP_NUM_THREADS). Each
+/// Painter does so; who draws from several threads does it before they start, as the environment
+/// must not change under them. Throws RenderError.
+void prepare_environment();
+
 /// Warning that annotations cannot be drawn, empty when they can: no font was found.
 std::string font_problem();
 

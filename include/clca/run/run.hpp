@@ -38,6 +38,8 @@ struct RunOptions {
   int threads = 1;
   /// Looked at once a step: when it is not zero the run ends with what it has, written whole.
   const std::atomic<int>* stop = nullptr;
+  /// Draws no picture but that of the final state, whatever the scene says of `every`.
+  bool last_picture_only = false;
 };
 
 /// All optional; called from the thread that runs.
@@ -47,7 +49,8 @@ struct RunEvents {
   std::function<void(const std::string&)> warning = {};
 };
 
-/// Throws ScenePlaceError or store::StoreError. No folder is made for a scene whose first stage
+/// Throws ScenePlaceError or store::StoreError. Several threads may run at once, each into a folder
+/// of its own. No folder is made for a scene whose first stage
 /// cannot begin.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});

@@ -22,12 +22,14 @@ class SceneError : public std::runtime_error {
 /// The value is YAML. An error in it names `--set KEY=VALUE` as its place.
 using Override = std::string;
 
-/// Parses scene text. `file` names the place in messages and gives the scene its name. Throws
+/// Parses scene text. `file` names the place in messages and gives the scene its name. Overrides
+/// that are `varied` come after the others; an error in one names `--vary KEY=VALUE`. Throws
 /// SceneError.
 Scene parse(std::string_view text, const std::string& file,
-            const std::vector<Override>& overrides = {});
+            const std::vector<Override>& overrides = {}, const std::vector<Override>& varied = {});
 
 /// Reads and parses a file. Throws SceneError, also when it cannot be read.
-Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
+                 const std::vector<Override>& varied = {});
 
 }  // namespace clca::scene

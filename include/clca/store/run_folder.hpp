@@ -7,6 +7,10 @@
 
 namespace clca::store {
 
+/// Picture of a step in the run folder `run`: `frames/NAME-000120.png`.
+std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
+                                 std::uint64_t step);
+
 class RunFolder {
  public:
   /// Makes the folder if need be. Where a run.json says that a run has been here before, clears
@@ -15,8 +19,9 @@ class RunFolder {
   explicit RunFolder(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// `frames/NAME-000120.png`
-  std::filesystem::path frame(const std::string& scene, std::uint64_t step) const;
+  std::filesystem::path frame(const std::string& scene, std::uint64_t step) const {
+    return frame_path(path_, scene, step);
+  }
 
   std::filesystem::path scene() const { return path_ / "scene.yaml"; }
   std::filesystem::path summary() const { return path_ / "run.json"; }

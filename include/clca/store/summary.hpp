@@ -2,6 +2,7 @@
 // run.json: what a run was and what came out.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -38,5 +39,8 @@ struct RunSummary {
 };
 
 std::string to_json(const RunSummary& summary);
+
+/// Reads a run.json back. Throws StoreError when it cannot be read or is not a whole run.json.
+RunSummary read_summary(const std::filesystem::path& file);
 
 }  // namespace clca::store

@@ -1,0 +1,116 @@
+// run.json back to a summary: strict, since the file may be cut off or somebody else's.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+
+namespace clca::store {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is wrong with a run.json.
+class Unsound : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+const Json& field(const Json& object, const char* key, bool (Json::*is)() const noexcept) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (found == object.end() || !((*found).*is)()) {
+    throw Unsound(fmt::format("'{}' is missing or not what it should be", key));
+  }
+  return *found;
+}
+
+std::string text(const Json& object, const char* key) {
+  return field(object, key, &Json::is_string).get<std::string>();
+}
+
+std::uint64_t count(const Json& object, const char* key) {
+  return field(object, key, &Json::is_number_unsigned).get<std::uint64_t>();
+}
+
+/// NaN and infinities are written as null; where a number must stand there are none.
+double number(const Json& object, const char* key) {
+  return field(object, key, &Json::is_number).get<double>();
+}
+
+std::uint64_t hash(const Json& object, const char* key) {
+  constexpr int kHexadecimal = 16;
+  const std::string digits = text(object, key);
+  const char* end = digits.data() + digits.size();
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, kHexadecimal);
+  if (stop != end || error != std::errc()) {
+    throw Unsound(fmt::format("'{}' is no hash", key));
+  }
+  return value;
+}
+
+MeasureValue measure(const Json& value) {
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  if (value.is_null()) {
+    return {};
+  }
+  throw Unsound("a measure is neither a number nor true, false or null");
+}
+
+StageSummary stage(const Json& object) {
+  StageSummary summary = {.name = text(object, "name"),
+                          .steps = count(object, "steps"),
+                          .ended = text(object, "ended"),
+                          .measures = {}};
+  for (const auto& [name, value] : field(object, "measures", &Json::is_object).items()) {
+    summary.measures.emplace_back(name, measure(value));
+  }
+  return summary;
+}
+
+RunSummary summary_of(const Json& object) {
+  const Json& build = field(object, "build", &Json::is_object);
+  RunSummary summary = {
+      .version = text(object, "clca"),
+      .scene = text(object, "scene"),
+      .seed = count(object, "seed"),
+      .threads = static_cast<int>(count(object, "threads")),
+      .status = text(object, "status"),
+      .particles = count(object, "particles"),
+      .steps = count(object, "steps"),
+      .wall_seconds = number(object, "wall_seconds"),
+      .step_seconds = number(object, "step_seconds"),
+      .particle_updates_per_second = number(object, "particle_updates_per_second"),
+      .state_hash = hash(object, "state_hash"),
+      .compiler = text(build, "compiler"),
+      .build_type = text(build, "type"),
+      .stages = {}};
+  for (const Json& one : field(object, "stages", &Json::is_array)) {
+    summary.stages.push_back(stage(one));
+  }
+  return summary;
+}
+
+}  // namespace
+
+RunSummary read_summary(const std::filesystem::path& file) {
+  const auto bytes = read_whole(file);
+  try {
+    return summary_of(Json::parse(bytes));
+  } catch (const Json::exception&) {
+    throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", file.string()));
+  } catch (const Unsound& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace clca::store
