@@ -11,6 +11,7 @@
 #include "clca/render/png.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
 #include "support/runs.hpp"
 
 namespace clca::run {
@@ -148,6 +149,18 @@ TEST(Run, RunsAStageForAGivenNumberOfSteps) {
       run(small_scene({"stages.packing.until={steps: 33}"}), {.folder = folder.path()});
   EXPECT_EQ(summary.stages[0].steps, 33U);
   EXPECT_EQ(summary.stages[0].ended, "steps");
+}
+
+TEST(Run, DrawsTheFinalStateAloneWhenAskedAndIsTheSameRun) {
+  const testing::ScratchFolder folder;
+  const auto course = run(small_scene(), {.folder = folder.path() / "course"});
+  const auto last =
+      run(small_scene(), {.folder = folder.path() / "last", .last_picture_only = true});
+  EXPECT_EQ(last.state_hash, course.state_hash);
+  const fs::path frames = folder.path() / "last" / "frames";
+  ASSERT_EQ(std::distance(fs::directory_iterator(frames), fs::directory_iterator()), 1);
+  EXPECT_EQ(fs::directory_iterator(frames)->path(),
+            store::frame_path(folder.path() / "last", "small", last.steps));
 }
 
 TEST(Run, AFolderThatCannotBeWrittenIsAnErrorWithItsPath) {

@@ -71,8 +71,12 @@ TEST(Table, WritesShortestNumbersAndQuotesText) {
   EXPECT_THROW(table.add_row({0.5}), std::invalid_argument);
 }
 
-TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
-  const RunSummary summary = {
+TEST(Table, QuotesNamesOfColumnsLikeText) {
+  EXPECT_EQ(Table({"a,b", "c"}).to_csv(), "\"a,b\",c\n");
+}
+
+RunSummary full_summary() {
+  return {
       .version = "1.2.3",
       .scene = "a",
       .seed = 18446744073709551615U,
@@ -90,13 +94,63 @@ TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
                   .steps = 100,
                   .ended = "settled",
                   .measures = {{"repose_angle_deg", 41.5}, {"clogged", true}, {"runout_99", {}}}}}};
-  const auto json = nlohmann::json::parse(to_json(summary));
+}
+
+TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
+  const auto json = nlohmann::json::parse(to_json(full_summary()));
   EXPECT_EQ(json["clca"], "1.2.3");
   EXPECT_EQ(json["seed"], 18446744073709551615U);
   EXPECT_EQ(json["state_hash"], "0000000000000abc");
   EXPECT_EQ(json["stages"][0]["measures"]["repose_angle_deg"], 41.5);
   EXPECT_EQ(json["stages"][0]["measures"]["clogged"], true);
   EXPECT_TRUE(json["stages"][0]["measures"]["runout_99"].is_null());
+}
+
+using ReadSummary = StoreTest;
+
+TEST_F(ReadSummary, GivesBackWhatWasWritten) {
+  RunSummary summary = full_summary();
+  summary.wall_seconds = 0.1 + 0.2;  // needs all digits
+  write_whole(folder_ / "run.json", to_json(summary));
+  const RunSummary read = read_summary(folder_ / "run.json");
+  EXPECT_EQ(to_json(read), to_json(summary));
+  EXPECT_EQ(read.seed, summary.seed);
+  EXPECT_EQ(read.wall_seconds, summary.wall_seconds);
+  EXPECT_EQ(read.stages.at(0).measures, summary.stages.at(0).measures);
+}
+
+TEST_F(ReadSummary, WhatIsCutOffAnywhereIsAnError) {
+  const std::string whole = to_json(full_summary());
+  const fs::path file = folder_ / "run.json";
+  for (std::size_t length = 0; length + 2 < whole.size(); ++length) {  // 2: the last brace
+    write_whole(file, whole.substr(0, length));
+    EXPECT_THAT([&] { read_summary(file); },
+                ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("run.json: it is cut")));
+  }
+}
+
+TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
+  const fs::path file = folder_ / "run.json";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"seed", "-1"},    {"seed", "1.5"},           {"steps", "\"many\""},   {"steps", "null"},
+      {"status", "7"},   {"state_hash", "\"xyz\""}, {"state_hash", "12"},    {"stages", "{}"},
+      {"stages", "[3]"}, {"build", "[]"},           {"wall_seconds", "null"}};
+  for (const auto& [key, value] : cases) {
+    auto json = nlohmann::ordered_json::parse(to_json(full_summary()));
+    json[key] = nlohmann::ordered_json::parse(value);
+    write_whole(file, json.dump());
+    EXPECT_THROW(read_summary(file), StoreError) << key << ": " << value;
+    json.erase(key);
+    write_whole(file, json.dump());
+    EXPECT_THAT([&] { read_summary(file); },
+                ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("'" + key + "'")));
+  }
+  for (const char* text : {"3", "[]", "null", "{}", "\"run\"", "\xff", "{\"seed\": 1e999}"}) {
+    write_whole(file, std::string_view(text));
+    EXPECT_THROW(read_summary(file), StoreError) << text;
+  }
+  EXPECT_THAT([&] { read_summary(folder_ / "none"); },
+              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
 }
 
 using RunFolderTest = StoreTest;
