@@ -13,12 +13,21 @@ namespace {
 
 constexpr std::chrono::seconds kPlainInterval(10);
 
+std::string left_text(const std::optional<double>& seconds) {
+  return seconds ? fmt::format(", about {} left", duration(*seconds)) : "";
+}
+
 std::string to_text(const run::Progress& progress) {
-  const std::string left =
-      progress.seconds_left ? fmt::format(", about {} left", duration(*progress.seconds_left)) : "";
   return fmt::format("{} ({}/{}): step {}, {:.1f} % moving, {:.1f} million updates/s{}",
                      progress.stage, progress.stage_number, progress.stage_count, progress.step,
-                     100 * progress.moving_share, progress.updates_per_second / 1e6, left);
+                     100 * progress.moving_share, progress.updates_per_second / 1e6,
+                     left_text(progress.seconds_left));
+}
+
+std::string to_text(const sweep::Progress& progress) {
+  return fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}", progress.done + progress.failed,
+                     progress.runs, progress.failed, progress.runs_per_second,
+                     left_text(progress.seconds_left));
 }
 
 }  // namespace
@@ -40,7 +49,14 @@ ProgressLine::ProgressLine()
       next_plain_(std::chrono::steady_clock::now() + kPlainInterval) {}
 
 void ProgressLine::show(const run::Progress& progress) {
-  const std::string text = to_text(progress);
+  show(to_text(progress));
+}
+
+void ProgressLine::show(const sweep::Progress& progress) {
+  show(to_text(progress));
+}
+
+void ProgressLine::show(const std::string& text) {
   if (terminal_) {
     fmt::print(stderr, "\r{:<{}}", text, width_);
     std::fflush(stderr);

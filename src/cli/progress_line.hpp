@@ -1,10 +1,12 @@
 #pragma once
-// Shows how a run is going: one line that is written over on a terminal, plain lines elsewhere.
+// Shows how a run or a sweep is going: one line that is written over on a terminal, plain lines
+// elsewhere.
 
 #include <chrono>
 #include <string>
 
 #include "clca/run/run.hpp"
+#include "clca/sweep/sweep.hpp"
 
 namespace clca::cli {
 
@@ -17,10 +19,12 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const run::Progress& progress);
+  void show(const sweep::Progress& progress);
   /// A line that stays, on standard error.
   void print(const std::string& line);
 
  private:
+  void show(const std::string& text);
   void clear();
 
   bool terminal_;

@@ -30,8 +30,14 @@ double available_bytes() {
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-void check_memory(const scene::Scene& scene, const std::optional<std::uint64_t>& asked) {
-  const double limit = asked ? static_cast<double>(*asked) : kShareOfMemory * available_bytes();
+}  // namespace
+
+double memory_limit(const SceneOptions& options) {
+  return options.memory_limit ? static_cast<double>(*options.memory_limit)
+                              : kShareOfMemory * available_bytes();
+}
+
+void check_memory(const scene::Scene& scene, double limit) {
   const scene::Size size = scene::size_of(scene);
   if (size.bytes > limit) {
     throw scene::SceneError(fmt::format(
@@ -42,9 +48,7 @@ void check_memory(const scene::Scene& scene, const std::optional<std::uint64_t>&
   }
 }
 
-}  // namespace
-
-void add_scene_options(CLI::App& command, SceneOptions& options) {
+void add_scene_and_set(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.file, "Scene file (YAML)")->required();
   command
       .add_option("--set", options.overrides,
@@ -52,13 +56,21 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
                   "stages.flow.max_steps=500; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's");
-  command.add_option("--frames-every", options.frames_every,
-                     "A picture every N steps; 0: no pictures");
+}
+
+void add_memory_limit(CLI::App& command, SceneOptions& options) {
   command
       .add_option("--memory-limit", options.memory_limit,
                   "Refuse scenes that need more, as in 4GiB [80 % of what is free]")
       ->transform(CLI::AsSizeValue(false));
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  add_scene_and_set(command, options);
+  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's");
+  command.add_option("--frames-every", options.frames_every,
+                     "A picture every N steps; 0: no pictures");
+  add_memory_limit(command, options);
 }
 
 scene::Scene load_scene(const SceneOptions& options) {
@@ -73,7 +85,7 @@ scene::Scene load_scene(const SceneOptions& options) {
   if (options.frames_every == std::uint64_t{0}) {
     scene.output.frames.reset();
   }
-  check_memory(scene, options.memory_limit);
+  check_memory(scene, memory_limit(options));
   return scene;
 }
 

@@ -21,6 +21,16 @@ struct SceneOptions {
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
+/// SCENE and --set only.
+void add_scene_and_set(CLI::App& command, SceneOptions& options);
+/// --memory-limit only.
+void add_memory_limit(CLI::App& command, SceneOptions& options);
+
+/// Bytes that may be used.
+double memory_limit(const SceneOptions& options);
+/// Throws scene::SceneError when the scene needs more memory than `limit` bytes.
+void check_memory(const scene::Scene& scene, double limit);
+
 /// The scene with the options applied. Throws scene::SceneError, also when it would need more
 /// memory than the limit.
 scene::Scene load_scene(const SceneOptions& options);

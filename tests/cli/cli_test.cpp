@@ -82,8 +82,8 @@ class CliTest : public ::testing::Test {
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("run"), HasSubstr("check"), HasSubstr("diff"),
-                              HasSubstr("Exit codes")));
+  EXPECT_THAT(help.out, AllOf(HasSubstr("run"), HasSubstr("sweep"), HasSubstr("check"),
+                              HasSubstr("diff"), HasSubstr("Exit codes")));
   EXPECT_THAT(run({"run", "--help"}).out, AllOf(HasSubstr("--set"), HasSubstr("--threads")));
   EXPECT_THAT(run({"--version"}).out, StartsWith("clca "));
 }

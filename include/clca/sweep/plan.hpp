@@ -1,0 +1,37 @@
+#pragma once
+// A request with every scene parsed: which runs there are, in which order, under which names.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clca/scene/scene.hpp"
+#include "clca/sweep/request.hpp"
+
+namespace clca::sweep {
+
+/// One combination of the varied values.
+struct Variant {
+  std::vector<std::string> values;  ///< one per variation
+  scene::Scene scene;               ///< with the first seed
+};
+
+/// All combinations, the last variation changing fastest; within each all seeds.
+struct Plan {
+  Request request;
+  std::vector<Variant> variants;
+
+  std::size_t run_count() const { return variants.size() * request.seeds.size(); }
+  const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
+  std::uint64_t seed(std::size_t run) const { return request.seeds[run % request.seeds.size()]; }
+  /// The scene as the run has it.
+  scene::Scene scene(std::size_t run) const;
+  /// `rules.inertia=0,seed=3`: the same for the same values and seed in every sweep, short, and fit
+  /// for a folder. Where values cannot stand in a file name, a hash tells them apart.
+  std::string name(std::size_t run) const;
+};
+
+/// Parses every combination. Throws scene::SceneError at the first that is wrong.
+Plan plan(Request request);
+
+}  // namespace clca::sweep

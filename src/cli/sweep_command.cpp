@@ -1,0 +1,142 @@
+// clca sweep: runs a scene for many seeds and values and leaves tables over all runs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "clca/scene/resolve.hpp"
+#include "clca/sweep/sweep.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/signals.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct SweepCommandOptions {
+  SceneOptions scene;
+  std::string seeds = "1..8";
+  std::vector<std::string> variations;
+  std::string folder;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool all_pictures = false;
+  bool quiet = false;
+};
+
+sweep::Plan plan_of(const SweepCommandOptions& options) {
+  sweep::Request request = {.scene = options.scene.file,
+                            .overrides = options.scene.overrides,
+                            .variations = {},
+                            .seeds = sweep::parse_seeds(options.seeds)};
+  for (const std::string& text : options.variations) {
+    request.variations.push_back(sweep::parse_variation(text));
+  }
+  return sweep::plan(std::move(request));
+}
+
+/// As many runs at a time as are asked for and fit into memory together. Throws scene::SceneError
+/// when not even one does.
+int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
+  const double limit = memory_limit(options.scene);
+  double largest = 1;
+  for (const sweep::Variant& variant : plan.variants) {
+    check_memory(variant.scene, limit);
+    largest = std::max(largest, scene::size_of(variant.scene).bytes);
+  }
+  return static_cast<int>(std::min<double>(options.jobs, limit / largest));
+}
+
+void print_totals(const sweep::Progress& totals, double seconds, const std::string& folder) {
+  const std::string reused =
+      totals.reused > 0 ? fmt::format(" ({} from before)", totals.reused) : "";
+  const std::size_t missing = totals.runs - totals.done - totals.failed;
+  const std::string interrupted =
+      missing > 0 ? fmt::format(", {} interrupted or not begun", missing) : "";
+  fmt::print("{} runs: {} done{}, {} failed{}, in {:.3g} s\n", totals.runs, totals.done, reused,
+             totals.failed, interrupted, seconds);
+  fmt::print("{}\n", folder);
+}
+
+sweep::Events events_to(ProgressLine& line, bool quiet) {
+  sweep::Events events;
+  events.warning = [&line](const std::string& text) { line.print("warning: " + text); };
+  if (!quiet) {
+    events.progress = [&line](const sweep::Progress& progress) { line.show(progress); };
+    events.message = [&line](const std::string& text) { line.print(text); };
+  }
+  return events;
+}
+
+sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& options,
+                          const std::string& folder, const std::atomic<int>& stop) {
+  ProgressLine line;
+  const sweep::Events events = events_to(line, options.quiet);
+  const int jobs = fitting_jobs(plan, options);
+  if (jobs < options.jobs && static_cast<std::size_t>(jobs) < plan.run_count()) {
+    events.warning(fmt::format("{} runs at a time, as more do not fit into memory", jobs));
+  }
+  return sweep::execute(
+      plan, {.folder = folder, .jobs = jobs, .all_pictures = options.all_pictures, .stop = &stop},
+      events);
+}
+
+int run_sweep(const SweepCommandOptions& options) {
+  const sweep::Plan plan = plan_of(options);
+  const std::string folder = options.folder.empty()
+                                 ? "renders/" + plan.variants.front().scene.name + "-sweep"
+                                 : options.folder;
+  const std::atomic<int>& stop = catch_stop_signals();
+  const auto start = std::chrono::steady_clock::now();
+  const sweep::Progress totals = carry_out(plan, options, folder, stop);
+  if (!options.quiet) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    print_totals(totals, seconds.count(), folder);
+  }
+  if (totals.done + totals.failed < totals.runs) {
+    return static_cast<int>(ExitCode::signal_base) + stop;
+  }
+  if (totals.failed > 0) {
+    fmt::print(stderr, "clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
+    return static_cast<int>(ExitCode::failed);
+  }
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
+  auto options = std::make_shared<SweepCommandOptions>();
+  add_scene_and_set(*command, options->scene);
+  command
+      ->add_option("--seeds", options->seeds,
+                   "Seeds of the random draws, as in 1..16 or 1,4,9..12, each value with each seed")
+      ->capture_default_str();
+  command
+      ->add_option("--vary", options->variations,
+                   "Run with each of these values (YAML) in place of what the scene says, as in "
+                   "rules.inertia=0,0.9; repeated: with all combinations")
+      ->type_name("KEY=V1,V2,...")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->folder,
+                      "Folder to write to, and to go on in [renders/SCENE-NAME-sweep]");
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Runs at a time, each with one thread; the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--frames", options->all_pictures,
+                    "All pictures that the scene asks for, not only each run's last");
+  add_memory_limit(*command, options->scene);
+  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
+  command->callback([options, &code] { code = run_sweep(*options); });
+}
+
+}  // namespace clca::cli

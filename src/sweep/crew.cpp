@@ -1,0 +1,78 @@
+#include "sweep/crew.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "clca/run/run.hpp"
+#include "clca/store/file.hpp"
+
+namespace clca::sweep {
+
+Crew::Crew(const Plan& plan, const Folder& folder, std::vector<std::size_t> runs, int jobs,
+           bool all_pictures)
+    : plan_(plan), folder_(folder), runs_(std::move(runs)), all_pictures_(all_pictures) {
+  working_ = std::min(runs_.size(), static_cast<std::size_t>(std::max(1, jobs)));
+  for (std::size_t i = 0, count = working_; i < count; ++i) {
+    threads_.emplace_back([this] { work(); });
+  }
+}
+
+Crew::~Crew() {
+  stop();
+  for (std::thread& thread : threads_) {
+    thread.join();
+  }
+}
+
+std::vector<Ended> Crew::ended(std::chrono::milliseconds most) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, most, [this] { return !ended_.empty() || working_ == 0; });
+  return std::exchange(ended_, {});
+}
+
+bool Crew::finished() {
+  const std::lock_guard lock(mutex_);
+  return working_ == 0 && ended_.empty();
+}
+
+void Crew::work() {
+  std::unique_lock lock(mutex_);
+  while (next_ < runs_.size() && stop_ == 0) {
+    const std::size_t run = runs_[next_++];
+    lock.unlock();
+    Ended one = carried_out(run);
+    lock.lock();
+    ended_.push_back(std::move(one));
+    changed_.notify_all();
+  }
+  --working_;
+  changed_.notify_all();
+}
+
+Ended Crew::carried_out(std::size_t run) const {
+  Ended one = {run, {}, {}, {}};
+  one.result.status = Status::failed;
+  try {
+    run::RunEvents events;
+    events.warning = [&one](const std::string& text) { one.warnings.push_back(text); };
+    one.result.summary = run::run(plan_.scene(run),
+                                  {.folder = folder_.run(plan_.name(run)),
+                                   .threads = 1,
+                                   .stop = &stop_,
+                                   .last_picture_only = !all_pictures_},
+                                  events);
+    one.result.status = one.result.summary.status == "done" ? Status::done : Status::interrupted;
+  } catch (const store::StoreError& error) {
+    one.result.error = error.what();
+    one.store_error = error.what();
+  } catch (const std::bad_alloc&) {
+    one.result.error = "out of memory";
+  } catch (const std::exception& error) {
+    one.result.error = error.what();
+  }
+  return one;
+}
+
+}  // namespace clca::sweep

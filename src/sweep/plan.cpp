@@ -1,0 +1,129 @@
+#include "clca/sweep/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace clca::sweep {
+
+namespace {
+
+void check_keys(const Request& request) {
+  std::set<std::string> keys;
+  for (const Variation& variation : request.variations) {
+    const auto refuse = [&](std::string_view why) {
+      throw scene::SceneError(
+          fmt::format("--vary {}={}: error: {}", variation.key, variation.values.front(), why));
+    };
+    if (variation.key == "seed") {
+      refuse("the seeds of a sweep are given by --seeds");
+    }
+    if (!keys.insert(variation.key).second) {
+      refuse("the key varies twice; give all its values at once, with commas between");
+    }
+  }
+  for (const scene::Override& text : request.overrides) {
+    const std::string key = text.substr(0, text.find('='));
+    if (key == "seed" || keys.contains(key)) {
+      throw scene::SceneError(fmt::format(
+          "--set {}: error: {}", text,
+          key == "seed" ? "the seeds of a sweep are given by --seeds" : "the same key varies"));
+    }
+  }
+}
+
+void check_count(const Request& request) {
+  std::size_t runs = request.seeds.size();
+  for (const Variation& variation : request.variations) {
+    runs *= variation.values.size();
+    if (runs > kMostRuns) {
+      throw scene::SceneError(
+          fmt::format("--vary {}={},...: error: {} runs and more; a sweep has at most {}",
+                      variation.key, variation.values.front(), runs, kMostRuns));
+    }
+  }
+}
+
+/// The values of combination `number`, the last variation changing fastest.
+std::vector<std::string> combination(const std::vector<Variation>& variations, std::size_t number) {
+  std::vector<std::string> values(variations.size());
+  for (std::size_t i = variations.size(); i > 0; --i) {
+    const auto& choices = variations[i - 1].values;
+    values[i - 1] = choices[number % choices.size()];
+    number /= choices.size();
+  }
+  return values;
+}
+
+Variant parsed(const Request& request, std::vector<std::string> values) {
+  std::vector<scene::Override> varied;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    varied.push_back(fmt::format("{}={}", request.variations[i].key, values[i]));
+  }
+  scene::Scene scene = scene::parse_file(request.scene, request.overrides, varied);
+  scene.seed = request.seeds.front();
+  return {std::move(values), std::move(scene)};
+}
+
+/// FNV-1a. The names of folders outlive the program, so std::hash will not do.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t value = 0xcbf29ce484222325;
+  for (const char letter : text) {
+    value = (value ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  }
+  return value;
+}
+
+/// `text` where it can name a file as it is; else its beginning with other signs for what cannot
+/// stand there, and a hash of the whole.
+std::string file_name(const std::string& text) {
+  constexpr std::size_t kLongest = 120;
+  const auto can_stand = [](char letter) {
+    constexpr std::string_view kOthers = "=,._+-";
+    const auto code = static_cast<unsigned char>(letter);
+    return code < 0x80 && (std::isalnum(code) != 0 || kOthers.find(letter) != kOthers.npos);
+  };
+  std::string name = text.substr(0, kLongest);
+  std::replace_if(
+      name.begin(), name.end(), [&](char letter) { return !can_stand(letter); }, '_');
+  return name == text ? name : fmt::format("{}-{:016x}", name, hash(text));
+}
+
+}  // namespace
+
+Plan plan(Request request) {
+  check_keys(request);
+  check_count(request);
+  std::size_t combinations = 1;
+  for (const Variation& variation : request.variations) {
+    combinations *= variation.values.size();
+  }
+  Plan result = {std::move(request), {}};
+  for (std::size_t number = 0; number < combinations; ++number) {
+    result.variants.push_back(
+        parsed(result.request, combination(result.request.variations, number)));
+  }
+  return result;
+}
+
+scene::Scene Plan::scene(std::size_t run) const {
+  scene::Scene result = variant(run).scene;
+  result.seed = seed(run);
+  return result;
+}
+
+std::string Plan::name(std::size_t run) const {
+  std::string values;
+  for (std::size_t i = 0; i < request.variations.size(); ++i) {
+    values += fmt::format("{}={},", request.variations[i].key, variant(run).values[i]);
+  }
+  if (!values.empty()) {
+    values.pop_back();
+    values = file_name(values) + ",";
+  }
+  return fmt::format("{}seed={}", values, seed(run));
+}
+
+}  // namespace clca::sweep

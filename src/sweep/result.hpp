@@ -1,0 +1,20 @@
+#pragma once
+// What came of a run.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clca/store/summary.hpp"
+
+namespace clca::sweep {
+
+enum class Status : std::uint8_t { waiting, done, failed, interrupted };
+
+struct Result {
+  Status status = Status::waiting;
+  store::RunSummary summary;  ///< of a run that is done
+  std::string error;          ///< why it failed
+};
+
+}  // namespace clca::sweep

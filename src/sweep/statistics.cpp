@@ -1,0 +1,39 @@
+#include "sweep/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace clca::sweep {
+
+Statistics statistics(const std::vector<double>& values) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> finite;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
+               [](double value) { return std::isfinite(value); });
+  Statistics result = {kNone, kNone, kNone, finite.size(), kNone, kNone};
+  if (finite.empty()) {
+    return result;
+  }
+  const auto count = static_cast<double>(finite.size());
+  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
+  result.least = *least;
+  result.most = *most;
+  // Welford's recurrence: exact where all values are the same.
+  result.mean = 0;
+  double squares = 0;
+  double number = 0;
+  for (const double value : finite) {
+    const double before = value - result.mean;
+    result.mean += before / ++number;
+    squares += before * (value - result.mean);
+  }
+  if (finite.size() > 1) {
+    result.standard_deviation = std::sqrt(squares / (count - 1));
+    result.standard_error = result.standard_deviation / std::sqrt(count);
+  }
+  return result;
+}
+
+}  // namespace clca::sweep

@@ -1,0 +1,157 @@
+#include "sweep/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "clca/store/table.hpp"
+#include "sweep/statistics.hpp"
+
+namespace clca::sweep {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Stage and name of a measure.
+using Key = std::pair<std::string, std::string>;
+
+/// Yes is 1, no is 0; NaN where there is no number.
+double number(const store::MeasureValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return std::isfinite(*number) ? *number : kNone;
+  }
+  const auto* answer = std::get_if<bool>(&value);
+  return answer != nullptr ? static_cast<double>(*answer) : kNone;
+}
+
+/// Calls `use(key, value)` for each measure of a run, the number of steps of a stage among them.
+template <class Use>
+void for_each_measure(const Result& result, Use use) {
+  for (const store::StageSummary& stage : result.summary.stages) {
+    use(Key(stage.name, "steps"), static_cast<double>(stage.steps));
+    for (const auto& [name, value] : stage.measures) {
+      use(Key(stage.name, name), number(value));
+    }
+  }
+}
+
+/// The measures that occur in runs [first, last), in the order in which they first do.
+class Measures {
+ public:
+  Measures(const std::vector<Result>& results, std::size_t first, std::size_t last) {
+    for (std::size_t run = first; run < last; ++run) {
+      if (results[run].status == Status::done) {
+        for_each_measure(results[run], [this](const Key& key, double /*value*/) { add(key); });
+      }
+    }
+  }
+  const std::vector<Key>& keys() const { return keys_; }
+  std::size_t place(const Key& key) const { return places_.at(key); }
+
+ private:
+  void add(const Key& key) {
+    if (places_.emplace(key, keys_.size()).second) {
+      keys_.push_back(key);
+    }
+  }
+
+  std::vector<Key> keys_;
+  std::map<Key, std::size_t> places_;
+};
+
+std::string to_text(Status status) {
+  switch (status) {
+    case Status::done:
+      return "done";
+    case Status::failed:
+      return "failed";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::waiting:
+      break;
+  }
+  return "waiting";
+}
+
+std::vector<std::string> varied_keys(const Plan& plan) {
+  std::vector<std::string> keys;
+  for (const Variation& variation : plan.request.variations) {
+    keys.push_back(variation.key);
+  }
+  return keys;
+}
+
+std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result& result,
+                                 const Measures& measures) {
+  const auto& values = plan.variant(run).values;
+  std::vector<store::Cell> row(values.begin(), values.end());
+  const bool done = result.status == Status::done;
+  row.insert(row.end(), {plan.seed(run), to_text(result.status),
+                         done ? store::Cell(result.summary.steps) : store::Cell(kNone),
+                         done ? fmt::format("{:016x}", result.summary.state_hash) : std::string()});
+  const std::size_t first = row.size();
+  row.resize(first + measures.keys().size(), kNone);
+  if (done) {
+    for_each_measure(
+        result, [&](const Key& key, double value) { row[first + measures.place(key)] = value; });
+  }
+  row.insert(row.end(), {"runs/" + plan.name(run), result.error});
+  return row;
+}
+
+void add_statistics(store::Table& table, const std::vector<std::string>& values,
+                    const std::vector<Result>& results, std::size_t first, std::size_t last) {
+  const Measures measures(results, first, last);
+  std::vector<std::vector<double>> columns(measures.keys().size());
+  for (std::size_t run = first; run < last; ++run) {
+    if (results[run].status == Status::done) {
+      for_each_measure(results[run], [&](const Key& key, double value) {
+        columns[measures.place(key)].push_back(value);
+      });
+    }
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto& [stage, measure] = measures.keys()[i];
+    const Statistics found = statistics(columns[i]);
+    std::vector<store::Cell> row(values.begin(), values.end());
+    row.insert(row.end(),
+               {stage, measure, found.mean, found.standard_deviation, found.standard_error,
+                std::uint64_t{found.count}, found.least, found.most});
+    table.add_row(std::move(row));
+  }
+}
+
+}  // namespace
+
+std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
+  const Measures measures(results, 0, results.size());
+  std::vector<std::string> columns = varied_keys(plan);
+  columns.insert(columns.end(), {"seed", "status", "steps", "state_hash"});
+  for (const auto& [stage, measure] : measures.keys()) {
+    columns.push_back(fmt::format("{}.{}", stage, measure));
+  }
+  columns.insert(columns.end(), {"folder", "error"});
+  store::Table table(std::move(columns));
+  for (std::size_t run = 0; run < results.size(); ++run) {
+    table.add_row(run_row(plan, run, results[run], measures));
+  }
+  return table.to_csv();
+}
+
+std::string measures_table(const Plan& plan, const std::vector<Result>& results) {
+  std::vector<std::string> columns = varied_keys(plan);
+  columns.insert(columns.end(), {"stage", "measure", "mean", "standard_deviation", "standard_error",
+                                 "runs", "min", "max"});
+  store::Table table(std::move(columns));
+  const std::size_t seeds = plan.request.seeds.size();
+  for (std::size_t i = 0; i < plan.variants.size(); ++i) {
+    add_statistics(table, plan.variants[i].values, results, i * seeds, (i + 1) * seeds);
+  }
+  return table.to_csv();
+}
+
+}  // namespace clca::sweep

@@ -1,0 +1,198 @@
+#include "clca/sweep/sweep.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "clca/render/png.hpp"
+#include "clca/run/run.hpp"
+#include "clca/store/file.hpp"
+#include "support/runs.hpp"
+
+namespace clca::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+constexpr const char* kSmallScene = R"(clca: 1
+box: {width: 40, height: 40}
+species:
+  small: {shape: {hexagon: 1}}
+walls:
+  gate: {box: [20, 0, 21, 40]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 20, 40], counts: {small: 12}}
+  - name: flow
+    remove: [gate]
+output:
+  frames: {every: 10, width: 64, height: 48, caption: false}
+  series: {every: 1}
+)";
+
+class SweepTest : public ::testing::Test {
+ protected:
+  void SetUp() override { std::ofstream(file()) << kSmallScene; }
+
+  fs::path file() const { return folder_.path() / "small.yaml"; }
+  fs::path at(const std::string& path) const { return folder_.path() / path; }
+  std::string text(const std::string& path) const {
+    const auto bytes = store::read_whole(at(path));
+    return {bytes.begin(), bytes.end()};
+  }
+  Plan plan_of(const std::string& variation = "rules.inertia=0,0.9") const {
+    return plan({.scene = file(),
+                 .overrides = {},
+                 .variations = {parse_variation(variation)},
+                 .seeds = {1, 2, 5}});
+  }
+  Progress run(const Plan& plan, const std::string& folder, int jobs = 2, bool all = false) {
+    warnings_.clear();
+    return execute(plan, {.folder = at(folder), .jobs = jobs, .all_pictures = all},
+                   {.warning = [this](const std::string& line) { warnings_.push_back(line); }});
+  }
+  std::size_t picture_count(const std::string& run) const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(at(run) / "frames"), fs::directory_iterator()));
+  }
+
+  testing::ScratchFolder folder_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(SweepTest, LeavesARunFolderForEachRunAndTablesOverAll) {
+  const Progress totals = run(plan_of(), "out");
+  EXPECT_EQ(totals.done, 6U);
+  EXPECT_EQ(totals.reused, 0U);
+  const auto json = nlohmann::json::parse(text("out/sweep.json"));
+  EXPECT_EQ(json["seeds"], "1..2,5");
+  EXPECT_EQ(json["vary"][0]["values"][1], "0.9");
+  const auto scene = scene::parse_file(at("out/runs/rules.inertia=0.9,seed=5/scene.yaml"));
+  EXPECT_EQ(scene.seed, 5U);
+  EXPECT_EQ(testing::csv_column(at("out/runs.csv"), "seed"),
+            (std::vector<double>{1, 2, 5, 1, 2, 5}));
+  EXPECT_THAT(text("out/measures.csv"),
+              AllOf(HasSubstr("\n0,flow,steps,"), HasSubstr("\n0.9,packing,packing_fraction,")));
+}
+
+TEST_F(SweepTest, ARunOfASweepIsTheSameAsTheRunAlone) {
+  run(plan_of(), "out");
+  const auto alone = run::run(plan_of().scene(3), {.folder = at("alone")});
+  EXPECT_THAT(
+      text("out/runs.csv"),
+      HasSubstr(nlohmann::json::parse(text("alone/run.json"))["state_hash"].get<std::string>()));
+  EXPECT_EQ(text("alone/series.csv"), text("out/runs/rules.inertia=0.9,seed=1/series.csv"));
+}
+
+TEST_F(SweepTest, TablesAndOverviewDoNotDependOnTheNumberOfJobs) {
+  run(plan_of(), "one", 1);
+  run(plan_of(), "four", 4);
+  for (const std::string file : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
+    EXPECT_EQ(text("one/" + file), text("four/" + file)) << file;
+  }
+}
+
+TEST_F(SweepTest, GoesOnWhereItWasAndRunsOnlyWhatIsNotWhole) {
+  run(plan_of(), "out");
+  const std::string runs = text("out/runs.csv");
+  const std::string measures = text("out/measures.csv");
+  const std::string overview = text("out/overview.png");
+  const fs::path kept = at("out/runs/rules.inertia=0.9,seed=2/run.json");
+  const auto before = fs::last_write_time(kept);
+  fs::remove_all(at("out/runs/rules.inertia=0,seed=1"));
+  const fs::path cut = at("out/runs/rules.inertia=0,seed=2/run.json");
+  fs::resize_file(cut, fs::file_size(cut) / 2);
+  std::ofstream(at("out/runs/rules.inertia=0,seed=5/scene.yaml"), std::ios::app) << "# changed\n";
+  fs::remove_all(at("out/runs/rules.inertia=0.9,seed=1/frames"));
+  const Progress totals = run(plan_of(), "out");
+  EXPECT_EQ(totals.done, 6U);
+  EXPECT_EQ(totals.reused, 2U);
+  EXPECT_EQ(fs::last_write_time(kept), before);
+  EXPECT_EQ(text("out/runs.csv"), runs);
+  EXPECT_EQ(text("out/measures.csv"), measures);
+  EXPECT_EQ(text("out/overview.png"), overview);
+}
+
+TEST_F(SweepTest, AnotherSweepInTheFolderTakesTheRunsThatAreTheSameAndLeavesTheRest) {
+  run(plan_of(), "out");
+  store::write_whole(at("out/notes.txt"), "mine");
+  const Progress totals = run(plan_of("rules.inertia=0.9,0.5"), "out");
+  EXPECT_EQ(totals.reused, 3U);
+  EXPECT_EQ(testing::csv_column(at("out/runs.csv"), "rules.inertia"),
+            (std::vector<double>{0.9, 0.9, 0.9, 0.5, 0.5, 0.5}));
+  EXPECT_TRUE(fs::exists(at("out/notes.txt")));
+  EXPECT_TRUE(fs::exists(at("out/runs/rules.inertia=0,seed=1/run.json")));
+}
+
+TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
+  const Progress totals = run(plan_of("stages.packing.fill.counts.small=500,12"), "out");
+  EXPECT_EQ(totals.failed, 3U);
+  EXPECT_EQ(totals.done, 3U);
+  EXPECT_THAT(warnings_,
+              AllOf(SizeIs(3), Contains(AllOf(HasSubstr("counts.small=500,seed=5 failed"),
+                                              HasSubstr("of 500 small fitted")))));
+  EXPECT_THAT(text("out/runs.csv"), HasSubstr("500,1,failed,"));
+  const auto overview = render::decode_png(store::read_whole(at("out/overview.png"))).image;
+  EXPECT_GT(overview.width, 0);
+}
+
+TEST_F(SweepTest, DrawsTheFinalStateOnlyUnlessAllPicturesAreAskedFor) {
+  run(plan_of(), "out");
+  EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=1"), 1U);
+  EXPECT_EQ(run(plan_of(), "out", 2, true).reused, 0U);
+  EXPECT_GT(picture_count("out/runs/rules.inertia=0,seed=1"), 2U);
+  EXPECT_EQ(run(plan_of(), "out").reused, 6U);
+}
+
+TEST_F(SweepTest, WithoutPicturesThereIsNoOverviewNotEvenAnOldOne) {
+  run(plan_of(), "out");
+  Plan plain = plan_of();
+  for (Variant& variant : plain.variants) {
+    variant.scene.output.frames.reset();
+  }
+  run(plain, "out");
+  EXPECT_FALSE(fs::exists(at("out/overview.png")));
+}
+
+TEST_F(SweepTest, StopsWhenAskedAndGoesOnLater) {
+  std::atomic<int> stop = 0;
+  const auto count_down = [&](const Progress& progress) { stop = progress.done > 0 ? 2 : 0; };
+  const Plan plan = plan_of();
+  const Progress first =
+      execute(plan, {.folder = at("out"), .jobs = 1, .stop = &stop}, {.progress = count_down});
+  EXPECT_GE(first.done, 1U);
+  EXPECT_TRUE(fs::exists(at("out/runs.csv")));
+  EXPECT_EQ(run(plan, "out").done, 6U);
+  run(plan, "whole");
+  EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
+}
+
+TEST_F(SweepTest, WhatCannotBeWrittenEndsTheSweepWithItsPath) {
+  store::write_whole(at("file"), "x");
+  EXPECT_THAT([&] { run(plan_of(), "file"); },
+              ::testing::ThrowsMessage<store::StoreError>(HasSubstr("file/runs")));
+  fs::create_directories(at("out/runs"));
+  store::write_whole(at("out/runs/rules.inertia=0,seed=2"), "x");
+  EXPECT_THAT([&] { run(plan_of(), "out"); },
+              ::testing::ThrowsMessage<store::StoreError>(HasSubstr("seed=2")));
+}
+
+TEST_F(SweepTest, EightRunsAtOnceDoNotDisturbEachOther) {
+  Plan many = plan_of();
+  many.request.seeds.resize(24);
+  std::iota(many.request.seeds.begin(), many.request.seeds.end(), 1U);
+  EXPECT_EQ(run(many, "eight", 8, true).done, 48U);
+  run(many, "one", 1, true);
+  EXPECT_EQ(text("eight/runs.csv"), text("one/runs.csv"));
+  EXPECT_EQ(text("eight/overview.png"), text("one/overview.png"));
+}
+
+}  // namespace
+}  // namespace clca::sweep
