@@ -83,7 +83,8 @@ std::string file_name(const std::string& text) {
   const auto can_stand = [](char letter) {
     constexpr std::string_view kOthers = "=,._+-";
     const auto code = static_cast<unsigned char>(letter);
-    return code < 0x80 && (std::isalnum(code) != 0 || kOthers.find(letter) != kOthers.npos);
+    return code < 0x80 &&
+           (std::isalnum(code) != 0 || kOthers.find(letter) != std::string_view::npos);
   };
   std::string name = text.substr(0, kLongest);
   std::replace_if(

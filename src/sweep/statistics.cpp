@@ -20,14 +20,16 @@ Statistics statistics(const std::vector<double>& values) {
   const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
   result.least = *least;
   result.most = *most;
-  // Welford's recurrence: exact where all values are the same.
-  result.mean = 0;
-  double squares = 0;
-  double number = 0;
+  // Counted from the first value: exact where all values are the same.
+  const double origin = finite.front();
+  double sum = 0;
   for (const double value : finite) {
-    const double before = value - result.mean;
-    result.mean += before / ++number;
-    squares += before * (value - result.mean);
+    sum += value - origin;
+  }
+  result.mean = origin + sum / count;
+  double squares = 0;
+  for (const double value : finite) {
+    squares += (value - result.mean) * (value - result.mean);
   }
   if (finite.size() > 1) {
     result.standard_deviation = std::sqrt(squares / (count - 1));

@@ -25,6 +25,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+void tell(const std::function<void(const std::string&)>& event, const std::string& text) {
+  if (event) {
+    event(text);
+  }
+}
+
 /// Refuses once, before anything is written, what would fail in every run.
 void prepare_drawing(const Plan& plan) {
   const auto drawn =
@@ -65,11 +71,6 @@ class Sweep {
   void write_overview();
 
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
-  void tell(const std::function<void(const std::string&)>& event, const std::string& text) const {
-    if (event) {
-      event(text);
-    }
-  }
 
   const Plan& plan_;
   const Options& options_;

@@ -45,6 +45,10 @@ TEST(Statistics, AreThoseOfTheSample) {
   EXPECT_EQ(found.most, 9);
 }
 
+TEST(Statistics, OfCountsWithAWholeMeanAreExact) {
+  EXPECT_EQ(statistics({143, 165, 154, 121, 187}).mean, 154);
+}
+
 TEST(Statistics, LeaveOutWhatIsNoNumber) {
   const Statistics found = statistics({1, kNone, 3, std::numeric_limits<double>::infinity()});
   EXPECT_EQ(found.count, 2U);
