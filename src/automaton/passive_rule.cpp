@@ -154,7 +154,10 @@ bool PassiveRule::spares_walls(std::uint32_t id, Direction direction,
     }
     before += change.sites_before;
     after += change.sites_after;
-    if (change.sites_after > 0 && !can_leave(world_, there, change.owner, lattice::kDirections)) {
+    // Onto a further wall nobody may go: that would be an overlap without a push.
+    const bool comes_onto = change.sites_before == 0;
+    if (comes_onto ||
+        (change.sites_after > 0 && !can_leave(world_, there, change.owner, lattice::kDirections))) {
       return false;
     }
   }

@@ -5,8 +5,11 @@
 namespace clca::automaton {
 
 UpdateOrder::UpdateOrder(const Rules& rules, std::uint64_t seed) : rules_(rules), seed_(seed) {
+  // All six: a push may lead where nobody goes by itself.
+  Rules all = rules;
+  all.candidates = Candidates::all;
   std::uint64_t place = 0;
-  for (const lattice::Direction direction : candidate_directions(rules)) {
+  for (const lattice::Direction direction : candidate_directions(all)) {
     place_[index_of(direction)] = place++;
   }
 }

@@ -31,7 +31,7 @@ class UpdateOrder {
   std::uint64_t direction_tie(Move move, std::uint64_t rank, std::uint64_t step) const;
 
   Rules rules_;
-  std::array<std::uint64_t, lattice::kDirectionCount> place_{};  // among the candidates
+  std::array<std::uint64_t, lattice::kDirectionCount> place_{};  // from gravity on
   std::uint64_t seed_;
 };
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "clca/random/draw.hpp"
+#include "support/active_oracle.hpp"
 
 namespace clca::testing {
 
@@ -16,7 +16,6 @@ using automaton::Particle;
 using automaton::State;
 using lattice::Direction;
 using lattice::Site;
-using random::Purpose;
 
 constexpr int kWall = -1;
 
@@ -67,125 +66,11 @@ class Map {
   std::map<Site, int> owners_;
 };
 
-struct Rule {
-  const State& state;
-
-  std::uint64_t draw(std::size_t id, Purpose purpose) const {
-    return random::draw(state.seed, state.step, static_cast<std::uint32_t>(id), purpose);
-  }
-
-  std::vector<Direction> candidates() const {
-    const Direction g = state.rules.gravity;
-    std::vector<Direction> all = {g, rotated(g, 1), rotated(g, -1)};
-    if (state.rules.candidates == automaton::Candidates::all) {
-      for (const int turn : {2, -2, 3}) {
-        all.push_back(rotated(g, turn));
-      }
-    }
-    return all;
-  }
-
-  Move provisional(std::size_t id, const std::vector<Direction>& free) const {
-    const auto is_free = [&](Direction d) {
-      return std::find(free.begin(), free.end(), d) != free.end();
-    };
-    const Particle& particle = state.particles[id];
-    const Direction g = state.rules.gravity;
-    if (free.empty()) {
-      return kRest;
-    }
-    if (random::Probability(state.rules.scatter).accepts(draw(id, Purpose::scatter))) {
-      return static_cast<Move>(
-          free[random::below(draw(id, Purpose::scatter_direction), free.size())]);
-    }
-    if (particle.previous != kRest && is_free(static_cast<Direction>(particle.previous)) &&
-        random::Probability(state.rules.inertia).accepts(draw(id, Purpose::inertia))) {
-      return particle.previous;
-    }
-    if (is_free(g)) {
-      return static_cast<Move>(g);
-    }
-    for (const int turn : {1, 2}) {
-      const Direction right = rotated(g, turn);
-      const Direction left = rotated(g, -turn);
-      if (is_free(right) && is_free(left)) {
-        return static_cast<Move>((draw(id, Purpose::coin) & 1U) != 0 ? right : left);
-      }
-      if (is_free(right) || is_free(left)) {
-        return static_cast<Move>(is_free(right) ? right : left);
-      }
-    }
-    return static_cast<Move>(opposite(g));
-  }
-
-  std::size_t class_of(Move previous, Move move) const {
-    for (std::size_t rank = 0; rank < 3; ++rank) {
-      switch (state.rules.update_priority[rank]) {
-        case automaton::UpdateClass::rest:
-          if (previous == kRest) {
-            return rank;
-          }
-          break;
-        case automaton::UpdateClass::inertia:
-          if (previous == move) {
-            return rank;
-          }
-          break;
-        case automaton::UpdateClass::gravity:
-          if (move == static_cast<Move>(state.rules.gravity)) {
-            return rank;
-          }
-          break;
-      }
-    }
-    return 3;
-  }
-
-  /// The order of the directions within a class: pairs by a coin.
-  std::vector<Move> passes(std::size_t rank) const {
-    std::vector<Direction> order = candidates();
-    const bool swap = (draw(rank, Purpose::direction_order) & 1U) != 0;
-    for (std::size_t pair = 1; swap && pair + 1 < order.size(); pair += 2) {
-      std::swap(order[pair], order[pair + 1]);
-    }
-    std::vector<Move> moves;
-    for (const Direction direction : order) {
-      moves.push_back(static_cast<Move>(direction));
-    }
-    return moves;
-  }
-};
-
-struct Wish {
-  std::size_t id;
-  Move move;
-  std::size_t rank;
-};
-
-/// Particles in the order of their turns.
-std::vector<Wish> in_order(const Rule& rule, std::vector<Wish> wishes) {
-  if (rule.state.rules.ties == automaton::Ties::particle) {
-    std::sort(wishes.begin(), wishes.end(), [&](const Wish& a, const Wish& b) {
-      return std::tuple(a.rank, rule.draw(a.id, Purpose::tie), a.id) <
-             std::tuple(b.rank, rule.draw(b.id, Purpose::tie), b.id);
-    });
-    return wishes;
-  }
-  std::vector<Wish> ordered;
-  for (std::size_t rank = 0; rank < 4; ++rank) {
-    for (const Move move : rule.passes(rank)) {
-      std::copy_if(wishes.begin(), wishes.end(), std::back_inserter(ordered),
-                   [&](const Wish& wish) { return wish.rank == rank && wish.move == move; });
-    }
-  }
-  return ordered;
-}
-
 }  // namespace
 
 std::size_t oracle_step(State& state) {
   Map map(state);
-  const Rule rule{state};
+  const ActiveOracle rule{state};
   std::vector<Wish> wishes;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     std::vector<Direction> free;
@@ -196,13 +81,13 @@ std::size_t oracle_step(State& state) {
     }
     const Move move = rule.provisional(id, free);
     if (move != kRest) {
-      wishes.push_back({id, move, rule.class_of(state.particles[id].previous, move)});
+      wishes.push_back(rule.wish(id, move));
     } else {
       state.particles[id].previous = kRest;
     }
   }
   std::size_t moved = 0;
-  for (const Wish& wish : in_order(rule, std::move(wishes))) {
+  for (const Wish& wish : rule.in_order(std::move(wishes))) {
     Particle& particle = state.particles[wish.id];
     const auto direction = static_cast<Direction>(wish.move);
     const bool goes = map.can_go(particle, static_cast<int>(wish.id), direction);

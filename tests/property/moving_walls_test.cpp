@@ -1,0 +1,106 @@
+// Random boxes in which walls move: what holds for every one of them.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "property/random_motions.hpp"
+#include "support/difference.hpp"
+#include "support/overlaps.hpp"
+#include "support/passive_oracle.hpp"
+
+namespace clca {
+namespace {
+
+using automaton::Automaton;
+using automaton::State;
+using automaton::StepReport;
+using testing::any_moving_state;
+using testing::MovingWalls;
+
+constexpr int kSteps = 60;
+
+RC_GTEST_PROP(MovingWallsProperty, EveryStepEqualsTheSequentialOracle, ()) {
+  State expected = any_moving_state(MovingWalls::any);
+  Automaton automaton(expected);
+  bool chained = false;
+  for (int step = 0; step < kSteps; ++step) {
+    const testing::WholeStep oracle = testing::oracle_whole_step(expected);
+    const StepReport report = automaton.step();
+    RC_ASSERT(testing::difference(automaton.state(), expected) == "");
+    RC_ASSERT(report.moved == oracle.moved);
+    RC_ASSERT(report.walls_moved == oracle.walls.moved);
+    RC_ASSERT(report.walls_stalled == oracle.walls.stalled);
+    chained = chained ||
+              std::any_of(expected.pushes.begin(), expected.pushes.end(),
+                          [](const auto& push) { return automaton::is_particle(push.pusher); });
+  }
+  RC_CLASSIFY(chained, "particles pushed particles");
+}
+
+RC_GTEST_PROP(MovingWallsProperty, OverlapsArePushesAndStayShallowAndNothingIsLost, ()) {
+  Automaton automaton(any_moving_state(MovingWalls::any));
+  const std::size_t count = automaton.state().particles.size();
+  for (int step = 0; step < kSteps; ++step) {
+    automaton.step();
+    RC_ASSERT(testing::complaint(automaton.state()) == "");
+    RC_ASSERT(automaton::present_count(automaton.state()) == count);
+    RC_ASSERT(automaton::Occupancy(automaton.state()) == automaton.occupancy());
+  }
+}
+
+RC_GTEST_PROP(MovingWallsProperty, RigidWallsMakeNoOverlaps, ()) {
+  Automaton automaton(any_moving_state(MovingWalls::rigid));
+  for (int step = 0; step < kSteps; ++step) {
+    automaton.step();
+    RC_ASSERT(automaton.state().pushes.empty());
+    RC_ASSERT(testing::overlapping_pairs(automaton.state()).empty());
+  }
+}
+
+RC_GTEST_PROP(MovingWallsProperty, ThreadsSleepingAndAFreshStartChangeNothing, ()) {
+  const State state = any_moving_state(MovingWalls::any);
+  Automaton plain(state);
+  Automaton threaded(state, {.threads = 3, .parallel_from = 1});
+  Automaton sleepless(state, {.sleeping = false});
+  Automaton resumed(state);
+  const int fresh_start = *rc::gen::inRange(0, kSteps);
+  for (int step = 0; step < kSteps; ++step) {
+    if (step == fresh_start) {
+      resumed = Automaton(resumed.state());
+    }
+    const bool settled = plain.step().settled;
+    RC_ASSERT(threaded.step().settled == settled);
+    RC_ASSERT(sleepless.step().settled == settled);
+    RC_ASSERT(resumed.step().settled == settled);
+    RC_ASSERT(threaded.state() == plain.state());
+    RC_ASSERT(sleepless.state() == plain.state());
+    RC_ASSERT(resumed.state() == plain.state());
+  }
+  RC_ASSERT(automaton::hash(threaded.state()) == automaton::hash(plain.state()));
+}
+
+RC_GTEST_PROP(MovingWallsProperty, WhatIsSettledStaysAsItIs, ()) {
+  Automaton automaton(any_moving_state(MovingWalls::any));
+  int steps = 0;
+  while (!automaton.step().settled && ++steps < 400) {
+  }
+  if (steps == 400) {
+    return;
+  }
+  const State settled = automaton.state();
+  for (int step = 0; step < 30; ++step) {
+    automaton.step();
+    RC_ASSERT(automaton.state().particles == settled.particles);
+    RC_ASSERT(automaton.state().pushes == settled.pushes);
+    for (std::size_t wall = 0; wall < settled.walls.size(); ++wall) {
+      RC_ASSERT(automaton.state().walls[wall].shift() == settled.walls[wall].shift());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clca

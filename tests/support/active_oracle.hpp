@@ -1,0 +1,36 @@
+#pragma once
+// The active rule and the order of turns, written down as plainly as they can be.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "clca/random/draw.hpp"
+
+namespace clca::testing {
+
+/// A particle that wants to move, and the class of its turn.
+struct Wish {
+  std::size_t id;
+  automaton::Move move;
+  std::size_t rank;
+};
+
+struct ActiveOracle {
+  const automaton::State& state;
+
+  std::uint64_t draw(std::size_t id, random::Purpose purpose) const;
+  /// Directions a particle may take by itself.
+  std::vector<lattice::Direction> candidates() const;
+  /// Where a particle wants to go that is free to go in the candidates `free`.
+  automaton::Move provisional(std::size_t id, const std::vector<lattice::Direction>& free) const;
+  Wish wish(std::size_t id, automaton::Move move) const;
+  /// Movers in the order of their turns.
+  std::vector<Wish> in_order(std::vector<Wish> wishes) const;
+
+ private:
+  std::size_t class_of(automaton::Move previous, automaton::Move move) const;
+  std::vector<automaton::Move> passes(std::size_t rank) const;
+};
+
+}  // namespace clca::testing

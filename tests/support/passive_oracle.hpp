@@ -1,0 +1,18 @@
+#pragma once
+// A whole step with walls that move and particles that overlap, written down as plainly as it can
+// be: the oracle for the real thing.
+
+#include "support/wall_oracle.hpp"
+
+namespace clca::testing {
+
+struct WholeStep {
+  WallTurns walls;
+  std::size_t moved = 0;
+};
+
+/// One step of a state without sources and outlets. Walls move, then all particles decide, then
+/// those pushed have their turn one after the other, then the others.
+WholeStep oracle_whole_step(automaton::State& state);
+
+}  // namespace clca::testing

@@ -1,0 +1,19 @@
+#pragma once
+// Walls that move, written down as plainly as it can be.
+
+#include "clca/automaton/state.hpp"
+
+namespace clca::testing {
+
+struct WallTurns {
+  std::size_t moved = 0;
+  std::size_t stalled = 0;
+};
+
+/// Lets every active wall take its step, in the order of their numbers.
+WallTurns oracle_walls(automaton::State& state);
+
+/// Ends the step for walls that wait.
+void oracle_wait(automaton::State& state, bool particles_moved);
+
+}  // namespace clca::testing
