@@ -29,6 +29,9 @@ class Automaton::Impl {
     if (!state.outlets.empty()) {
       std::size_t& removed = report.removed;
       stepper.for_each_moved([&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
+      for (const std::uint32_t id : world.carried) {
+        removed += discharge(id) ? 1U : 0U;
+      }
       for (std::size_t id = before; id < state.particles.size(); ++id) {
         removed += discharge(static_cast<std::uint32_t>(id)) ? 1U : 0U;
       }

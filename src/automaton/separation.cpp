@@ -77,6 +77,22 @@ int SeparationTable::depth(Axial apart) const {
   return depths_[place(apart)];
 }
 
+int SeparationTable::depth(Axial apart, int columns) const {
+  // Once round leads to the same row: up the columns, and down again by half as many sites.
+  const Axial round{columns, -columns / 2};
+  while (apart.x - columns >= low_.x) {
+    apart = apart - round;
+  }
+  while (apart.x < low_.x) {
+    apart = apart + round;
+  }
+  int deepest = 0;
+  for (; apart.x < low_.x + columns_; apart = apart + round) {
+    deepest = std::max(deepest, depth(apart));
+  }
+  return deepest;
+}
+
 int Separation::depth(const Particle& first, const Particle& second, Axial shift) {
   const auto key = std::pair(first.kind, second.kind);
   auto found = tables_.find(key);
@@ -85,7 +101,9 @@ int Separation::depth(const Particle& first, const Particle& second, Axial shift
         tables_.emplace(key, SeparationTable(kinds_[first.kind].shape, kinds_[second.kind].shape))
             .first;
   }
-  return found->second.depth(nearest_vector(lattice_, first.site(), second.site()) - shift);
+  const Axial apart = nearest_vector(lattice_, first.site(), second.site()) - shift;
+  return lattice_.periodic() ? found->second.depth(apart, lattice_.columns())
+                             : found->second.depth(apart);
 }
 
 Axial nearest_vector(const lattice::Lattice& lattice, lattice::Site from, lattice::Site to) {

@@ -76,6 +76,7 @@ WallMover::WallMover(const State& state) : edges_(state.walls.size()), failed_(s
 }
 
 void WallMover::advance(World& world, StepReport& report) {
+  world.carried.clear();
   for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
     failed_[number] = false;
     Wall& wall = world.state.walls[number];

@@ -66,9 +66,12 @@ bool insert_wall(World& world, std::size_t number) {
     return true;
   }
   const std::vector<std::size_t> places = places_now(world.state, wall);
+  const auto moves = [&](Owner owner) {
+    return is_wall(owner) && world.state.walls[wall_number(owner)].motion.has_value();
+  };
   const bool barred = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
     const Owner owner = world.occupancy.owner(place);
-    return is_particle(owner) || (owner != kFree && wall.motion.has_value());
+    return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
   if (barred) {
     return false;

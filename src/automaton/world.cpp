@@ -105,6 +105,7 @@ void World::shift_together(std::span<const std::uint32_t> ids, lattice::Directio
     particle = moved(particle, direction);
     awake.insert(id);
   }
+  carried.insert(carried.end(), ids.begin(), ids.end());
   for (const std::size_t place : left) {
     if (!occupancy.taken(place)) {
       wake_upstream(place);

@@ -52,7 +52,7 @@ class World {
   /// Moves a particle, whoever shares its sites, forgets the pushes that have ended and wakes
   /// those concerned. Its `previous` becomes the direction.
   void shift(std::uint32_t id, lattice::Direction direction);
-  /// Moves many by one site at once; they may stand in each other's way.
+  /// Moves many by one site at once; they may stand in each other's way. Adds them to `carried`.
   void shift_together(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Takes a particle away for good.
   void take_away(std::uint32_t id);
@@ -66,6 +66,7 @@ class World {
   AwakeSet awake;
   PushBook pushes;
   Separation separation;
+  std::vector<std::uint32_t> carried;  ///< particles that walls have taken along in this step
 
  private:
   void forget_ended(std::uint32_t id, const std::vector<Overlap>& before);

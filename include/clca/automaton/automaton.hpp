@@ -61,8 +61,8 @@ class Automaton {
   FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   /// Takes a wall away; nothing happens when it is gone already.
   void remove_wall(std::size_t wall);
-  /// Puts a wall where it is not yet. Returns false and changes nothing when a particle or, for a
-  /// moving wall, another wall stands in its way.
+  /// Puts a wall where it is not yet. Returns false and changes nothing when a particle stands in
+  /// its way, or another wall and one of the two moves.
   bool insert_wall(std::size_t wall);
   /// Sets a wall in motion or holds it. Throws std::invalid_argument when it has no motion.
   void set_motion(std::size_t wall, bool active);

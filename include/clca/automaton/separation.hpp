@@ -19,6 +19,8 @@ class SeparationTable {
   /// Least number of unit moves of `second`, whose reference site lies at `apart` from that of
   /// `first`, after which the two share no site; 0 when they share none.
   int depth(lattice::Axial apart) const;
+  /// The same in a periodic box of so many columns: the deepest of all images.
+  int depth(lattice::Axial apart, int columns) const;
 
  private:
   std::size_t place(lattice::Axial apart) const;
@@ -34,7 +36,8 @@ class Separation {
  public:
   explicit Separation(const State& state) : kinds_(state.kinds), lattice_(state.lattice) {}
 
-  /// Unit moves needed to separate the two particles, 0 when they do not overlap.
+  /// Unit moves needed to separate the two particles, 0 when they do not overlap. Where they meet
+  /// on both ways round a periodic box, the deeper counts.
   int depth(const Particle& first, const Particle& second) { return depth(first, second, {}); }
   /// The same if `first` stood further by `shift`.
   int depth(const Particle& first, const Particle& second, lattice::Axial shift);
