@@ -83,6 +83,61 @@ RC_GTEST_PROP(MovingWallsProperty, ThreadsSleepingAndAFreshStartChangeNothing, (
   RC_ASSERT(automaton::hash(threaded.state()) == automaton::hash(plain.state()));
 }
 
+bool lies_inside(const State& state, const automaton::Particle& particle,
+                 const lattice::Rectangle& region) {
+  const testing::Sites sites = testing::body(state, particle);
+  return std::all_of(sites.begin(), sites.end(),
+                     [&](lattice::Site site) { return region.contains(lattice::position(site)); });
+}
+
+/// Adds a source and an outlet in which nothing lies yet.
+State with_entry_and_exit(State state) {
+  const auto columns = static_cast<double>(state.lattice.columns());
+  const double left = *rc::gen::inRange(0, 10);
+  const double bottom = *rc::gen::inRange(0, 20);
+  const lattice::Rectangle region{left, bottom, left + columns / 2, bottom + 8};
+  const bool clear =
+      std::none_of(state.particles.begin(), state.particles.end(),
+                   [&](const auto& particle) { return lies_inside(state, particle, region); });
+  if (clear) {
+    state.outlets = {{.region = region}};
+  }
+  automaton::Source source{.weights = std::vector<std::uint32_t>(state.kinds.size(), 1)};
+  for (int i = 0; i < 5; ++i) {
+    source.sites.push_back({*rc::gen::inRange(0, state.lattice.columns()),
+                            *rc::gen::inRange(0, state.lattice.rows())});
+  }
+  source.rate = std::uint64_t{1} << 31U;
+  source.count = 40;
+  source.open = true;
+  state.sources = {source};
+  return state;
+}
+
+RC_GTEST_PROP(MovingWallsProperty, WhatEntersAndLeavesIsCountedAndOutletsAreEmpty, ()) {
+  const State state = with_entry_and_exit(any_moving_state(MovingWalls::any));
+  Automaton automaton(state);
+  Automaton sleepless(state, {.threads = 3, .parallel_from = 1, .sleeping = false});
+  std::size_t count = automaton::present_count(state);
+  for (int step = 0; step < kSteps; ++step) {
+    const StepReport report = automaton.step();
+    sleepless.step();
+    count += report.emitted;
+    count -= report.removed;
+    const State& now = automaton.state();
+    RC_ASSERT(testing::difference(sleepless.state(), now) == "");
+    RC_ASSERT(automaton::present_count(now) == count);
+    RC_ASSERT(testing::complaint(now) == "");
+    RC_ASSERT(automaton::Occupancy(now) == automaton.occupancy());
+    for (const automaton::Outlet& outlet : now.outlets) {
+      RC_ASSERT(std::none_of(now.particles.begin(), now.particles.end(),
+                             [&](const automaton::Particle& particle) {
+                               return particle.present && lies_inside(now, particle, outlet.region);
+                             }));
+    }
+  }
+}
+
 RC_GTEST_PROP(MovingWallsProperty, WhatIsSettledStaysAsItIs, ()) {
   Automaton automaton(any_moving_state(MovingWalls::any));
   int steps = 0;

@@ -10,6 +10,12 @@
 
 namespace clca::testing {
 
+/// The whole range from the first case on, so that most boxes are full enough to matter.
+template <class Number>
+Number within(Number low, Number high) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Number>(low, high));
+}
+
 inline automaton::Path any_path() {
   automaton::Path path;
   automaton::Path::Point last;
@@ -30,7 +36,7 @@ inline automaton::Motion any_motion() {
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
       motion.program = automaton::Drive{.period = *rc::gen::inRange<std::uint64_t>(1, 4),
-                                        .distance = *rc::gen::inRange(0, 25)};
+                                        .distance = within(0, 25)};
       break;
     case 1:
       motion.program = automaton::Wave{
@@ -54,11 +60,15 @@ inline automaton::Motion any_motion() {
 
 /// Sites along a random line, some perhaps outside the box.
 inline std::vector<lattice::Site> any_line(const lattice::Lattice& lattice) {
-  const auto along = [&](double extent) { return extent * *rc::gen::inRange(0, 100) / 100; };
+  const auto along = [&](double extent) { return extent * within(0, 100) / 100; };
   const double width = lattice.columns() * lattice::kColumnPitch;
   const double height = lattice.rows();
-  std::vector<lattice::Site> sites =
-      sites_along(lattice, {{along(width), along(height)}, {along(width), along(height)}, 1.5});
+  // Half of them through the whole box: pistons.
+  const bool whole = *rc::gen::arbitrary<bool>();
+  const lattice::Segment segment{{whole ? 0 : along(width), along(height)},
+                                 {whole ? width : along(width), along(height)},
+                                 1.5};
+  std::vector<lattice::Site> sites = sites_along(lattice, segment);
   if (*rc::gen::inRange(0, 3) == 0) {
     const lattice::Axial by{*rc::gen::inRange(-8, 9), *rc::gen::inRange(-8, 9)};
     std::transform(sites.begin(), sites.end(), sites.begin(),
@@ -76,6 +86,10 @@ inline void add_moving_wall(automaton::State& state, MovingWalls which) {
   std::erase_if(wall.sites, [&](lattice::Site site) {
     return others.contains({state.lattice.wrapped(site.column), site.row});
   });
+  if (*rc::gen::arbitrary<bool>()) {
+    wall.motion =
+        automaton::Motion{state.rules.gravity, automaton::Drive{within<std::uint64_t>(1, 4), 30}};
+  }
   const bool overlaps = which == MovingWalls::overlapping ||
                         (which == MovingWalls::any && *rc::gen::arbitrary<bool>());
   wall.passive = overlaps ? automaton::Passive::overlap : automaton::Passive::rigid;
@@ -94,8 +108,8 @@ inline void add_static_walls(automaton::State& state) {
 /// A box with walls at rest, one to three that move, and particles that have fallen for a while.
 inline automaton::State any_moving_state(MovingWalls which) {
   const bool periodic = *rc::gen::arbitrary<bool>();
-  const int columns = 2 * *rc::gen::inRange(8, 14);
-  automaton::State state{.lattice = lattice::Lattice(columns, *rc::gen::inRange(10, 40), periodic),
+  const int columns = 2 * within(5, 14);
+  automaton::State state{.lattice = lattice::Lattice(columns, within(10, 40), periodic),
                          .rules = any_rules(false),
                          .seed = *rc::gen::arbitrary<std::uint64_t>()};
   add_static_walls(state);
@@ -107,10 +121,10 @@ inline automaton::State any_moving_state(MovingWalls which) {
   for (int i = 0; i < species; ++i) {
     state.kinds.push_back({any_shape(), static_cast<std::uint16_t>(i)});
   }
-  const std::vector<std::size_t> counts(state.kinds.size(), *rc::gen::inRange<std::size_t>(1, 50));
+  const std::vector<std::size_t> counts(state.kinds.size(), within<std::size_t>(5, 80));
   automaton::Automaton automaton(state);
   automaton.fill({0, 0, 1e3, 1e3}, counts);
-  const int fall = *rc::gen::inRange(0, 40);
+  const int fall = within(0, 60);
   for (int step = 0; step < fall; ++step) {
     automaton.step();
   }
