@@ -6,8 +6,8 @@
 namespace clca::automaton {
 
 /// See Automaton::remove_wall.
-void remove_wall(World& world, std::size_t wall);
+void remove_wall(World& world, std::size_t number);
 /// See Automaton::insert_wall.
-bool insert_wall(World& world, std::size_t wall);
+bool insert_wall(World& world, std::size_t number);
 
 }  // namespace clca::automaton

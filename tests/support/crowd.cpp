@@ -28,17 +28,17 @@ std::set<Owner> Crowd::others(Owner id, const Sites& sites) const {
 }
 
 std::map<Owner, Change> Crowd::changes(Owner id, Direction direction) const {
-  const Sites here = body_of(state_, id);
-  const Sites there = body_after(state_, particle(id), direction);
-  std::set<Owner> all = others(id, here);
-  all.merge(others(id, there));
+  const Sites before = body_of(state_, id);
+  const Sites after = body_after(state_, particle(id), direction);
+  std::set<Owner> all = others(id, before);
+  all.merge(others(id, after));
   std::map<Owner, Change> result;
   for (const Owner other : all) {
-    const Sites its = body_of(state_, other);
-    Change change{.sites_before = shared(here, its), .sites_after = shared(there, its)};
+    const Sites body = body_of(state_, other);
+    Change change{.sites_before = shared(before, body), .sites_after = shared(after, body)};
     if (is_particle(other)) {
-      change.depth_before = depth(state_, here, its);
-      change.depth_after = depth(state_, there, its);
+      change.depth_before = depth(state_, before, body);
+      change.depth_after = depth(state_, after, body);
     }
     result[other] = change;
   }

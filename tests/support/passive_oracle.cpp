@@ -41,7 +41,7 @@ std::vector<Push> on_resting(const Crowd& crowd, Owner id) {
   for (const lattice::Axial part : state.shape(own).sites()) {
     const Site site = own.site() + part;
     for (const Push& push : state.pushes) {
-      const Owner other = static_cast<Owner>(push.pushed);
+      const auto other = static_cast<Owner>(push.pushed);
       const Site wrapped{state.lattice.wrapped(site.column), site.row};
       if (push.pusher == id && crowd.particle(other).previous == kRest &&
           body_of(state, other).contains(wrapped) &&

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <vector>
 
@@ -15,12 +16,8 @@ using lattice::Axial;
 using lattice::Shape;
 
 bool overlap(const Shape& first, const Shape& second, Axial apart) {
-  for (const Axial site : second.sites()) {
-    if (first.contains(site + apart)) {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(second.sites().begin(), second.sites().end(),
+                     [&](Axial site) { return first.contains(site + apart); });
 }
 
 /// All paths of unit moves of the second, shortest first, until one leads out.
@@ -134,12 +131,12 @@ TEST(Separation, OfWideShapesCountsWhicheverImageOverlaps) {
   }
   state.kinds = {{Shape(leftwards), 0}, {Shape(rightwards), 1}};
   Separation separation(state);
-  const Particle first = testing::particle_at(8, 10);
-  const Particle second = testing::particle_at(12, 7, 1);  // wrapped it begins in column 2
+  const Particle one = testing::particle_at(8, 10);
+  const Particle other = testing::particle_at(12, 7, 1);  // wrapped it begins in column 2
   // The first covers columns 2 to 8 and falls to the left by half a row a column: (2, 7) is its
   // end.
-  EXPECT_EQ(separation.depth(first, second), 1);
-  EXPECT_EQ(separation.depth(second, first), 1);
+  EXPECT_EQ(separation.depth(one, other), 1);
+  EXPECT_EQ(separation.depth(other, one), 1);
 }
 
 TEST(NearestVector, LeadsToAnImageOfTheSiteNoFartherThanHalfTheBox) {
