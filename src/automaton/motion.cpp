@@ -11,6 +11,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;  // for clang 14
 
 /// The quotient rounded to the nearest whole number, halves away from zero.
 std::int32_t rounded_ratio(std::int64_t numerator, std::int64_t denominator) {

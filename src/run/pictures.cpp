@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "clca/run/run.hpp"
+#include "run/overlay.hpp"
 
 namespace clca::run {
 
@@ -63,7 +64,8 @@ void Pictures::begin_stage(const std::string& stage, const automaton::State& sta
   displacement_scale_ = highest / 2;
 }
 
-void Pictures::draw(const automaton::Automaton& automaton, const store::RunFolder& folder) {
+void Pictures::draw(const automaton::Automaton& automaton, const Records& records,
+                    const store::RunFolder& folder) {
   const automaton::State& state = automaton.state();
   if (last_step_ == state.step) {
     return;
@@ -77,12 +79,16 @@ void Pictures::draw(const automaton::Automaton& automaton, const store::RunFolde
                           {"Stage", stage_},
                           {"Step", fmt::format("{}", state.step)},
                           {"Seed", fmt::format("{}", scene_.seed)}};
+  render::Coloring colors = coloring(automaton);
+  const Drawn drawn = overlay_of(frames_.overlay, automaton, records);
+  colors.legend.lines = drawn.keys;
   writer_.write(folder.frame(scene_.name, state.step),
-                painter_.draw(state, automaton.occupancy(), coloring(state), caption),
+                painter_.draw(state, automaton.occupancy(), colors, caption, drawn.overlay),
                 std::move(text));
 }
 
-render::Coloring Pictures::coloring(const automaton::State& state) const {
+render::Coloring Pictures::coloring(const automaton::Automaton& automaton) const {
+  const automaton::State& state = automaton.state();
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
       return render::color_by_layer(state, frames_.layers);
@@ -92,8 +98,9 @@ render::Coloring Pictures::coloring(const automaton::State& state) const {
       return render::color_by_speed(state);
     case scene::ColorBy::id:
       return render::color_by_id(state);
-    case scene::ColorBy::species:
     case scene::ColorBy::force:
+      return color_by_index(automaton);
+    case scene::ColorBy::species:
       break;
   }
   return render::color_by_species(state, species_colors(scene_));

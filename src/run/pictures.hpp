@@ -10,6 +10,7 @@
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_writer.hpp"
+#include "run/records.hpp"
 
 namespace clca::run {
 
@@ -21,12 +22,13 @@ class Pictures {
   /// Sets what the stage's pictures have in common; call when the origins are marked.
   void begin_stage(const std::string& stage, const automaton::State& state);
   /// Draws the state and hands the picture over to be written. A step is drawn once.
-  void draw(const automaton::Automaton& automaton, const store::RunFolder& folder);
+  void draw(const automaton::Automaton& automaton, const Records& records,
+            const store::RunFolder& folder);
   /// Waits until all pictures are written.
   void finish() { writer_.finish(); }
 
  private:
-  render::Coloring coloring(const automaton::State& state) const;
+  render::Coloring coloring(const automaton::Automaton& automaton) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

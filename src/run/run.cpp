@@ -7,9 +7,11 @@
 #include "clca/measure/profile.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "run/force_measures.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
+#include "run/records.hpp"
 #include "run/stage.hpp"
 
 namespace clca::run {
@@ -23,7 +25,8 @@ class Run {
         options_(options),
         events_(events),
         automaton_(initial_state(scene), {.threads = options.threads}),
-        outputs_(scene, automaton_.state(), options.last_picture_only) {
+        outputs_(scene, automaton_.state(), options.last_picture_only),
+        records_(scene) {
     prepare_stage(automaton_, scene, scene.stages.front());
     folder_.emplace(options.folder);
     log_.emplace(folder_->log(), events);
@@ -62,11 +65,11 @@ class Run {
   Stopwatch step_clock_;
   automaton::Automaton automaton_;
   Outputs outputs_;
+  Records records_;
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
   std::optional<Log> log_;
   Ticker ticker_{std::chrono::milliseconds(100)};
   double updates_ = 0;  // particles x steps
-  std::uint64_t steps_in_stage_ = 0;
   std::size_t moving_ = 0;  // in the last step
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
@@ -103,19 +106,26 @@ void Run::run_stages() {
 void Run::run_stage(const scene::Stage& stage, std::size_t number) {
   StageHistory history = {.profile_at_start = measure::surface_profile(automaton_.state()),
                           .particles_at_start = automaton::present_count(automaton_.state()),
+                          .steps = 0,
+                          .cycles = 0,
                           .emitted = 0,
                           .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
-  outputs_.begin_stage(stage, automaton_);
+  records_.begin_stage(stage, automaton_);
+  outputs_.begin_stage(stage, automaton_, records_);
   const StageEnd end = run_steps(stage, number, history);
-  history.settled = end == StageEnd::settled;
+  history.settled = end == StageEnd::settled || end == StageEnd::stalled;
   interrupted_ = end == StageEnd::interrupted;
-  outputs_.end_stage(stage, automaton_, moving_, history);
+  records_.end_stage(automaton_);
+  outputs_.end_stage(stage, automaton_, records_, moving_, history);
   stages_.push_back({.name = stage.name,
-                     .steps = steps_in_stage_,
+                     .steps = history.steps,
                      .ended = to_text(end),
-                     .measures = stage_measures(scene_.measures, automaton_, history)});
+                     .measures = stage_measures(scene_, automaton_, history, records_)});
   log_->info(
-      fmt::format("stage {}: {} steps, ended: {}", stage.name, steps_in_stage_, to_text(end)));
+      fmt::format("stage {}: {} steps, ended: {}", stage.name, history.steps, to_text(end)));
+  for (const std::string& line : stall_lines(scene_, automaton_, history.profile_at_start)) {
+    log_->info(line);
+  }
   if (end == StageEnd::bound) {
     log_->warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
                               stage.name, stage.max_steps));
@@ -125,24 +135,26 @@ void Run::run_stage(const scene::Stage& stage, std::size_t number) {
 StageEnd Run::run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history) {
   Forecast forecast;
   double most_moving = 0;
-  for (steps_in_stage_ = 0; !stop_asked();) {
+  while (!stop_asked()) {
     step_clock_.start();
     const automaton::StepReport report = automaton_.step();
     step_clock_.stop();
-    ++steps_in_stage_;
+    ++history.steps;
     moving_ = report.moved;
     history.emitted += report.emitted;
     history.outflow.add(measure::discharge(automaton_.state()));
     const auto particles = static_cast<double>(automaton_.state().particles.size());
     updates_ += particles;
-    outputs_.after_step(stage, automaton_, steps_in_stage_, report.moved);
-    if (const auto ended = stage_end(stage, steps_in_stage_, report, history)) {
+    records_.after_step(automaton_, history.steps);
+    history.cycles = records_.cycles().cycles();
+    outputs_.after_step(stage, automaton_, records_, history.steps, report.moved);
+    if (const auto ended = stage_end(stage, automaton_.state(), report, history)) {
       return *ended;
     }
     const double moving_share = static_cast<double>(report.moved) / std::max(1.0, particles);
     most_moving = std::max(most_moving, moving_share);
     if (ticker_.due()) {
-      forecast.update(done_share(stage, steps_in_stage_, moving_share, most_moving, history));
+      forecast.update(done_share(stage, history, moving_share, most_moving));
       show_progress(stage, number, moving_share, forecast.seconds_left());
     }
   }

@@ -1,5 +1,6 @@
 #include "run/series.hpp"
 
+#include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
 
 namespace clca::run {
@@ -19,15 +20,44 @@ double mean_height(const automaton::State& state) {
   return weight > 0 ? sum / weight : 0;
 }
 
+std::vector<std::string> columns(const scene::Scene& scene) {
+  std::vector<std::string> names = {"step",         "stage",       "particles",
+                                    "moving",       "moving_share", "mean_height",
+                                    "discharged_particles", "discharged_sites"};
+  for (const scene::Wall& wall : scene.walls) {
+    if (wall.motion) {
+      names.push_back("travel." + wall.name);
+    }
+    if (wall.motion && wall.passive == automaton::Passive::overlap) {
+      names.push_back("index." + wall.name);
+    }
+  }
+  return names;
+}
+
+/// Sites that overlap by wall: in all contacts that began there.
+std::vector<std::uint64_t> indices(const automaton::Automaton& automaton) {
+  const automaton::State& state = automaton.state();
+  std::vector<std::uint64_t> sites(state.walls.size(), 0);
+  if (state.pushes.empty()) {
+    return sites;
+  }
+  for (const measure::Contact& contact : measure::contacts(state, automaton.occupancy())) {
+    if (contact.source) {
+      sites[*contact.source] += static_cast<std::uint64_t>(contact.sites);
+    }
+  }
+  return sites;
+}
+
 }  // namespace
 
-SeriesTable::SeriesTable(const scene::Series& series)
-    : every_(series.every),
-      table_({"step", "stage", "particles", "moving", "moving_share", "mean_height",
-              "discharged_particles", "discharged_sites"}) {}
+SeriesTable::SeriesTable(const scene::Scene& scene)
+    : every_(scene.output.series->every), table_(columns(scene)) {}
 
-void SeriesTable::add(const std::string& stage, const automaton::State& state, std::size_t moving,
-                      bool always) {
+void SeriesTable::add(const std::string& stage, const automaton::Automaton& automaton,
+                      std::size_t moving, bool always) {
+  const automaton::State& state = automaton.state();
   if ((!always && state.step % every_ != 0) || last_step_ == state.step) {
     return;
   }
@@ -36,8 +66,19 @@ void SeriesTable::add(const std::string& stage, const automaton::State& state, s
   const measure::Discharge out = measure::discharge(state);
   const double share =
       present > 0 ? static_cast<double>(moving) / static_cast<double>(present) : 0.0;
-  table_.add_row({state.step, stage, present, std::uint64_t{moving}, share, mean_height(state),
-                  out.particles, out.sites});
+  std::vector<store::Cell> cells = {state.step,         stage,         present,
+                                    std::uint64_t{moving}, share,      mean_height(state),
+                                    out.particles,      out.sites};
+  const std::vector<std::uint64_t> sites = indices(automaton);
+  for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+    if (state.walls[wall].motion) {
+      cells.emplace_back(static_cast<double>(state.walls[wall].travel.offset));
+    }
+    if (state.walls[wall].lets_overlap()) {
+      cells.emplace_back(sites[wall]);
+    }
+  }
+  table_.add_row(std::move(cells));
 }
 
 }  // namespace clca::run

@@ -10,13 +10,15 @@
 namespace clca::run {
 
 /// Columns: step, stage, particles (present), moving, moving_share, mean_height (of the centres,
-/// weighted by sites, in lattice spacings), discharged_particles, discharged_sites (totals).
+/// weighted by sites, in lattice spacings), discharged_particles, discharged_sites (totals); for
+/// each wall that moves travel.NAME (sites from home), and where it lets overlap index.NAME (sites
+/// that overlap in all contacts that began at it).
 class SeriesTable {
  public:
-  explicit SeriesTable(const scene::Series& series);
+  explicit SeriesTable(const scene::Scene& scene);
 
   /// Takes a row when the interval says so, or `always`.
-  void add(const std::string& stage, const automaton::State& state, std::size_t moving,
+  void add(const std::string& stage, const automaton::Automaton& automaton, std::size_t moving,
            bool always);
   std::string to_csv() const { return table_.to_csv(); }
 

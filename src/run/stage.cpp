@@ -29,6 +29,30 @@ void fill(automaton::Automaton& automaton, const scene::Scene& scene, const scen
                   fill.place, stage.name, fitted));
 }
 
+void insert_walls(automaton::Automaton& automaton, const scene::Scene& scene,
+                  const scene::Stage& stage) {
+  for (const std::size_t wall : stage.insert) {
+    if (!automaton.insert_wall(wall)) {
+      throw ScenePlaceError(fmt::format(
+          "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
+          "it, or insert it before they come",
+          stage.insert_place, stage.name, scene.walls[wall].name));
+    }
+  }
+}
+
+template <class Items>
+bool contains(const Items& items, std::size_t item) {
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
+
+/// True when some wall in motion wants to go on and cannot.
+bool has_stalled(const automaton::State& state) {
+  return std::any_of(state.walls.begin(), state.walls.end(), [](const automaton::Wall& wall) {
+    return wall.present && wall.travel.active && wall.travel.stalled_since;
+  });
+}
+
 }  // namespace
 
 void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
@@ -36,13 +60,17 @@ void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
   for (const std::size_t wall : stage.remove) {
     automaton.remove_wall(wall);
   }
+  insert_walls(automaton, scene, stage);
   if (stage.fill) {
     fill(automaton, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    const bool open =
-        std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end();
-    automaton.set_source(source, open);
+    automaton.set_source(source, contains(stage.sources, source));
+  }
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    if (scene.walls[wall].motion) {
+      automaton.set_motion(wall, contains(stage.move, wall));
+    }
   }
   automaton.mark_origins();
 }
@@ -51,10 +79,14 @@ std::string to_text(StageEnd end) {
   switch (end) {
     case StageEnd::settled:
       return "settled";
+    case StageEnd::stalled:
+      return "stalled";
     case StageEnd::steps:
       return "steps";
     case StageEnd::discharged:
       return "discharged";
+    case StageEnd::cycles:
+      return "cycles";
     case StageEnd::bound:
       return "bound";
     case StageEnd::interrupted:
@@ -63,29 +95,36 @@ std::string to_text(StageEnd end) {
   return "interrupted";
 }
 
-std::optional<StageEnd> stage_end(const scene::Stage& stage, std::uint64_t steps,
+std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::State& state,
                                   const automaton::StepReport& report,
                                   const StageHistory& history) {
   if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return steps >= until->steps ? std::optional(StageEnd::steps) : std::nullopt;
+    return history.steps >= until->steps ? std::optional(StageEnd::steps) : std::nullopt;
   }
   const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until);
   if (discharged != nullptr && history.discharged_share() >= discharged->share) {
     return StageEnd::discharged;
   }
-  if (report.settled) {
-    return StageEnd::settled;
+  const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
+  if (cycles != nullptr && history.cycles >= cycles->cycles) {
+    return StageEnd::cycles;
   }
-  return steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
+  if (report.settled) {
+    return has_stalled(state) ? StageEnd::stalled : StageEnd::settled;
+  }
+  return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
 }
 
-double done_share(const scene::Stage& stage, std::uint64_t steps, double moving_share,
-                  double most_moving, const StageHistory& history) {
+double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
+                  double most_moving) {
   if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return static_cast<double>(steps) / static_cast<double>(until->steps);
+    return static_cast<double>(history.steps) / static_cast<double>(until->steps);
   }
   if (const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until)) {
     return std::min(1.0, history.discharged_share() / discharged->share);
+  }
+  if (const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until)) {
+    return static_cast<double>(history.cycles) / static_cast<double>(cycles->cycles);
   }
   return most_moving > 0 ? 1 - moving_share / most_moving : 0;
 }

@@ -2,7 +2,9 @@
 
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
+#include "clca/measure/segregation.hpp"
 #include "clca/store/table.hpp"
+#include "run/force_measures.hpp"
 
 namespace clca::run {
 
@@ -50,6 +52,25 @@ void add_outflow(Results& results, const automaton::Automaton& automaton,
   }
 }
 
+void add_segregation(Results& results, const automaton::State& state, double cell) {
+  results.emplace_back("segregation_index", value_or_null(measure::segregation_index(state)));
+  results.emplace_back("lacey_index", value_or_null(measure::lacey_index(state, cell)));
+}
+
+void add_convection(Results& results, const Records& records) {
+  const measure::Convection* convection = records.cycles().convection();
+  if (convection == nullptr) {
+    return;
+  }
+  const auto rolls = convection->rolls();
+  const auto of = [&](double measure::Rolls::*member) {
+    return rolls ? store::MeasureValue(*rolls.*member) : store::MeasureValue();
+  };
+  results.emplace_back("convection_centre_minus_wall", of(&measure::Rolls::centre_minus_wall));
+  results.emplace_back("convection_circulation_left", of(&measure::Rolls::circulation_left));
+  results.emplace_back("convection_circulation_right", of(&measure::Rolls::circulation_right));
+}
+
 }  // namespace
 
 double StageHistory::discharged_share() const {
@@ -57,11 +78,11 @@ double StageHistory::discharged_share() const {
   return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
 }
 
-Results stage_measures(const std::vector<scene::Measure>& wanted,
-                       const automaton::Automaton& automaton, const StageHistory& history) {
+Results stage_measures(const scene::Scene& scene, const automaton::Automaton& automaton,
+                       const StageHistory& history, const Records& records) {
   const automaton::State& state = automaton.state();
   Results results;
-  for (const scene::Measure measure : wanted) {
+  for (const scene::Measure measure : scene.measures) {
     switch (measure) {
       case scene::Measure::profile:
         break;  // a table of its own
@@ -81,11 +102,27 @@ Results stage_measures(const std::vector<scene::Measure>& wanted,
         add_outflow(results, automaton, history);
         break;
       case scene::Measure::force:
+        if (records.forces()) {
+          add_force(results, automaton, history.profile_at_start, *records.forces());
+        }
+        break;
       case scene::Measure::segregation:
+        if (scene.species.size() > 1) {
+          add_segregation(results, state, records.cycles().cell());
+        }
+        break;
       case scene::Measure::intruder:
+        if (const auto height = measure::intruder_height(state)) {
+          results.emplace_back("intruder_height_rel", *height);
+        }
+        break;
       case scene::Measure::convection:
+        add_convection(results, records);
         break;
     }
+  }
+  if (records.fields()) {
+    results.emplace_back("fluctuation_energy", records.fields()->fluctuation_energy());
   }
   return results;
 }

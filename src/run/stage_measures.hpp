@@ -7,6 +7,7 @@
 #include "clca/measure/outflow.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
+#include "run/records.hpp"
 
 namespace clca::run {
 
@@ -14,17 +15,20 @@ namespace clca::run {
 struct StageHistory {
   std::vector<double> profile_at_start;  ///< measure::surface_profile
   std::size_t particles_at_start = 0;
+  std::uint64_t steps = 0;
+  std::uint64_t cycles = 0;  ///< of the walls that go to and fro
   std::size_t emitted = 0;
   measure::Outflow outflow;
-  bool settled = false;  ///< how it ended
+  bool settled = false;  ///< or stalled: how it ended
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
 };
 
-std::vector<store::NamedMeasure> stage_measures(const std::vector<scene::Measure>& wanted,
+std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene,
                                                 const automaton::Automaton& automaton,
-                                                const StageHistory& history);
+                                                const StageHistory& history,
+                                                const Records& records);
 
 /// Columns x, height_start, height_end: lattice spacings, one line per lattice column.
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end);

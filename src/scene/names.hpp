@@ -79,10 +79,6 @@ inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {
      {"segregation", Measure::segregation},
      {"intruder", Measure::intruder},
      {"convection", Measure::convection}}};
-/// What is measured where a scene does not say: those that mean something in every scene.
-inline constexpr std::array<Measure, 6> kDefaultMeasures = {Measure::profile, Measure::repose,
-                                                            Measure::runout,  Measure::packing,
-                                                            Measure::moved,   Measure::outflow};
 inline constexpr std::array<Named<ColorBy>, 6> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},

@@ -33,6 +33,14 @@ std::string name_of_file(const std::string& file) {
   return stem.empty() ? "scene" : stem;
 }
 
+std::vector<Measure> all_measures() {
+  std::vector<Measure> measures;
+  for (const auto& named : kMeasureNames) {
+    measures.push_back(named.value);
+  }
+  return measures;
+}
+
 /// Reads what is there under `key`; leaves the default where nothing is.
 template <class T, class Read, class... More>
 void read_into(T& target, const KeyedMap& fields, std::string_view key, Read read,
@@ -48,7 +56,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   Scene scene;
   scene.name = name_of_file(file);
   scene.title = first_characters(scene.name, kLongestTitle);
-  scene.measures.assign(kDefaultMeasures.begin(), kDefaultMeasures.end());
+  scene.measures = all_measures();
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
   scene.box = read_box(fields.at("box"));

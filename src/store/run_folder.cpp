@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -32,9 +35,15 @@ bool is_frame(const fs::path& file) {
 }
 
 bool is_table(const fs::path& file) {
+  constexpr std::array<std::string_view, 6> kWhole = {"series.csv", "cycles.csv", "fields.csv",
+                                                      "run.json",   "scene.yaml", "log.txt"};
+  constexpr std::array<std::string_view, 5> kOfStages = {"profile-", "convection-", "contacts-",
+                                                         "forces-", "walls-"};
   const std::string name = file.filename().string();
-  return name == "series.csv" || name == "run.json" || name == "scene.yaml" || name == "log.txt" ||
-         (name.starts_with("profile-") && file.extension() == ".csv");
+  return std::find(kWhole.begin(), kWhole.end(), name) != kWhole.end() ||
+         (file.extension() == ".csv" &&
+          std::any_of(kOfStages.begin(), kOfStages.end(),
+                      [&](std::string_view start) { return name.starts_with(start); }));
 }
 
 void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {

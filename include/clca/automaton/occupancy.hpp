@@ -26,7 +26,7 @@ class Occupancy {
 
   /// Bytes that a lattice of this many places needs.
   static double bytes_for(double places, bool overlaps) {
-    return places * ((overlaps ? 2 : 1) * sizeof(Owner) + 1.0 / 8.0);
+    return places * ((overlaps ? 2.0 : 1.0) * sizeof(Owner) + 1.0 / 8.0);
   }
 
   bool taken(std::size_t index) const { return (words_[index >> 6U] >> (index & 63U) & 1U) != 0; }

@@ -30,7 +30,8 @@ struct ReposeAngle {
 ReposeAngle repose_angle(const std::vector<double>& profile);
 
 /// Particle sites over all sites that the bed could fill: per column from the floor or wall under
-/// the lowest particle up to the highest, without walls. Nothing for an empty box.
+/// the lowest particle up to the highest, without walls. A site that two particles share counts
+/// twice: this is the nominal packing of a bed under a piston. Nothing for an empty box.
 std::optional<double> packing_fraction(const automaton::State& state);
 
 }  // namespace clca::measure

@@ -1,5 +1,5 @@
 #pragma once
-// Many pictures on one sheet.
+// Many pictures on one sheet, for an overview.
 
 #include <string>
 #include <vector>
@@ -8,12 +8,16 @@
 
 namespace clca::render {
 
+/// An image of width 0 stands for a picture that is missing.
 struct LabelledImage {
-  Image image;  ///< of width 0: a pale empty box stands for it
+  Image image;
   std::string label;
 };
 
-/// The pictures by rows of `columns`, each `cell_width` pixels wide, with their labels.
+/// The pictures by rows, each scaled to `cell_width` pixels with its label beneath, under a title.
+/// Where one is missing stands a pale box. Without a font there is no text, but room for it.
+/// Throws std::invalid_argument unless `columns` and `cell_width` are positive, RenderError for a
+/// sheet too large.
 Image contact_sheet(const std::vector<LabelledImage>& images, int columns, int cell_width,
                     const std::string& title);
 

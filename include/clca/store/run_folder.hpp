@@ -25,10 +25,12 @@ class RunFolder {
 
   std::filesystem::path scene() const { return path_ / "scene.yaml"; }
   std::filesystem::path summary() const { return path_ / "run.json"; }
-  std::filesystem::path series() const { return path_ / "series.csv"; }
   std::filesystem::path log() const { return path_ / "log.txt"; }
-  std::filesystem::path profile(const std::string& stage) const {
-    return path_ / ("profile-" + stage + ".csv");
+  /// A table of the whole run: `series.csv`.
+  std::filesystem::path table(const std::string& kind) const { return path_ / (kind + ".csv"); }
+  /// A table of one stage: `profile-STAGE.csv`.
+  std::filesystem::path table(const std::string& kind, const std::string& stage) const {
+    return path_ / (kind + "-" + stage + ".csv");
   }
 
  private:

@@ -158,7 +158,8 @@ using RunFolderTest = StoreTest;
 TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   const RunFolder first(folder_ / "run");
   for (const char* name :
-       {"run.json", "series.csv", "profile-flow.csv", "notes.txt", "other.csv"}) {
+       {"run.json", "series.csv", "cycles.csv", "profile-flow.csv", "contacts-flow.csv", "notes.txt",
+        "other.csv"}) {
     write_whole(first.path() / name, "x");
   }
   write_whole(first.frame("scene", 120), "x");
@@ -166,8 +167,10 @@ TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   const RunFolder second(folder_ / "run");
   EXPECT_EQ(second.frame("scene", 120).filename(), "scene-000120.png");
   EXPECT_FALSE(fs::exists(second.summary()));
-  EXPECT_FALSE(fs::exists(second.series()));
-  EXPECT_FALSE(fs::exists(second.profile("flow")));
+  EXPECT_FALSE(fs::exists(second.table("series")));
+  EXPECT_FALSE(fs::exists(second.table("cycles")));
+  EXPECT_FALSE(fs::exists(second.table("profile", "flow")));
+  EXPECT_FALSE(fs::exists(second.table("contacts", "flow")));
   EXPECT_FALSE(fs::exists(second.frame("scene", 120)));
   EXPECT_TRUE(fs::exists(second.path() / "notes.txt"));
   EXPECT_TRUE(fs::exists(second.path() / "other.csv"));

@@ -1,0 +1,73 @@
+#include "run/cycle_record.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "clca/measure/profile.hpp"
+#include "clca/measure/segregation.hpp"
+
+namespace clca::run {
+
+namespace {
+
+double value_or_nan(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+CycleRecord::CycleRecord(double cell)
+    : cell_(cell),
+      table_({"stage", "cycle", "step", "mean_height", "repose_angle_deg", "intruder_height_rel",
+              "segregation_index", "lacey_index"}) {}
+
+void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
+                              const automaton::State& state) {
+  stage_ = stage.name;
+  cycles_ = 0;
+  cycles_before_ = automaton::completed_cycles(state);
+  convection_.reset();
+  const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
+    return automaton::is_cyclic(*scene.walls[wall].motion);
+  });
+  if (cyclic) {
+    convection_.emplace(state.lattice, cell_);
+    convection_->begin_cycle(state);
+    add_row(state);
+  }
+}
+
+void CycleRecord::after_step(const automaton::State& state) {
+  if (!convection_) {
+    return;
+  }
+  const std::uint64_t cycles = automaton::completed_cycles(state) - cycles_before_;
+  if (cycles == cycles_) {
+    return;
+  }
+  cycles_ = cycles;
+  convection_->end_cycle(state);
+  convection_->begin_cycle(state);
+  add_row(state);
+}
+
+void CycleRecord::add_row(const automaton::State& state) {
+  is_empty_ = false;
+  const std::vector<double> profile = measure::surface_profile(state);
+  table_.add_row({stage_, cycles_, state.step, measure::mean_height(profile),
+                  value_or_nan(measure::repose_angle(profile).mean()),
+                  value_or_nan(measure::intruder_height(state)),
+                  value_or_nan(measure::segregation_index(state)),
+                  value_or_nan(measure::lacey_index(state, cell_))});
+}
+
+std::string CycleRecord::convection_csv() const {
+  store::Table table({"x", "y", "dx", "dy", "weight"});
+  for (const measure::Arrow& arrow : convection_->arrows()) {
+    table.add_row({arrow.centre.x(), arrow.centre.y(), arrow.displacement.x(),
+                   arrow.displacement.y(), arrow.weight});
+  }
+  return table.to_csv();
+}
+
+}  // namespace clca::run

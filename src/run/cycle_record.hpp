@@ -1,0 +1,50 @@
+#pragma once
+// cycles.csv and the convection of a stage: what each cycle of the walls that go to and fro leaves.
+
+#include <optional>
+#include <string>
+
+#include "clca/automaton/state.hpp"
+#include "clca/measure/convection.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+/// Columns: stage, cycle (0: before the first), step, mean_height, repose_angle_deg,
+/// intruder_height_rel, segregation_index, lacey_index; empty where there is none.
+class CycleRecord {
+ public:
+  /// `cell`: side of the cells of Lacey's index and the convection, in lattice spacings.
+  explicit CycleRecord(double cell);
+
+  void begin_stage(const scene::Scene& scene, const scene::Stage& stage,
+                   const automaton::State& state);
+  /// Call after each step.
+  void after_step(const automaton::State& state);
+
+  /// Completed in this stage.
+  std::uint64_t cycles() const { return cycles_; }
+  /// Null when no wall goes to and fro in this stage.
+  const measure::Convection* convection() const {
+    return convection_ ? &*convection_ : nullptr;
+  }
+  double cell() const { return cell_; }
+  bool is_empty() const { return is_empty_; }
+  std::string to_csv() const { return table_.to_csv(); }
+  /// Columns x, y, dx, dy (mean displacement per cycle, lattice spacings), weight (sites).
+  std::string convection_csv() const;
+
+ private:
+  void add_row(const automaton::State& state);
+
+  double cell_;
+  std::string stage_;
+  std::uint64_t cycles_ = 0;
+  std::uint64_t cycles_before_ = 0;  // the stage
+  std::optional<measure::Convection> convection_;
+  store::Table table_;
+  bool is_empty_ = true;
+};
+
+}  // namespace clca::run

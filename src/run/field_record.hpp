@@ -1,0 +1,41 @@
+#pragma once
+// fields.csv: packing, velocity and its fluctuation on a grid, window after window.
+
+#include <optional>
+#include <string>
+
+#include "clca/measure/fields.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+/// Columns: stage, step (end of the window), x, y (centre of the cell), packing, particles, vx, vy
+/// (spacings per step), fluctuation. Cells without particles and packing are left out.
+class FieldRecord {
+ public:
+  explicit FieldRecord(const scene::Fields& fields);
+
+  void begin_stage(const std::string& stage, const automaton::State& state);
+  /// Call after each step: ends a window when it is due.
+  void after_step(const automaton::State& state);
+  /// Ends the last window, however short.
+  void end_stage(const automaton::State& state);
+
+  /// Mean over the windows of the stage, weighted by their steps.
+  double fluctuation_energy() const;
+  std::string to_csv() const { return table_.to_csv(); }
+
+ private:
+  void end_window(const automaton::State& state);
+
+  scene::Fields fields_;
+  std::string stage_;
+  store::Table table_;
+  std::optional<measure::FieldWindow> window_;
+  std::uint64_t window_begin_ = 0;  // step
+  double fluctuation_steps_ = 0;    // sum of fluctuation x steps
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace clca::run

@@ -1,0 +1,91 @@
+#include "run/force_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace clca::run {
+
+namespace {
+
+/// What several walls say together; none where no wall says anything.
+struct WallsTogether {
+  std::optional<double> depth;          // of the deepest, lattice spacings
+  std::optional<double> stalled_since;  // of the first to stall, step
+};
+
+WallsTogether together(const automaton::State& state, const measure::ForceSummary& summary,
+                       const std::vector<double>& surface_at_start) {
+  WallsTogether result;
+  for (const measure::WallForce& wall : summary.walls) {
+    const automaton::Wall& one = state.walls[wall.wall];
+    if (!one.present) {
+      continue;
+    }
+    const auto depth = measure::penetration(state, one, surface_at_start);
+    if (depth && one.lets_overlap()) {
+      result.depth = std::max(result.depth.value_or(*depth), *depth);
+    }
+    if (wall.stalled_since) {
+      const auto step = static_cast<double>(*wall.stalled_since);
+      result.stalled_since = std::min(result.stalled_since.value_or(step), step);
+    }
+  }
+  return result;
+}
+
+store::MeasureValue value_or_null(const std::optional<double>& value) {
+  return value ? store::MeasureValue(*value) : store::MeasureValue();
+}
+
+}  // namespace
+
+void add_force(std::vector<store::NamedMeasure>& results, const automaton::Automaton& automaton,
+               const std::vector<double>& surface_at_start, const ForceRecord& record) {
+  const automaton::State& state = automaton.state();
+  const auto contacts = measure::contacts(state, automaton.occupancy());
+  const auto summary = measure::force_summary(state, automaton.occupancy(), contacts);
+  const auto distribution = record.distribution(contacts);
+  const WallsTogether walls = together(state, summary, surface_at_start);
+  const auto add = [&](const char* name, const store::MeasureValue& value) {
+    results.emplace_back(name, value);
+  };
+  add("overlap_depth_max", static_cast<double>(summary.depth_max));
+  add("overlap_sites", static_cast<double>(summary.sites));
+  add("overlap_contacts", static_cast<double>(summary.contacts));
+  add("overlap_cone_share", value_or_null(summary.cone_share));
+  add("jammed", static_cast<double>(summary.jammed));
+  add("force_share_above_mean",
+      distribution ? store::MeasureValue(distribution->share_above_mean) : store::MeasureValue());
+  add("force_tail_beta", distribution ? value_or_null(distribution->beta) : store::MeasureValue());
+  add("plate_depth", value_or_null(walls.depth));
+  add("stalled_since", value_or_null(walls.stalled_since));
+}
+
+std::vector<std::string> stall_lines(const scene::Scene& scene,
+                                     const automaton::Automaton& automaton,
+                                     const std::vector<double>& surface_at_start) {
+  const automaton::State& state = automaton.state();
+  const auto contacts = measure::contacts(state, automaton.occupancy());
+  std::vector<std::string> lines;
+  for (const measure::WallForce& wall :
+       measure::force_summary(state, automaton.occupancy(), contacts).walls) {
+    const automaton::Wall& one = state.walls[wall.wall];
+    if (!one.present || !one.travel.active || !wall.stalled_since) {
+      continue;
+    }
+    std::string line = fmt::format("wall {} stalls since step {} after {} sites",
+                                   scene.walls[wall.wall].name, *wall.stalled_since, wall.travel);
+    if (one.lets_overlap()) {
+      const auto depth = measure::penetration(state, one, surface_at_start);
+      line += depth ? fmt::format(", {:.1f} spacings deep", *depth) : "";
+      line += fmt::format(": {} sites overlap, {} particles are jammed",
+                          wall.sites + wall.chain_sites, wall.jammed);
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace clca::run

@@ -1,0 +1,100 @@
+#include "run/force_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+using Pair = std::pair<std::uint32_t, automaton::Owner>;
+
+std::string name_of(const scene::Scene& scene, automaton::Owner owner) {
+  return automaton::is_particle(owner) ? fmt::format("{}", owner)
+                                       : scene.walls[automaton::wall_number(owner)].name;
+}
+
+}  // namespace
+
+void ForceRecord::after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage) {
+  if (sampling_ && steps_in_stage % sampling_->every == 0) {
+    average_.add(measure::contacts(automaton.state(), automaton.occupancy()));
+  }
+}
+
+std::optional<measure::ForceDistribution> ForceRecord::distribution(
+    const std::vector<measure::Contact>& contacts) const {
+  if (sampling_) {
+    return measure::force_distribution(measure::strengths(average_.means()),
+                                       measure::Strength::averaged);
+  }
+  return measure::force_distribution(measure::strengths(contacts),
+                                     measure::Strength::whole_sites);
+}
+
+std::string ForceRecord::contacts_csv(const scene::Scene& scene,
+                                      const std::vector<measure::Contact>& contacts) const {
+  struct Row {
+    const measure::Contact* now = nullptr;
+    double mean_sites = kNothing;
+    double share = kNothing;
+  };
+  std::map<Pair, Row> rows;
+  for (const measure::Contact& contact : contacts) {
+    rows[{contact.first, contact.second}].now = &contact;
+  }
+  for (const measure::ForceAverage::Mean& mean : average_.means()) {
+    Row& row = rows[{mean.first, mean.second}];
+    row.mean_sites = mean.sites;
+    row.share = mean.share;
+  }
+  store::Table table(
+      {"first", "second", "x", "y", "sites", "depth", "source", "mean_sites", "share"});
+  for (const auto& [pair, row] : rows) {
+    const measure::Contact* now = row.now;
+    const std::string source =
+        now != nullptr && now->source ? scene.walls[*now->source].name : std::string();
+    table.add_row({std::uint64_t{pair.first}, name_of(scene, pair.second),
+                   now != nullptr ? now->place.x() : kNothing,
+                   now != nullptr ? now->place.y() : kNothing,
+                   static_cast<std::uint64_t>(now != nullptr ? now->sites : 0),
+                   static_cast<std::uint64_t>(now != nullptr ? now->depth : 0), source,
+                   row.mean_sites, row.share});
+  }
+  return table.to_csv();
+}
+
+std::string distribution_csv(const std::optional<measure::ForceDistribution>& distribution) {
+  store::Table table({"low", "high", "count", "density"});
+  if (distribution) {
+    for (const measure::ForceBin& bin : distribution->bins) {
+      table.add_row({bin.low, bin.high, std::uint64_t{bin.count}, bin.density});
+    }
+  }
+  return table.to_csv();
+}
+
+std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
+                      const measure::ForceSummary& summary,
+                      const std::vector<double>& surface_at_start) {
+  store::Table table({"wall", "travel", "depth", "stalled_since", "stalls", "particles", "sites",
+                      "chain_sites", "jammed"});
+  for (const measure::WallForce& wall : summary.walls) {
+    const auto depth = measure::penetration(state, state.walls[wall.wall], surface_at_start);
+    table.add_row({scene.walls[wall.wall].name, static_cast<double>(wall.travel),
+                   depth.value_or(kNothing),
+                   wall.stalled_since ? static_cast<double>(*wall.stalled_since) : kNothing,
+                   wall.stalls, std::uint64_t{wall.particles}, wall.sites, wall.chain_sites,
+                   std::uint64_t{wall.jammed}});
+  }
+  return table.to_csv();
+}
+
+}  // namespace clca::run

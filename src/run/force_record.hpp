@@ -1,0 +1,49 @@
+#pragma once
+// The overlaps of a stage: who presses on whom, how strongly, on the average over steps.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/automaton/automaton.hpp"
+#include "clca/measure/force.hpp"
+#include "clca/measure/force_distribution.hpp"
+#include "clca/scene/scene.hpp"
+
+namespace clca::run {
+
+class ForceRecord {
+ public:
+  /// With `sampling` contacts are averaged over time.
+  explicit ForceRecord(const std::optional<scene::Contacts>& sampling) : sampling_(sampling) {}
+
+  void begin_stage() { average_ = {}; }
+  /// Call after each step.
+  void after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage);
+
+  /// Of the averages where contacts are sampled, of the present overlaps otherwise.
+  std::optional<measure::ForceDistribution> distribution(
+      const std::vector<measure::Contact>& contacts) const;
+
+  /// Columns: first, second (particle ids; the name of a wall), x, y, sites, depth, source (wall),
+  /// mean_sites, share (of the samples; both empty without sampling). Contacts that were there in
+  /// some sample but are gone have no place.
+  std::string contacts_csv(const scene::Scene& scene,
+                           const std::vector<measure::Contact>& contacts) const;
+
+ private:
+  std::optional<scene::Contacts> sampling_;
+  measure::ForceAverage average_;
+};
+
+/// Columns: low, high (sites), count, density (of f/<f>).
+std::string distribution_csv(const std::optional<measure::ForceDistribution>& distribution);
+
+/// Columns: wall, travel (sites), depth (spacings under the surface at the start of the stage),
+/// stalled_since (step), stalls, particles, sites, chain_sites, jammed.
+std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
+                      const measure::ForceSummary& summary,
+                      const std::vector<double>& surface_at_start);
+
+}  // namespace clca::run

@@ -1,0 +1,26 @@
+#pragma once
+// What a picture shows of forces and convection.
+
+#include <vector>
+
+#include "clca/automaton/automaton.hpp"
+#include "clca/render/coloring.hpp"
+#include "clca/render/overlays.hpp"
+#include "clca/scene/scene.hpp"
+#include "run/records.hpp"
+
+namespace clca::run {
+
+struct Drawn {
+  render::Overlay overlay;
+  std::vector<render::Legend::Line> keys;
+};
+
+/// The force network of the present overlaps, or the mean displacement per cycle in this stage.
+Drawn overlay_of(scene::Overlay overlay, const automaton::Automaton& automaton,
+                 const Records& records);
+
+/// Particles by the sites that they share with others.
+render::Coloring color_by_index(const automaton::Automaton& automaton);
+
+}  // namespace clca::run
