@@ -163,11 +163,12 @@ void end_step(const Motion& motion, Travel& travel, bool particles_moved) {
   if (shake == nullptr || travel.phase != Travel::Phase::waiting) {
     return;
   }
-  ++travel.waited;
+  // The step of the last drop does not count.
   if (shake->wait ? travel.waited >= *shake->wait : !particles_moved) {
     ++travel.cycles;
     travel.phase = Travel::Phase::rising;
   }
+  ++travel.waited;
 }
 
 }  // namespace clca::automaton

@@ -40,7 +40,12 @@ void put_wall(Occupancy& occupancy, const State& state, std::size_t number) {
     return;
   }
   for (const lattice::Site site : sites_now(state.lattice, wall)) {
-    occupancy.take(state.lattice.index(site), wall_code(number));
+    const std::size_t index = state.lattice.index(site);
+    const Owner other = occupancy.owner(index);
+    if (is_wall(other) && (wall.motion || state.walls[wall_number(other)].motion)) {
+      throw std::invalid_argument("a wall that moves stands in another wall");
+    }
+    occupancy.take(index, wall_code(number));
   }
 }
 

@@ -19,6 +19,7 @@ struct OverlapChange {
   /// What has to shrink: the depth in a particle, the sites shared with a wall.
   int before() const { return is_particle(owner) ? depth_before : sites_before; }
   int after() const { return is_particle(owner) ? depth_after : sites_after; }
+  bool grows() const { return is_particle(owner) && sites_after > sites_before; }
   bool deepens() const { return is_particle(owner) && depth_after > depth_before; }
 };
 

@@ -84,7 +84,7 @@ std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direc
     return std::nullopt;
   }
   const std::optional<int> grown = grown_depth(judgement.changes);
-  if (!grown || (*grown > 0 && (relief->turns > 1 || !bears(id, judgement.changes)))) {
+  if (!grown || (*grown > 0 && relief->turns > 1) || !bears(id, judgement.changes)) {
     return std::nullopt;
   }
   const State& state = world_.state;
@@ -165,19 +165,21 @@ bool PassiveRule::spares_walls(std::uint32_t id, Direction direction,
 }
 
 bool PassiveRule::bears(std::uint32_t id, const std::vector<OverlapChange>& changes) const {
+  bool grows = false;
   int own = 0;
   for (const OverlapChange& change : changes) {
     if (!is_particle(change.owner)) {
       continue;
     }
     own += change.sites_after;
-    if (change.deepens() && shared_sites(world_, static_cast<std::uint32_t>(change.owner)) +
-                                    change.sites_after - change.sites_before >
-                                bearable(shape_of(change.owner))) {
+    grows = grows || change.grows();
+    if (change.grows() && shared_sites(world_, static_cast<std::uint32_t>(change.owner)) +
+                                  change.sites_after - change.sites_before >
+                              bearable(shape_of(change.owner))) {
       return false;
     }
   }
-  return own <= bearable(shape_of(static_cast<Owner>(id)));
+  return !grows || own <= bearable(shape_of(static_cast<Owner>(id)));
 }
 
 // Of several pushes the move carries on the one it follows best; of equal ones the heaviest.

@@ -45,7 +45,7 @@ class PassiveRule {
                     const std::vector<OverlapChange>& changes) const;
   /// Depths that grow, each weighed with the size of the other. None: one would be too deep.
   std::optional<int> grown_depth(const std::vector<OverlapChange>& changes) const;
-  /// Whether the particle and those it would push bear so many overlapped sites.
+  /// Whether the particle and those into which it would get further bear so many overlapped sites.
   bool bears(std::uint32_t id, const std::vector<OverlapChange>& changes) const;
   const lattice::Shape& shape_of(Owner owner) const {
     return world_.state.shape(world_.state.particles[static_cast<std::size_t>(owner)]);

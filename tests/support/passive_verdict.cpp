@@ -96,8 +96,8 @@ int Verdict::angle() const {
   }
   return most;
 }
-/// How much less it overlaps with a pusher.
 
+/// How much less it overlaps with a pusher.
 int Verdict::relief(const Push& push) const {
   const Change& change = changes_.at(push.pusher);
   return is_wall(push.pusher) ? change.sites_before - change.sites_after
@@ -155,16 +155,20 @@ bool Verdict::can_leave_then(Owner wall) const {
 
 bool Verdict::bearable() const {
   int own = 0;
+  bool any_grows = false;
+  bool others_bear = true;
   for (const auto& [other, change] : changes_) {
-    own += is_particle(other) ? change.sites_after : 0;
+    if (!is_particle(other)) {
+      continue;
+    }
+    own += change.sites_after;
+    const bool grows = change.sites_after > change.sites_before;
+    const int its = crowd_.burden(other) + change.sites_after - change.sites_before;
+    any_grows = any_grows || grows;
+    others_bear = others_bear && (!grows || its <= crowd_.limit(other)) &&
+                  (change.depth_after <= 1 || change.depth_after <= change.depth_before);
   }
-  return deepened_.empty() ||
-         (own <= crowd_.limit(id_) &&
-          std::all_of(deepened_.begin(), deepened_.end(), [&](Owner other) {
-            const Change& change = changes_.at(other);
-            const int its = crowd_.burden(other) + change.sites_after - change.sites_before;
-            return change.depth_after <= 1 && its <= crowd_.limit(other);
-          }));
+  return others_bear && (!any_grows || own <= crowd_.limit(id_));
 }
 
 }  // namespace clca::testing

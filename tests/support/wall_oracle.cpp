@@ -229,11 +229,11 @@ void oracle_wait(State& state, bool particles_moved) {
         travel.phase != Travel::Phase::waiting) {
       continue;
     }
-    ++travel.waited;
     if (shake->wait ? travel.waited >= *shake->wait : !particles_moved) {
       ++travel.cycles;
       travel.phase = Travel::Phase::rising;
     }
+    ++travel.waited;
   }
 }
 

@@ -32,7 +32,7 @@ struct Wave {
 /// Lifted by `amplitude` sites, dropped back home, then a wait; again and again.
 struct Shake {
   std::int32_t amplitude = 1;
-  std::optional<std::uint64_t> wait;  ///< steps; none: until no particle moves
+  std::optional<std::uint64_t> wait;  ///< steps after the last drop; none: until no particle moves
 
   bool operator==(const Shake&) const = default;
 };

@@ -21,7 +21,8 @@ class Occupancy {
  public:
   /// The box with its border, walls and particles. Throws std::invalid_argument when a particle
   /// overlaps a wall or another particle without a Push that says so, or leaves the box, when a
-  /// place has three owners, or when a kind is as wide as a periodic box.
+  /// place has three owners, when a wall that moves stands in another one, or when a kind is as
+  /// wide as a periodic box.
   explicit Occupancy(const State& state);
 
   /// Bytes that a lattice of this many places needs.

@@ -108,8 +108,8 @@ TEST(Wave, NeverEndsAndNeverInsistsAndCountsItsPeriods) {
 }
 
 TEST(Shake, RisesFallsWaitsForItsStepsAndBeginsAnew) {
-  // The step of the last drop is the first of the wait.
-  const Motion motion{.program = Shake{.amplitude = 2, .wait = 3}};
+  // The step of the last drop does not count.
+  const Motion motion{.program = Shake{.amplitude = 2, .wait = 2}};
   EXPECT_EQ(offsets(motion, 14), (std::vector{1, 2, 1, 0, 0, 0, 1, 2, 1, 0, 0, 0, 1, 2}));
 }
 

@@ -195,5 +195,14 @@ TEST(RigidWall, PushesIntoAnOutlet) {
   EXPECT_FALSE(automaton.state().particles[0].present);
 }
 
+TEST(RigidWall, CannotBeginInAnotherWall) {
+  State state = single_sites({});
+  state.walls = {{.sites = {{2, 2}}}, driven_wall({{2, 2}}, Direction::up, Passive::rigid)};
+  EXPECT_THROW(Automaton{state}, std::invalid_argument);
+  state.walls[1].present = false;
+  Automaton automaton(state);
+  EXPECT_FALSE(automaton.insert_wall(1));
+}
+
 }  // namespace
 }  // namespace clca::automaton
