@@ -26,9 +26,7 @@ class CycleRecord {
   /// Completed in this stage.
   std::uint64_t cycles() const { return cycles_; }
   /// Null when no wall goes to and fro in this stage.
-  const measure::Convection* convection() const {
-    return convection_ ? &*convection_ : nullptr;
-  }
+  const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
   double cell() const { return cell_; }
   bool is_empty() const { return is_empty_; }
   std::string to_csv() const { return table_.to_csv(); }

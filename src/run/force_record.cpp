@@ -35,8 +35,7 @@ std::optional<measure::ForceDistribution> ForceRecord::distribution(
     return measure::force_distribution(measure::strengths(average_.means()),
                                        measure::Strength::averaged);
   }
-  return measure::force_distribution(measure::strengths(contacts),
-                                     measure::Strength::whole_sites);
+  return measure::force_distribution(measure::strengths(contacts), measure::Strength::whole_sites);
 }
 
 std::string ForceRecord::contacts_csv(const scene::Scene& scene,
@@ -88,11 +87,10 @@ std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
                       "chain_sites", "jammed"});
   for (const measure::WallForce& wall : summary.walls) {
     const auto depth = measure::penetration(state, state.walls[wall.wall], surface_at_start);
-    table.add_row({scene.walls[wall.wall].name, static_cast<double>(wall.travel),
-                   depth.value_or(kNothing),
-                   wall.stalled_since ? static_cast<double>(*wall.stalled_since) : kNothing,
-                   wall.stalls, std::uint64_t{wall.particles}, wall.sites, wall.chain_sites,
-                   std::uint64_t{wall.jammed}});
+    table.add_row(
+        {scene.walls[wall.wall].name, static_cast<double>(wall.travel), depth.value_or(kNothing),
+         wall.stalled_since ? static_cast<double>(*wall.stalled_since) : kNothing, wall.stalls,
+         std::uint64_t{wall.particles}, wall.sites, wall.chain_sites, std::uint64_t{wall.jammed}});
   }
   return table.to_csv();
 }

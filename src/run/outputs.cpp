@@ -37,8 +37,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton&
 }
 
 void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
-                         const Records& records, std::uint64_t steps_in_stage,
-                         std::size_t moving) {
+                         const Records& records, std::uint64_t steps_in_stage, std::size_t moving) {
   if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(automaton, records, *folder_);
   }

@@ -29,8 +29,8 @@ render::ForceLine line_of(const automaton::State& state, const measure::Contact&
   const automaton::Particle& second = state.particles[static_cast<std::size_t>(contact.second)];
   const lattice::Axial apart =
       automaton::nearest_vector(state.lattice, first.site(), second.site());
-  const Eigen::Vector2d to = lattice::position(first.site()) + lattice::position(apart) +
-                             state.shape(second).centroid();
+  const Eigen::Vector2d to =
+      lattice::position(first.site()) + lattice::position(apart) + state.shape(second).centroid();
   return {.from = from, .to = to, .strength = sites};
 }
 
@@ -88,8 +88,8 @@ Drawn overlay_of(scene::Overlay overlay, const automaton::Automaton& automaton,
 
 render::Coloring color_by_index(const automaton::Automaton& automaton) {
   const automaton::State& state = automaton.state();
-  const auto index = measure::force_indices(
-      state.particles.size(), measure::contacts(state, automaton.occupancy()));
+  const auto index = measure::force_indices(state.particles.size(),
+                                            measure::contacts(state, automaton.occupancy()));
   return render::color_by_force(state, index, kHighestIndex);
 }
 

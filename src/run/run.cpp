@@ -69,7 +69,7 @@ class Run {
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
   std::optional<Log> log_;
   Ticker ticker_{std::chrono::milliseconds(100)};
-  double updates_ = 0;  // particles x steps
+  double updates_ = 0;      // particles x steps
   std::size_t moving_ = 0;  // in the last step
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
@@ -121,8 +121,7 @@ void Run::run_stage(const scene::Stage& stage, std::size_t number) {
                      .steps = history.steps,
                      .ended = to_text(end),
                      .measures = stage_measures(scene_, automaton_, history, records_)});
-  log_->info(
-      fmt::format("stage {}: {} steps, ended: {}", stage.name, history.steps, to_text(end)));
+  log_->info(fmt::format("stage {}: {} steps, ended: {}", stage.name, history.steps, to_text(end)));
   for (const std::string& line : stall_lines(scene_, automaton_, history.profile_at_start)) {
     log_->info(line);
   }

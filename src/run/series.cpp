@@ -21,9 +21,14 @@ double mean_height(const automaton::State& state) {
 }
 
 std::vector<std::string> columns(const scene::Scene& scene) {
-  std::vector<std::string> names = {"step",         "stage",       "particles",
-                                    "moving",       "moving_share", "mean_height",
-                                    "discharged_particles", "discharged_sites"};
+  std::vector<std::string> names = {"step",
+                                    "stage",
+                                    "particles",
+                                    "moving",
+                                    "moving_share",
+                                    "mean_height",
+                                    "discharged_particles",
+                                    "discharged_sites"};
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
@@ -66,9 +71,9 @@ void SeriesTable::add(const std::string& stage, const automaton::Automaton& auto
   const measure::Discharge out = measure::discharge(state);
   const double share =
       present > 0 ? static_cast<double>(moving) / static_cast<double>(present) : 0.0;
-  std::vector<store::Cell> cells = {state.step,         stage,         present,
-                                    std::uint64_t{moving}, share,      mean_height(state),
-                                    out.particles,      out.sites};
+  std::vector<store::Cell> cells = {
+      state.step,         stage,         present,  std::uint64_t{moving}, share,
+      mean_height(state), out.particles, out.sites};
   const std::vector<std::uint64_t> sites = indices(automaton);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {

@@ -157,9 +157,8 @@ using RunFolderTest = StoreTest;
 
 TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   const RunFolder first(folder_ / "run");
-  for (const char* name :
-       {"run.json", "series.csv", "cycles.csv", "profile-flow.csv", "contacts-flow.csv", "notes.txt",
-        "other.csv"}) {
+  for (const char* name : {"run.json", "series.csv", "cycles.csv", "profile-flow.csv",
+                           "contacts-flow.csv", "notes.txt", "other.csv"}) {
     write_whole(first.path() / name, "x");
   }
   write_whole(first.frame("scene", 120), "x");
