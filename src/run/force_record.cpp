@@ -80,6 +80,25 @@ std::string distribution_csv(const std::optional<measure::ForceDistribution>& di
   return table.to_csv();
 }
 
+std::string loads_csv(const scene::Scene& scene, const automaton::State& state,
+                      const std::vector<measure::Contact>& contacts) {
+  const std::vector<double> sites = measure::force_indices(state.particles.size(), contacts);
+  std::vector<std::uint64_t> pushes(state.particles.size(), 0);
+  for (const automaton::Push& push : state.pushes) {
+    ++pushes[push.pushed];
+  }
+  store::Table table({"id", "species", "x", "y", "sites", "pushes"});
+  for (std::size_t id = 0; id < sites.size(); ++id) {
+    if (sites[id] > 0) {
+      const automaton::Particle& particle = state.particles[id];
+      const Eigen::Vector2d centre = automaton::centre(state, particle);
+      table.add_row({std::uint64_t{id}, scene.species[state.kinds[particle.kind].species].name,
+                     centre.x(), centre.y(), sites[id], pushes[id]});
+    }
+  }
+  return table.to_csv();
+}
+
 std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
                       const measure::ForceSummary& summary,
                       const std::vector<double>& surface_at_start) {

@@ -40,6 +40,11 @@ class ForceRecord {
 /// Columns: low, high (sites), count, density (of f/<f>).
 std::string distribution_csv(const std::optional<measure::ForceDistribution>& distribution);
 
+/// Columns: id, species, x, y (centre of mass), sites (shared, in all contacts), pushes (onto it),
+/// for each particle that overlaps.
+std::string loads_csv(const scene::Scene& scene, const automaton::State& state,
+                      const std::vector<measure::Contact>& contacts);
+
 /// Columns: wall, travel (sites), depth (spacings under the surface at the start of the stage),
 /// stalled_since (step), stalls, particles, sites, chain_sites, jammed.
 std::string walls_csv(const scene::Scene& scene, const automaton::State& state,

@@ -81,6 +81,7 @@ void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton
     const auto summary = measure::force_summary(state, automaton.occupancy(), contacts);
     write("contacts", records.forces()->contacts_csv(scene_, contacts));
     write("forces", distribution_csv(records.forces()->distribution(contacts)));
+    write("loads", loads_csv(scene_, state, contacts));
     write("walls", walls_csv(scene_, state, summary, history.profile_at_start));
   }
 }

@@ -37,8 +37,8 @@ bool is_frame(const fs::path& file) {
 bool is_table(const fs::path& file) {
   constexpr std::array<std::string_view, 6> kWhole = {"series.csv", "cycles.csv", "fields.csv",
                                                       "run.json",   "scene.yaml", "log.txt"};
-  constexpr std::array<std::string_view, 5> kOfStages = {"profile-", "convection-", "contacts-",
-                                                         "forces-", "walls-"};
+  constexpr std::array<std::string_view, 6> kOfStages = {"profile-", "convection-", "contacts-",
+                                                         "forces-",  "loads-",      "walls-"};
   const std::string name = file.filename().string();
   return std::find(kWhole.begin(), kWhole.end(), name) != kWhole.end() ||
          (file.extension() == ".csv" &&
