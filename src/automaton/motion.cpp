@@ -1,7 +1,7 @@
 #include "clca/automaton/motion.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <iterator>
 
 namespace clca::automaton {
 
@@ -100,17 +100,17 @@ std::int32_t target(const Wave& wave, std::uint64_t clock) {
 }
 
 std::int32_t target(const Path& path, std::uint64_t clock) {
-  Path::Point before;
-  for (const Path::Point& point : path.points) {
-    if (clock < point.step) {
-      const auto rise = static_cast<std::int64_t>(point.offset) - before.offset;
-      const auto done = static_cast<std::int64_t>(clock - before.step);
-      return before.offset +
-             rounded_ratio(rise * done, static_cast<std::int64_t>(point.step - before.step));
-    }
-    before = point;
+  const auto next = std::upper_bound(
+      path.points.begin(), path.points.end(), clock,
+      [](std::uint64_t step, const Path::Point& point) { return step < point.step; });
+  const Path::Point before = next == path.points.begin() ? Path::Point{} : *std::prev(next);
+  if (next == path.points.end()) {
+    return before.offset;
   }
-  return before.offset;
+  const auto rise = static_cast<std::int64_t>(next->offset) - before.offset;
+  const auto done = static_cast<std::int64_t>(clock - before.step);
+  return before.offset +
+         rounded_ratio(rise * done, static_cast<std::int64_t>(next->step - before.step));
 }
 
 int wish(const Motion& motion, const Travel& travel) {
