@@ -80,8 +80,8 @@ std::vector<std::string> stall_lines(const scene::Scene& scene,
     if (one.lets_overlap()) {
       const auto depth = measure::penetration(state, one, surface_at_start);
       line += depth ? fmt::format(", {:.1f} spacings deep", *depth) : "";
-      line += fmt::format(": {} sites overlap, {} particles are jammed",
-                          wall.sites + wall.chain_sites, wall.jammed);
+      line +=
+          fmt::format(": {} sites overlap, {} particles are jammed", wall.chain_sites, wall.jammed);
     }
     lines.push_back(line);
   }
