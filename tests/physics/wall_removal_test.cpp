@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "support/runs.hpp"
+#include "physics/seeds.hpp"
 
 namespace clca {
 namespace {
@@ -62,11 +62,7 @@ class Runs {
   std::vector<double> profile_;
 };
 
-void expect_within(const std::string& what, double value, double low, double high) {
-  EXPECT_GE(value, low) << what;
-  EXPECT_LE(value, high) << what;
-  ::testing::Test::RecordProperty(what, fmt::format("{:.4g}", value));
-}
+using testing::expect_within;
 
 // Windows: the spread of an independent prototype's runs around its means, for gravity alone and
 // 100 columns (height/width 1).
