@@ -106,6 +106,30 @@ std::vector<GoldenCase> golden_cases() {
        "wall-removal",
        {"box.periodic=true", "walls.right={line: {from: [87, 0], to: [130, 100], thickness: 3}}",
         early, "output.frames.view=[-4, -4, 304, 169]"}},
+      {"force-network",
+       "plate-penetration",
+       {"box={width: 70, height: 160}", "output.frames.width=480", "output.frames.height=400",
+        "walls.plate={box: [31.5, 62, 38.5, 160], passive: overlap, "
+        "motion: {direction: down, period: 4, distance: 50}}",
+        "stages.packing.fill={region: [0, 0, 70, 160], counts: {small: 125, large: 125}}",
+        "output.frames.view=[-3, -4, 73, 59]"}},
+      {"piston-force",
+       "piston",
+       {"output.frames.width=480", "output.frames.height=540", "output.frames.overlay=none"}},
+      {"convection-arrows",
+       "convection",
+       {"stages.shaking.until.cycles=60", "output.frames.width=400", "output.frames.height=450"}},
+      {"segregation",
+       "segregation",
+       {"stages.tapping.until.cycles=100", "output.frames.width=240", "output.frames.height=560"}},
+      {"lifted-floor",
+       "brazil-nut",
+       {"stages.shaking.until={steps: 7}", "output.frames.width=360", "output.frames.height=480"}},
+      {"slanted-pusher",
+       "wall-removal",
+       {"walls.pusher={line: {from: [28, 0], to: [2, 45], thickness: 3}, "
+        "motion: {direction: up_right, distance: 15}}",
+        "stages.flow.move=[pusher]", "stages.flow.until={steps: 20}"}},
   };
 }
 
