@@ -8,11 +8,14 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
                                            lattice::Direction direction) {
   const State& state = world.state;
   const Particle& here = state.particles[id];
+  const std::vector<Overlap> before = world.overlaps(id, here);
+  const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
   std::vector<OverlapChange> result;
-  for (const Overlap& one : world.overlaps(id, here)) {
+  result.reserve(before.size() + after.size());
+  for (const Overlap& one : before) {
     result.push_back({.owner = one.owner, .sites_before = one.sites});
   }
-  for (const Overlap& one : world.overlaps(id, moved(here, direction))) {
+  for (const Overlap& one : after) {
     auto change = std::find_if(result.begin(), result.end(), [&](const OverlapChange& other) {
       return other.owner == one.owner;
     });
@@ -40,9 +43,11 @@ const OverlapChange* find(const std::vector<OverlapChange>& changes, Owner owner
 
 int shared_sites(const World& world, std::uint32_t id) {
   int sum = 0;
-  for (const Overlap& one : world.overlaps(id, world.state.particles[id])) {
-    sum += is_particle(one.owner) ? one.sites : 0;
-  }
+  world.for_each_place(world.state.particles[id], [&](std::size_t place) {
+    // A wall is the first owner of a place, so this is one only if both are particles.
+    const bool two = world.occupancy.second_owner(place) != kFree;
+    sum += two && is_particle(world.occupancy.owner(place)) ? 1 : 0;
+  });
   return sum;
 }
 

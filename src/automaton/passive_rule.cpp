@@ -75,7 +75,7 @@ bool PassiveRule::move(std::uint32_t id, Direction direction) {
 }
 
 std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direction direction) {
-  if (!has_room(id, direction)) {
+  if (!follows_pushes(id, direction) || !has_room(id, direction)) {
     return std::nullopt;
   }
   Judgement judgement{.changes = overlap_changes(world_, id, direction), .score = 0};
@@ -112,7 +112,14 @@ std::optional<PassiveRule::Relief> PassiveRule::relief_of(
     relief.votes += push.direction == direction ? 1 : 0;
   }
   relief.strict = relief.turns <= 1 && all_shrink;
-  return any_shrinks && relief.turns <= 2 ? std::optional(relief) : std::nullopt;
+  return any_shrinks ? std::optional(relief) : std::nullopt;
+}
+
+bool PassiveRule::follows_pushes(std::uint32_t id, Direction direction) const {
+  const auto pushes = PushBook::onto(world_.state, id);
+  return std::all_of(pushes.begin(), pushes.end(), [&](const Push& push) {
+    return lattice::turns_between(push.direction, direction) <= 2;
+  });
 }
 
 std::optional<int> PassiveRule::grown_depth(const std::vector<OverlapChange>& changes) const {

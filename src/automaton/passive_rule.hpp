@@ -40,6 +40,8 @@ class PassiveRule {
   /// None: it does not help, or makes something worse.
   std::optional<Relief> relief_of(std::uint32_t id, lattice::Direction direction,
                                   const std::vector<OverlapChange>& changes) const;
+  /// Whether the direction is within 120 degrees of all pushes.
+  bool follows_pushes(std::uint32_t id, lattice::Direction direction) const;
   bool has_room(std::uint32_t id, lattice::Direction direction) const;
   bool spares_walls(std::uint32_t id, lattice::Direction direction,
                     const std::vector<OverlapChange>& changes) const;

@@ -5,6 +5,12 @@
 
 namespace clca::automaton {
 
+namespace {
+
+constexpr std::size_t kNeighbours = 8;  // more seldom share sites with one particle
+
+}  // namespace
+
 World::World(State initial)
     : state(std::move(initial)),
       occupancy(state),
@@ -32,6 +38,7 @@ bool World::is_free(const Particle& particle, lattice::Direction direction) cons
 
 std::vector<Overlap> World::overlaps(std::uint32_t id, const Particle& at) const {
   std::vector<Overlap> result;
+  result.reserve(kNeighbours);
   const auto count = [&](Owner owner) {
     if (owner == kFree || owner == static_cast<Owner>(id)) {
       return;
