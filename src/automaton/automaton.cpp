@@ -37,7 +37,7 @@ class Automaton::Impl {
       }
     }
     report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting &&
-                     report.walls_moved == 0 && stepper.was_quiet() && walls.is_still(state);
+                     report.walls_moved == 0 && stepper.was_quiet() && walls.is_still(world);
     WallMover::end_step(world, report.moved > 0);
     ++state.step;
     return report;

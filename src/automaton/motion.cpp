@@ -134,11 +134,17 @@ bool is_over(const Motion& motion, const Travel& travel) {
   return false;
 }
 
-bool insists(const Motion& motion, const Travel& travel) {
-  if (const auto* path = std::get_if<Path>(&motion.program)) {
-    return !path->points.empty() && travel.clock >= path->points.back().step;
+int lasting_wish(const Motion& motion, const Travel& travel) {
+  if (const auto* drive = std::get_if<Drive>(&motion.program)) {
+    return travel.offset < drive->distance ? 1 : 0;
   }
-  return !std::holds_alternative<Wave>(motion.program);
+  if (const auto* shake = std::get_if<Shake>(&motion.program)) {
+    return wish_of(*shake, travel);
+  }
+  const auto* path = std::get_if<Path>(&motion.program);
+  const bool at_last =
+      path != nullptr && !path->points.empty() && travel.clock >= path->points.back().step;
+  return at_last ? sign(path->points.back().offset - travel.offset) : 0;
 }
 
 void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step) {

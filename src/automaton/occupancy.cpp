@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "automaton/push_book.hpp"
+
 namespace clca::automaton {
 
 namespace {
@@ -11,11 +13,9 @@ constexpr std::size_t kWordBits = 64;
 
 /// Whether `id` may stand on a place that has `owner` already.
 bool may_share(const State& state, std::uint32_t id, Owner owner) {
-  return std::any_of(state.pushes.begin(), state.pushes.end(), [&](const Push& push) {
-    return (push.pushed == id && push.pusher == owner) ||
-           (is_particle(owner) && push.pushed == static_cast<std::uint32_t>(owner) &&
-            push.pusher == static_cast<Owner>(id));
-  });
+  return PushBook::find(state, id, owner) != nullptr ||
+         (is_particle(owner) && PushBook::find(state, static_cast<std::uint32_t>(owner),
+                                               static_cast<Owner>(id)) != nullptr);
 }
 
 void put(Occupancy& occupancy, const State& state, std::size_t index, std::uint32_t id) {

@@ -67,16 +67,6 @@ bool may_overlap(const State& state) {
                      [](const Wall& wall) { return wall.lets_overlap(); });
 }
 
-std::uint64_t completed_cycles(const State& state) {
-  std::optional<std::uint64_t> least;
-  for (const Wall& wall : state.walls) {
-    if (wall.motion && wall.travel.active && is_cyclic(*wall.motion)) {
-      least = std::min(least.value_or(wall.travel.cycles), wall.travel.cycles);
-    }
-  }
-  return least.value_or(0);
-}
-
 std::size_t present_count(const State& state) {
   return static_cast<std::size_t>(std::count_if(state.particles.begin(), state.particles.end(),
                                                 [](const Particle& p) { return p.present; }));

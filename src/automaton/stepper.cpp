@@ -46,7 +46,10 @@ std::size_t Stepper::advance() {
     carry_out<false>();
   }
   const std::size_t uncontested = falling_.size() + sloping_.size() - turns_.size();
-  return pushed_.size() + uncontested + move_contested();
+  const std::size_t moved = pushed_.size() + uncontested + move_contested();
+  still_ = moved == 0 && quiet_;
+  world_.changed = false;
+  return moved;
 }
 
 template <bool kShared, class Visit>
@@ -68,12 +71,14 @@ void Stepper::carry_out() {
   pushed_.clear();
   quiet_ = true;
   const bool overlaps = !world_.state.pushes.empty();
+  // Where nothing has moved or changed since all that overlap had last looked, they rest again.
+  const bool engaged_may_move = overlaps && (!still_ || world_.changed || !options_.sleeping);
   if (overlaps) {
     leave_out_engaged();
   }
   decide<kShared>();
   collect_movers();
-  if (overlaps) {
+  if (engaged_may_move) {
     move_engaged();
   }
   find_contested<kShared>();

@@ -105,6 +105,7 @@ class Stepper {
   std::vector<Mover> pushed_;  // by the passive rule
   std::vector<Mover> freed_;   // overlap, but go by themselves
   bool quiet_ = true;
+  bool still_ = false;  // nothing moved in the last step, and nothing that overlaps in that before
 };
 
 }  // namespace clca::automaton

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "automaton/wall_push.hpp"
-
 namespace clca::automaton {
 
 namespace {
@@ -62,7 +60,7 @@ std::vector<std::size_t> places(const lattice::Lattice& lattice,
 
 }  // namespace
 
-WallMover::WallMover(const State& state) : edges_(state.walls.size()), failed_(state.walls.size()) {
+WallMover::WallMover(const State& state) : edges_(state.walls.size()) {
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (!state.walls[wall].motion) {
       continue;
@@ -78,7 +76,6 @@ WallMover::WallMover(const State& state) : edges_(state.walls.size()), failed_(s
 void WallMover::advance(World& world, StepReport& report) {
   world.carried.clear();
   for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
-    failed_[number] = false;
     Wall& wall = world.state.walls[number];
     if (!wall.motion || !wall.present || !wall.travel.active) {
       continue;
@@ -86,15 +83,8 @@ void WallMover::advance(World& world, StepReport& report) {
     const int wished = wish(*wall.motion, wall.travel);
     bool done = false;
     if (wished != 0) {
-      const lattice::Direction forward = wall.motion->direction;
-      const lattice::Axial shift = wall.shift();
-      const WallStep step = {
-          .wall = number,
-          .direction = wished > 0 ? forward : opposite(forward),
-          .enters = places(world.state.lattice, edge(number, wished > 0).lead, shift),
-          .leaves = places(world.state.lattice, edge(number, wished > 0).trail, shift)};
+      const WallStep step = step_of(world.state, number, wished);
       done = wall.passive == Passive::rigid ? push_along(world, step) : enter(world, step);
-      failed_[number] = !done;
       ++(done ? report.walls_moved : report.walls_stalled);
     }
     take_step(*wall.motion, wall.travel, wished, done, world.state.step);
@@ -109,18 +99,31 @@ void WallMover::end_step(World& world, bool particles_moved) {
   }
 }
 
-bool WallMover::is_still(const State& state) const {
-  for (std::size_t number = 0; number < state.walls.size(); ++number) {
-    const Wall& wall = state.walls[number];
+bool WallMover::is_still(World& world) const {
+  for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
+    const Wall& wall = world.state.walls[number];
     if (!wall.motion || !wall.present || !wall.travel.active ||
         is_over(*wall.motion, wall.travel)) {
       continue;
     }
-    if (!failed_[number] || !insists(*wall.motion, wall.travel)) {
+    const int wished = lasting_wish(*wall.motion, wall.travel);
+    if (wished == 0 || !wall.travel.stalled_since ||
+        can_take(world, step_of(world.state, number, wished))) {
       return false;
     }
   }
   return true;
+}
+
+WallStep WallMover::step_of(const State& state, std::size_t number, int wished) const {
+  const Wall& wall = state.walls[number];
+  const lattice::Direction forward = wall.motion->direction;
+  const lattice::Axial shift = wall.shift();
+  const Edge& sides = edge(number, wished > 0);
+  return {.wall = number,
+          .direction = wished > 0 ? forward : opposite(forward),
+          .enters = places(state.lattice, sides.lead, shift),
+          .leaves = places(state.lattice, sides.trail, shift)};
 }
 
 }  // namespace clca::automaton

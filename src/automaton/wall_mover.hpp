@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "automaton/wall_push.hpp"
 #include "automaton/world.hpp"
 #include "clca/automaton/automaton.hpp"
 
@@ -18,9 +19,9 @@ class WallMover {
   void advance(World& world, StepReport& report);
   /// Ends the step: what waits for rest may go on.
   static void end_step(World& world, bool particles_moved);
-  /// True when every active wall has come to its end or cannot go on, now and for good unless a
-  /// particle moves: those that wanted to move in this step could not.
-  bool is_still(const State& state) const;
+  /// True when every active wall has come to its end, or has tried in vain and cannot take the step
+  /// that it wants next either, so that none will ever move while no particle does.
+  bool is_still(World& world) const;
 
  private:
   /// Sites to enter and to leave on a step, at home.
@@ -31,10 +32,10 @@ class WallMover {
   /// Along the motion and against it.
   using Edges = std::array<Edge, 2>;
 
+  WallStep step_of(const State& state, std::size_t wall, int wished) const;
   const Edge& edge(std::size_t wall, bool forward) const { return edges_[wall][forward ? 0 : 1]; }
 
   std::vector<Edges> edges_;  // by wall; empty for those without motion
-  std::vector<bool> failed_;  // by wall: wanted to move in this step and could not
 };
 
 }  // namespace clca::automaton

@@ -45,6 +45,7 @@ void remove_wall(World& world, std::size_t number) {
   Wall& wall = world.state.walls.at(number);
   const Owner code = wall_code(number);
   wall.present = false;
+  world.changed = true;
   std::vector<std::size_t> vacated;
   for (const std::size_t place : places_now(world.state, wall)) {
     if (world.occupancy.has(place, code) && world.occupancy.remove(place, code)) {
@@ -77,6 +78,7 @@ bool insert_wall(World& world, std::size_t number) {
     return false;
   }
   wall.present = true;
+  world.changed = true;
   for (const std::size_t place : places) {
     world.occupancy.take(place, wall_code(number));
   }

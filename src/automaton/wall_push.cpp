@@ -79,6 +79,22 @@ bool may_enter(const World& world, const WallStep& step) {
   });
 }
 
+void stand_ahead(World& world, const WallStep& step) {
+  leave(world, step);
+  for (const std::size_t place : step.enters) {
+    world.occupancy.add(place, wall_code(step.wall));
+  }
+}
+
+void stand_back(World& world, const WallStep& step) {
+  for (const std::size_t place : step.enters) {
+    world.occupancy.remove(place, wall_code(step.wall));
+  }
+  for (const std::size_t place : step.leaves) {
+    world.occupancy.add(place, wall_code(step.wall));
+  }
+}
+
 /// The particles at the places that a wall has entered, each once.
 std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
   std::vector<std::uint32_t> ids;
@@ -91,6 +107,14 @@ std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
+}
+
+/// Whether these particles could be clear of the wall after one step along its way or beside it.
+bool is_shallow(const World& world, const WallStep& step, const std::vector<std::uint32_t>& ids) {
+  const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
+  return std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
+    return can_leave(world, world.state.particles[id], wall_code(step.wall), ways);
+  });
 }
 
 /// Forgets the wall's pushes on particles that it has left behind.
@@ -126,6 +150,7 @@ bool push_along(World& world, const WallStep& step) {
     world.occupancy.add(place, wall_code(step.wall));
   }
   wake_behind(world, step);
+  world.changed = true;
   return true;
 }
 
@@ -133,34 +158,35 @@ bool enter(World& world, const WallStep& step) {
   if (!may_enter(world, step)) {
     return false;
   }
-  const Owner code = wall_code(step.wall);
-  leave(world, step);
-  for (const std::size_t place : step.enters) {
-    world.occupancy.add(place, code);
-  }
+  stand_ahead(world, step);
   const std::vector<std::uint32_t> ids = touched(world, step);
-  const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
-  const bool shallow = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
-    return can_leave(world, world.state.particles[id], code, ways);
-  });
-  if (!shallow) {
-    for (const std::size_t place : step.enters) {
-      world.occupancy.remove(place, code);
-    }
-    for (const std::size_t place : step.leaves) {
-      world.occupancy.add(place, code);
-    }
+  if (!is_shallow(world, step, ids)) {
+    stand_back(world, step);
     return false;
   }
   for (const std::uint32_t id : ids) {
     world.pushes.record(world.state, {.pushed = id,
-                                      .pusher = code,
+                                      .pusher = wall_code(step.wall),
                                       .source = static_cast<std::uint32_t>(step.wall),
                                       .direction = step.direction});
   }
   forget_behind(world, step);
   wake_behind(world, step);
+  world.changed = true;
   return true;
+}
+
+bool can_take(World& world, const WallStep& step) {
+  if (!world.state.walls[step.wall].lets_overlap()) {
+    return Train(world, step).gather();
+  }
+  if (!may_enter(world, step)) {
+    return false;
+  }
+  stand_ahead(world, step);
+  const bool shallow = is_shallow(world, step, touched(world, step));
+  stand_back(world, step);
+  return shallow;
 }
 
 }  // namespace clca::automaton

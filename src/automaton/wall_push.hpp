@@ -24,4 +24,7 @@ bool push_along(World& world, const WallStep& step);
 /// the wall's, or at 60 degrees to it, could not free it again.
 bool enter(World& world, const WallStep& step);
 
+/// Whether the wall could take the step by the rule of its kind. Changes nothing.
+bool can_take(World& world, const WallStep& step);
+
 }  // namespace clca::automaton

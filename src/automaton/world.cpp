@@ -26,6 +26,7 @@ void World::welcome_from(std::size_t first) {
   pushes.grow(state.particles.size());
   for (std::size_t id = first; id < state.particles.size(); ++id) {
     awake.insert(static_cast<std::uint32_t>(id));
+    changed = true;
   }
 }
 
@@ -121,6 +122,7 @@ void World::shift_together(std::span<const std::uint32_t> ids, lattice::Directio
 }
 
 void World::take_away(std::uint32_t id) {
+  changed = true;
   Particle& particle = state.particles[id];
   for (const Overlap& one : overlaps(id, particle)) {
     pushes.forget(state, id, one.owner);

@@ -66,6 +66,8 @@ class World {
   AwakeSet awake;
   PushBook pushes;
   Separation separation;
+  /// Something but the particles' own moves has changed since the last step.
+  bool changed = true;
   std::vector<std::uint32_t> carried;  ///< particles that walls have taken along in this step
 
  private:

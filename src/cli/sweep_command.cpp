@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -47,6 +48,7 @@ int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
   double largest = 1;
   for (const sweep::Variant& variant : plan.variants) {
     check_memory(variant.scene, limit);
+    scene::check_walls(variant.scene);
     largest = std::max(largest, scene::size_of(variant.scene).bytes);
   }
   return static_cast<int>(std::min<double>(options.jobs, limit / largest));

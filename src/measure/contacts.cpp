@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "clca/automaton/separation.hpp"
 
@@ -15,41 +16,24 @@ using automaton::Particle;
 using automaton::Push;
 using automaton::State;
 
-/// The other owner of a place of `particle`; kFree where it is alone.
-Owner partner(const Occupancy& occupancy, std::size_t index, Owner particle) {
-  const Owner second = occupancy.second_owner(index);
-  return second == particle ? occupancy.owner(index) : second;
-}
-
-/// The contacts of `id` with walls and with greater ids: `sites` and `place` only.
-std::vector<Contact> overlaps_of(const State& state, const Occupancy& occupancy, std::uint32_t id) {
-  std::vector<Contact> found;
-  const Particle& particle = state.particles[id];
-  const auto self = static_cast<Owner>(id);
+/// `sites` and `place` of what two share.
+Contact shared_by(const State& state, const Occupancy& occupancy, std::uint32_t first,
+                  Owner second) {
+  Contact contact = {.first = first, .second = second};
+  const Particle& particle = state.particles[first];
   for (const lattice::Axial part : state.shape(particle).sites()) {
     const lattice::Site site = particle.site() + part;
-    const Owner other = partner(occupancy, state.lattice.index(site), self);
-    if (other == automaton::kFree || (automaton::is_particle(other) && other < self)) {
-      continue;
+    if (occupancy.has(state.lattice.index(site), second)) {
+      ++contact.sites;
+      contact.place += lattice::position(site);
     }
-    auto contact = std::find_if(found.begin(), found.end(),
-                                [&](const Contact& known) { return known.second == other; });
-    if (contact == found.end()) {
-      contact = found.insert(found.end(), {.first = id, .second = other});
-    }
-    ++contact->sites;
-    contact->place += lattice::position(site);
   }
-  for (Contact& contact : found) {
-    contact.place /= contact.sites;
-  }
-  std::sort(found.begin(), found.end(),
-            [](const Contact& a, const Contact& b) { return a.second < b.second; });
-  return found;
+  contact.place /= std::max(1, contact.sites);
+  return contact;
 }
 
-bool frees_from_wall(const State& state, const Occupancy& occupancy, const Contact& contact,
-                     lattice::Direction direction) {
+bool frees(const State& state, const Occupancy& occupancy, const Contact& contact,
+           lattice::Direction direction) {
   const Particle& particle = state.particles[contact.first];
   const lattice::Site moved = particle.site() + unit(direction);
   const auto& parts = state.shape(particle).sites();
@@ -58,11 +42,16 @@ bool frees_from_wall(const State& state, const Occupancy& occupancy, const Conta
   });
 }
 
-int wall_depth(const State& state, const Occupancy& occupancy, const Contact& contact) {
-  const bool one_move = std::any_of(
-      lattice::kDirections.begin(), lattice::kDirections.end(),
-      [&](lattice::Direction d) { return frees_from_wall(state, occupancy, contact, d); });
-  return one_move ? 1 : 2;
+/// Nearly all are one move deep; only for the others the table of the two shapes is worth making.
+int depth_of(const State& state, const Occupancy& occupancy, const Contact& contact) {
+  const bool one_move =
+      std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
+                  [&](lattice::Direction d) { return frees(state, occupancy, contact, d); });
+  if (one_move || !automaton::is_particle(contact.second)) {
+    return one_move ? 1 : 2;
+  }
+  return automaton::Separation(state).depth(
+      state.particles[contact.first], state.particles[static_cast<std::size_t>(contact.second)]);
 }
 
 const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher) {
@@ -85,28 +74,23 @@ const Push* push_between(const State& state, const Contact& contact) {
   return push;
 }
 
+// Every pair that overlaps has one push.
 std::vector<Contact> contacts(const State& state, const Occupancy& occupancy) {
   std::vector<Contact> result;
-  if (!automaton::may_overlap(state)) {
-    return result;
+  result.reserve(state.pushes.size());
+  for (const Push& push : state.pushes) {
+    const bool by_particle = automaton::is_particle(push.pusher);
+    const auto pusher = static_cast<std::uint32_t>(push.pusher);
+    const bool swapped = by_particle && pusher < push.pushed;
+    Contact contact = shared_by(state, occupancy, swapped ? pusher : push.pushed,
+                                swapped ? static_cast<Owner>(push.pushed) : push.pusher);
+    contact.depth = depth_of(state, occupancy, contact);
+    contact.source = push.source;
+    result.push_back(contact);
   }
-  automaton::Separation separation(state);
-  for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
-    if (!state.particles[id].present) {
-      continue;
-    }
-    for (Contact& contact : overlaps_of(state, occupancy, id)) {
-      contact.depth =
-          automaton::is_wall(contact.second)
-              ? wall_depth(state, occupancy, contact)
-              : separation.depth(state.particles[id],
-                                 state.particles[static_cast<std::size_t>(contact.second)]);
-      if (const Push* push = push_between(state, contact)) {
-        contact.source = push->source;
-      }
-      result.push_back(contact);
-    }
-  }
+  std::sort(result.begin(), result.end(), [](const Contact& a, const Contact& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "clca/measure/grid.hpp"
@@ -78,17 +79,22 @@ double bed_height(const State& state) {
 
 /// Id of the only particle of the only species that has just one; none where there is no such.
 std::optional<std::size_t> intruder(const State& state) {
-  std::vector<std::vector<std::size_t>> members(1U + std::numeric_limits<std::uint16_t>::max());
+  struct Members {
+    std::size_t count = 0;
+    std::size_t last = 0;  // id
+  };
+  std::map<std::uint16_t, Members> species;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
-      members[state.kinds[state.particles[id].kind].species].push_back(id);
+      Members& members = species[state.kinds[state.particles[id].kind].species];
+      members = {members.count + 1, id};
     }
   }
-  const auto alone = [](const auto& ids) { return ids.size() == 1; };
-  if (std::count_if(members.begin(), members.end(), alone) != 1) {
+  const auto alone = [](const auto& entry) { return entry.second.count == 1; };
+  if (std::count_if(species.begin(), species.end(), alone) != 1) {
     return std::nullopt;
   }
-  return std::find_if(members.begin(), members.end(), alone)->front();
+  return std::find_if(species.begin(), species.end(), alone)->second.last;
 }
 
 }  // namespace

@@ -18,14 +18,17 @@ double value_or_nan(const std::optional<double>& value) {
 
 CycleRecord::CycleRecord(double cell)
     : cell_(cell),
-      table_({"stage", "cycle", "step", "mean_height", "repose_angle_deg", "intruder_height_rel",
+      table_({"stage", "cycle", "step", "height_mean", "repose_angle_deg", "intruder_height_rel",
               "segregation_index", "lacey_index"}) {}
 
 void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
                               const automaton::State& state) {
   stage_ = stage.name;
   cycles_ = 0;
-  cycles_before_ = automaton::completed_cycles(state);
+  at_start_.clear();
+  for (const automaton::Wall& wall : state.walls) {
+    at_start_.push_back(wall.travel);
+  }
   convection_.reset();
   const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
     return automaton::is_cyclic(*scene.walls[wall].motion);
@@ -41,7 +44,7 @@ void CycleRecord::after_step(const automaton::State& state) {
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = automaton::completed_cycles(state) - cycles_before_;
+  const std::uint64_t cycles = completed(state);
   if (cycles == cycles_) {
     return;
   }
@@ -49,6 +52,22 @@ void CycleRecord::after_step(const automaton::State& state) {
   convection_->end_cycle(state);
   convection_->begin_cycle(state);
   add_row(state);
+}
+
+std::uint64_t CycleRecord::completed(const automaton::State& state) const {
+  std::optional<std::uint64_t> least;
+  for (std::size_t number = 0; number < state.walls.size(); ++number) {
+    const automaton::Wall& wall = state.walls[number];
+    if (!wall.motion || !wall.travel.active || !automaton::is_cyclic(*wall.motion)) {
+      continue;
+    }
+    const auto* wave = std::get_if<automaton::Wave>(&wall.motion->program);
+    const std::uint64_t cycles = wave != nullptr
+                                     ? (wall.travel.clock - at_start_[number].clock) / wave->period
+                                     : wall.travel.cycles - at_start_[number].cycles;
+    least = std::min(least.value_or(cycles), cycles);
+  }
+  return least.value_or(0);
 }
 
 void CycleRecord::add_row(const automaton::State& state) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clca/automaton/state.hpp"
 #include "clca/measure/convection.hpp"
@@ -11,7 +12,7 @@
 
 namespace clca::run {
 
-/// Columns: stage, cycle (0: before the first), step, mean_height, repose_angle_deg,
+/// Columns: stage, cycle (0: before the first), step, height_mean, repose_angle_deg,
 /// intruder_height_rel, segregation_index, lacey_index; empty where there is none.
 class CycleRecord {
  public:
@@ -23,7 +24,8 @@ class CycleRecord {
   /// Call after each step.
   void after_step(const automaton::State& state);
 
-  /// Completed in this stage.
+  /// Completed in this stage by all walls that go to and fro. A wave counts from where it stood
+  /// when the stage began; a shake that was held on its way completes that cycle first.
   std::uint64_t cycles() const { return cycles_; }
   /// Null when no wall goes to and fro in this stage.
   const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
@@ -34,12 +36,13 @@ class CycleRecord {
   std::string convection_csv() const;
 
  private:
+  std::uint64_t completed(const automaton::State& state) const;
   void add_row(const automaton::State& state);
 
   double cell_;
   std::string stage_;
   std::uint64_t cycles_ = 0;
-  std::uint64_t cycles_before_ = 0;  // the stage
+  std::vector<automaton::Travel> at_start_;  // by wall
   std::optional<measure::Convection> convection_;
   store::Table table_;
   bool is_empty_ = true;

@@ -9,6 +9,12 @@ namespace clca::run {
 
 namespace {
 
+/// Wants to go on and cannot.
+bool is_stalled(const automaton::Wall& wall) {
+  return wall.present && wall.travel.active && wall.travel.stalled_since &&
+         !automaton::is_over(*wall.motion, wall.travel);
+}
+
 /// What several walls say together; none where no wall says anything.
 struct WallsTogether {
   std::optional<double> depth;          // of the deepest, lattice spacings
@@ -27,7 +33,7 @@ WallsTogether together(const automaton::State& state, const measure::ForceSummar
     if (depth && one.lets_overlap()) {
       result.depth = std::max(result.depth.value_or(*depth), *depth);
     }
-    if (wall.stalled_since) {
+    if (is_stalled(one)) {
       const auto step = static_cast<double>(*wall.stalled_since);
       result.stalled_since = std::min(result.stalled_since.value_or(step), step);
     }
@@ -72,14 +78,14 @@ std::vector<std::string> stall_lines(const scene::Scene& scene,
   for (const measure::WallForce& wall :
        measure::force_summary(state, automaton.occupancy(), contacts).walls) {
     const automaton::Wall& one = state.walls[wall.wall];
-    if (!one.present || !one.travel.active || !wall.stalled_since) {
+    if (!is_stalled(one)) {
       continue;
     }
     std::string line = fmt::format("wall {} stalls since step {} after {} sites",
                                    scene.walls[wall.wall].name, *wall.stalled_since, wall.travel);
     if (one.lets_overlap()) {
       const auto depth = measure::penetration(state, one, surface_at_start);
-      line += depth ? fmt::format(", {:.1f} spacings deep", *depth) : "";
+      line += depth && *depth > 0 ? fmt::format(", {:.1f} spacings deep", *depth) : "";
       line +=
           fmt::format(": {} sites overlap, {} particles are jammed", wall.chain_sites, wall.jammed);
     }

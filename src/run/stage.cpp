@@ -46,10 +46,10 @@ bool contains(const Items& items, std::size_t item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-/// True when some wall in motion wants to go on and cannot.
+/// True when some wall in motion has not come to its end, in a state that is settled.
 bool has_stalled(const automaton::State& state) {
   return std::any_of(state.walls.begin(), state.walls.end(), [](const automaton::Wall& wall) {
-    return wall.present && wall.travel.active && wall.travel.stalled_since;
+    return wall.present && wall.travel.active && !automaton::is_over(*wall.motion, wall.travel);
   });
 }
 

@@ -23,6 +23,22 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   return nullptr;
 }
 
+constexpr std::uint64_t kLongestCycle = 10'000'000;  // times kMostSteps fits 64 bits
+
+/// Steps that a cycle of the wall takes at the least; 0 where it has none.
+std::uint64_t least_cycle(const Wall& wall) {
+  if (!wall.motion) {
+    return 0;
+  }
+  if (const auto* wave = std::get_if<automaton::Wave>(&wall.motion->program)) {
+    return wave->period;
+  }
+  const auto* shake = std::get_if<automaton::Shake>(&wall.motion->program);
+  return shake == nullptr
+             ? 0
+             : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
+}
+
 /// Steps that the end needs at the least; 0 where nothing can be said.
 std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
   if (const auto* steps = std::get_if<UntilSteps>(&stage.until)) {
@@ -31,36 +47,56 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
   const auto* cycles = std::get_if<UntilCycles>(&stage.until);
   std::uint64_t longest = 0;
   for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
-    const auto& motion = scene.walls[stage.move[i]].motion;
-    const auto* wave = motion ? std::get_if<automaton::Wave>(&motion->program) : nullptr;
-    longest = std::max(longest, wave != nullptr ? wave->period : 0);
+    longest = std::max(longest, least_cycle(scene.walls[stage.move[i]]));
   }
-  return cycles != nullptr ? cycles->cycles * longest : 0;  // at most 10^19
+  return cycles != nullptr ? cycles->cycles * std::min(longest, kLongestCycle) : 0;
+}
+
+/// Why particles never come to rest in this stage, whatever the walls do; empty when they do.
+std::string restless(const Stage& stage, const Scene& scene) {
+  if (scene.rules.candidates == automaton::Candidates::all) {
+    return "with rules.candidates: all";
+  }
+  const lattice::Direction gravity = scene.rules.gravity;
+  if (scene.box.periodic && gravity != lattice::Direction::down &&
+      gravity != lattice::Direction::up) {
+    return "with a sideways rules.gravity in a periodic box";
+  }
+  for (const std::size_t source : stage.sources) {
+    if (!scene.sources[source].count) {
+      return fmt::format("while source '{}' is open, which has no count",
+                         scene.sources[source].name);
+    }
+  }
+  return {};
 }
 
 /// Why a stage until settled would go on for ever, and what to do; empty when it would not.
 std::string endless(const Stage& stage, const Scene& scene) {
-  if (scene.rules.candidates == automaton::Candidates::all) {
-    return "with rules.candidates: all; give max_steps";
-  }
   if (const Wall* wall = cyclic_wall(stage, scene)) {
     return fmt::format(
         "while wall '{}' goes to and fro; end the stage after cycles or steps, or "
         "give max_steps",
         wall->name);
   }
-  const lattice::Direction gravity = scene.rules.gravity;
-  if (scene.box.periodic && gravity != lattice::Direction::down &&
-      gravity != lattice::Direction::up) {
-    return "with a sideways rules.gravity in a periodic box; give max_steps";
-  }
-  for (const std::size_t source : stage.sources) {
-    if (!scene.sources[source].count) {
-      return fmt::format("while source '{}' is open, which has no count; give max_steps",
-                         scene.sources[source].name);
+  const std::string reason = restless(stage, scene);
+  return reason.empty() ? reason : reason + "; give max_steps";
+}
+
+/// Refuses cycles of a shake that waits for a rest that never comes.
+void check_waits(const Stage& stage, const Scene& scene, const Place& place,
+                 const std::string& path) {
+  const std::string reason = restless(stage, scene);
+  for (const std::size_t number : stage.move) {
+    const Wall& wall = scene.walls[number];
+    const auto* shake =
+        wall.motion ? std::get_if<automaton::Shake>(&wall.motion->program) : nullptr;
+    if (shake != nullptr && !shake->wait && !reason.empty()) {
+      fail(place, fmt::format("{}: wall '{}' waits until all is settled, which never comes {}; "
+                              "give its shake a wait in steps, or give max_steps",
+                              path, wall.name, reason));
     }
   }
-  return {};
 }
 
 UntilDischarged read_discharged(const KeyedMap& fields, std::string_view key) {
@@ -128,6 +164,9 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
     if (const std::string reason = endless(stage, scene); !reason.empty()) {
       fail(place, fmt::format("{}: never comes to rest {}", fields.path("until"), reason));
     }
+  }
+  if (cycles) {
+    check_waits(stage, scene, place, fields.path("until"));
   }
   return std::max(stage.max_steps, least);
 }

@@ -101,8 +101,9 @@ int wish(const Motion& motion, const Travel& travel);
 /// True when the wall will never again want to move.
 bool is_over(const Motion& motion, const Travel& travel);
 
-/// True when a move that fails now will be tried just so for ever, while nothing else changes.
-bool insists(const Motion& motion, const Travel& travel);
+/// The step that the wall wants now or the next time it is due, until it is done: as wish. 0 where
+/// that depends on when it comes to it, or where it wants none.
+int lasting_wish(const Motion& motion, const Travel& travel);
 
 /// Accounts for the move of this step: what the wall wished and whether it was done. `step` is the
 /// number of the step.

@@ -134,9 +134,6 @@ std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall
 /// True when some wall may come to overlap with particles.
 bool may_overlap(const State& state);
 
-/// Cycles that all active cyclic walls have completed; 0 where there is none.
-std::uint64_t completed_cycles(const State& state);
-
 /// 64 bits over everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 

@@ -17,7 +17,7 @@ using NamedMeasure = std::pair<std::string, MeasureValue>;
 struct StageSummary {
   std::string name;
   std::uint64_t steps = 0;
-  std::string ended;  ///< settled, steps, discharged, bound or interrupted
+  std::string ended;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
   std::vector<NamedMeasure> measures;
 };
 

@@ -101,7 +101,7 @@ TEST(Wave, NeverEndsAndNeverInsistsAndCountsItsPeriods) {
   for (std::uint64_t step = 0; step < 20; ++step) {
     EXPECT_EQ(travel.cycles, step / 8);
     EXPECT_FALSE(is_over(motion, travel));
-    EXPECT_FALSE(insists(motion, travel));
+    EXPECT_EQ(lasting_wish(motion, travel), 0);
     take_step(motion, travel, wish(motion, travel), false, step);
   }
   EXPECT_EQ(travel.offset, 0);  // stalled all the time
@@ -143,7 +143,7 @@ TEST(Shake, ThatCannotRiseTriesAgainAndDoesNotTurn) {
   take_step(motion, travel, 1, false, 1);
   EXPECT_EQ(travel.phase, Phase::rising);
   EXPECT_EQ(wish(motion, travel), 1);
-  EXPECT_TRUE(insists(motion, travel));
+  EXPECT_NE(lasting_wish(motion, travel), 0);
 }
 
 TEST(Path, GoesStraightFromPointToPointAndRoundsHalvesAwayFromZero) {
@@ -160,9 +160,9 @@ TEST(Path, CatchesUpWhenItHasStalledAndInsistsOnlyAfterItsLastPoint) {
   const Motion motion{.program = Path{{{2, 2}}}};
   Travel travel{.active = true};
   take_step(motion, travel, 1, false, 0);
-  EXPECT_FALSE(insists(motion, travel));
+  EXPECT_EQ(lasting_wish(motion, travel), 0);
   take_step(motion, travel, 1, false, 1);
-  EXPECT_TRUE(insists(motion, travel));
+  EXPECT_NE(lasting_wish(motion, travel), 0);
   EXPECT_FALSE(is_over(motion, travel));
   take_step(motion, travel, wish(motion, travel), true, 2);
   take_step(motion, travel, wish(motion, travel), true, 3);

@@ -176,5 +176,23 @@ TEST(Settled, IsToldOfAJamAndTheJamStays) {
   EXPECT_EQ(automaton.state().walls[0].travel.stalls, jam.walls[0].travel.stalls + 5);
 }
 
+TEST(Settled, IsToldOfTwoStalledWallsThatNeverTryInTheSameStep) {
+  State state = empty_state(12, 12);
+  for (const int column : {2, 8}) {
+    Wall wall = driven_wall({{column, 10}}, Direction::up, Passive::rigid);
+    wall.motion->program = Drive{.period = 2, .distance = 5};
+    wall.travel.clock = column == 2 ? 0 : 1;
+    state.walls.push_back(wall);
+    state.walls.push_back({.sites = {{column, 11}}});
+  }
+  Automaton automaton(state);
+  int steps = 0;
+  while (steps < 50 && !automaton.step().settled) {
+    ++steps;
+  }
+  EXPECT_LT(steps, 5);
+  EXPECT_TRUE(automaton.step().settled);
+}
+
 }  // namespace
 }  // namespace clca::automaton

@@ -152,6 +152,24 @@ TEST(WallsInRuns, AShakenStageEndsAfterItsCyclesWithARowForEach) {
   EXPECT_FALSE(fs::exists(folder.path() / "contacts-shaking.csv"));
 }
 
+TEST(WallsInRuns, CyclesAreThoseOfTheSlowestWallInTheStageAlone) {
+  const testing::ScratchFolder folder;
+  const auto scene = scene::parse(R"(clca: 1
+box: {width: 40, height: 40}
+species: {grain: {shape: {hexagon: 0}}}
+walls:
+  quick: {box: [4, 20, 8, 22], motion: {wave: {form: triangle, amplitude: 2, period: 10}}}
+  slow: {box: [20, 20, 24, 22], motion: {wave: {form: triangle, amplitude: 2, period: 40}}}
+stages:
+  - {name: one, fill: {region: [0, 0, 40, 4], counts: {grain: 3}}, move: [quick], until: {cycles: 7}}
+  - {name: both, move: [quick, slow], until: {cycles: 2}}
+)",
+                                  "cycles.yaml");
+  const auto summary = run(scene, {.folder = folder.path()});
+  EXPECT_EQ(summary.stages[0].steps, 70U);
+  EXPECT_EQ(summary.stages[1].steps, 80U);
+}
+
 TEST(WallsInRuns, WindowsOfFieldsFollowOneAnotherAndTheLastEndsWithTheStage) {
   const testing::ScratchFolder folder;
   const auto summary = run(scene::parse(kShaken, "shaken.yaml"), {.folder = folder.path()});

@@ -82,6 +82,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:12:27: error: stages.second.until: no wall of this stage goes to and fro; name "
      "one with a wave or a shake under move",
      Judge::parser},
+    {"cycles of a shake that waits for a rest that never comes",
+     "rules: {candidates: all}\n"
+     "walls: {plate: {box: [10, 40, 20, 42], motion: {shake: {amplitude: 2}}}}\n"
+     "stages: [{name: first, sources: [spout], move: [plate], until: {cycles: 3}}]",
+     "scene.yaml:10:64: error: stages.first.until: wall 'plate' waits until all is settled, which "
+     "never comes with rules.candidates: all; give its shake a wait in steps, or give max_steps",
+     Judge::parser},
     {"0 cycles",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {shake: {amplitude: 2}}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate], until: {cycles: 0}}]",
