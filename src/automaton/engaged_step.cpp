@@ -29,7 +29,7 @@ void Stepper::decide_engaged() {
   pushed_.clear();
   freed_.clear();
   State& state = world_.state;
-  for (const std::uint32_t id : world_.pushes.engaged_particles(state)) {
+  for (const std::uint32_t id : PushBook::engaged_particles(state)) {
     Particle& particle = state.particles[id];
     quiet_ = quiet_ && particle.previous == kRest;
     if (!PushBook::onto(state, id).empty()) {

@@ -25,7 +25,7 @@ PushBook::PushBook(const State& state) : parts_(state.particles.size(), 0) {
   }
 }
 
-std::vector<std::uint32_t> PushBook::engaged_particles(const State& state) const {
+std::vector<std::uint32_t> PushBook::engaged_particles(const State& state) {
   std::vector<std::uint32_t> ids;
   for (const Push& push : state.pushes) {
     ids.push_back(push.pushed);

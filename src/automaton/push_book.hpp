@@ -16,7 +16,7 @@ class PushBook {
   /// True when the particle overlaps with something.
   bool engaged(std::uint32_t id) const { return parts_[id] > 0; }
   /// All engaged particles, ascending.
-  std::vector<std::uint32_t> engaged_particles(const State& state) const;
+  static std::vector<std::uint32_t> engaged_particles(const State& state);
   /// The pushes onto `id`.
   static std::span<const Push> onto(const State& state, std::uint32_t id);
   /// The push by which `pusher` came onto `id`; null where there is none.
