@@ -43,7 +43,8 @@ class Sheet {
         cell_width_(cell_width),
         text_size_(std::clamp(static_cast<int>(std::lround(cell_width / 20.0)), 9, 24)) {
     std::int64_t top = titled ? em(kTitleStrip) : em(kGap);
-    int usual = std::max(1, cell_width * 9 / 16);  // of a row without any picture
+    // Of a row without any picture: nine sixteenths, of any width that fits an int.
+    int usual = std::max(1, cell_width / 16 * 9 + cell_width % 16 * 9 / 16);
     for (std::size_t first = 0; first < images.size();
          first += static_cast<std::size_t>(columns_)) {
       usual = row_height(images, first).value_or(usual);
