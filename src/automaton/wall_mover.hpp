@@ -32,7 +32,7 @@ class WallMover {
   /// Along the motion and against it.
   using Edges = std::array<Edge, 2>;
 
-  WallStep step_of(const State& state, std::size_t wall, int wished) const;
+  WallStep step_of(const State& state, std::size_t number, int wished) const;
   const Edge& edge(std::size_t wall, bool forward) const { return edges_[wall][forward ? 0 : 1]; }
 
   std::vector<Edges> edges_;  // by wall; empty for those without motion

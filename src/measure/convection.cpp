@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
 
 namespace clca::measure {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kInside = 1.0 / 6;  // of the bed's width, to either side of its middle
 constexpr double kAtWalls = 1.0 / 3;
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
+#include "measure/infinity.hpp"
 
 namespace clca::measure {
 
@@ -19,7 +19,6 @@ using automaton::Wall;
 using lattice::Direction;
 using lattice::Site;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-9;
 constexpr double kBehind = 1;  // lattice spacings: a wall's roughness on the lattice and a half
 

@@ -8,6 +8,7 @@
 
 #include "clca/measure/grid.hpp"
 #include "clca/measure/profile.hpp"
+#include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
 
 namespace clca::measure {
@@ -16,8 +17,6 @@ namespace {
 
 using automaton::Particle;
 using automaton::State;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Sizes of the smallest and the largest particles present, in sites.
 struct Sizes {

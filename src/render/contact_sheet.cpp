@@ -24,7 +24,7 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 28U;
 constexpr double kGap = 1.2;
 constexpr double kLabelStrip = 1.7;
 constexpr double kTitleStrip = 2.6;
-constexpr double kTitleSize = 1.4;
+constexpr double kSheetTitleSize = 1.4;  // in text sizes
 
 bool missing(const Image& image) {
   return image.width < 1 || image.height < 1;
@@ -112,7 +112,7 @@ void paste(const Image& image, int left, int top, Image& sheet) {
 void draw_text(const std::vector<LabelledImage>& images, const Sheet& place, int cell_width,
                const std::string& title, Image& sheet) {
   Font font;
-  font.set_size(kTitleSize * place.text_size());
+  font.set_size(kSheetTitleSize * place.text_size());
   const int left = place.em(kGap);
   font.draw(sheet, left, place.em(1.75), font.shortened(title, sheet.width - 2.0 * left), kInk);
   font.set_size(place.text_size());

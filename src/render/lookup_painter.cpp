@@ -12,7 +12,7 @@ namespace clca::render {
 
 namespace {
 
-constexpr const char* kVertexSource = R"(
+constexpr const char* kLookupVertexSource = R"(
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   gl_Position = vec4(corner, 0.0, 1.0);
@@ -21,7 +21,7 @@ void main() {
 
 // Beyond the border, owners go on for ever: floor and side walls have any thickness. All walls
 // that stand are one owner, without seams between them, and all that move are another.
-constexpr const char* kFragmentSource = R"(
+constexpr const char* kLookupFragmentSource = R"(
 uniform isampler2D sites;     // (row, column)
 uniform sampler2D colors;     // of particle i: (i % 4096, i / 4096)
 uniform ivec2 last_site;      // row, column of the last texel
@@ -90,7 +90,7 @@ LookupPainter::LookupPainter(const Gl& gl, const lattice::Lattice& lattice, int 
     : gl_(&gl),
       lattice_(lattice),
       largest_window_(largest_window > 0 ? largest_window : gl.integer(GL_MAX_TEXTURE_SIZE)),
-      program_(gl.program({kVertexSource}, {kOutlineColorSource, kFragmentSource})),
+      program_(gl.program({kLookupVertexSource}, {kOutlineColorSource, kLookupFragmentSource})),
       vertex_array_(gl.vertex_array()),
       sites_(gl, lattice),
       colors_(gl.texture()) {

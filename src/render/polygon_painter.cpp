@@ -10,7 +10,7 @@ namespace clca::render {
 
 namespace {
 
-constexpr const char* kVertexSource = R"(
+constexpr const char* kPolygonVertexSource = R"(
 layout(location = 0) in ivec2 point;
 layout(location = 1) in vec2 inward;
 layout(location = 2) in float edge;
@@ -29,7 +29,7 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentSource = R"(
+constexpr const char* kPolygonFragmentSource = R"(
 flat in vec4 color;
 out vec4 result;
 void main() { result = color; }
@@ -69,7 +69,7 @@ PolygonPainter::PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
                                std::span<const automaton::Kind> kinds)
     : gl_(&gl),
       lattice_(lattice),
-      program_(gl.program({kOutlineColorSource, kVertexSource}, {kFragmentSource})) {
+      program_(gl.program({kOutlineColorSource, kPolygonVertexSource}, {kPolygonFragmentSource})) {
   for (const automaton::Kind& kind : kinds) {
     models_.push_back(model(kind.shape));
   }

@@ -6,13 +6,14 @@
 #include <array>
 #include <vector>
 
+#include "scene/limits.hpp"
+
 namespace clca::scene {
 
 namespace {
 
 constexpr std::size_t kShownCharacters = 40;
 constexpr std::size_t kListedNames = 16;
-constexpr std::size_t kLongestName = 64;
 
 unsigned byte_at(std::string_view text, std::size_t position) {
   return static_cast<unsigned char>(text[position]);

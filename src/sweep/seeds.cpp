@@ -19,7 +19,7 @@ struct Range {
   std::uint64_t last = 0;  // inclusive
 };
 
-[[noreturn]] void fail(std::string_view text, const std::string& message) {
+[[noreturn]] void fail_seeds(std::string_view text, const std::string& message) {
   throw scene::SceneError(fmt::format("--seeds {}: error: {}", text, message));
 }
 
@@ -36,27 +36,28 @@ Range range(std::string_view part, std::string_view text) {
   const auto first = number(part.substr(0, to));
   const auto last = to == std::string_view::npos ? first : number(part.substr(to + kTo.size()));
   if (!first || !last) {
-    fail(text, fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
+    fail_seeds(text,
+               fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
                            "1,4,9..12, found '{}'",
                            part));
   }
   if (*last < *first) {
-    fail(text, fmt::format("{} descends; the smaller seed comes first", part));
+    fail_seeds(text, fmt::format("{} descends; the smaller seed comes first", part));
   }
   if (*last - *first >= kMostRuns) {
-    fail(text, fmt::format("more than {} runs", kMostRuns));
+    fail_seeds(text, fmt::format("more than {} runs", kMostRuns));
   }
   return {*first, *last};
 }
 
 void append(std::vector<std::uint64_t>& seeds, Range range, std::string_view text) {
   if (!seeds.empty() && range.first <= seeds.back()) {
-    fail(text,
-         fmt::format("{} comes after {}; seeds ascend, each once", range.first, seeds.back()));
+    fail_seeds(
+        text, fmt::format("{} comes after {}; seeds ascend, each once", range.first, seeds.back()));
   }
   const std::uint64_t count = range.last - range.first + 1;
   if (seeds.size() + count > kMostRuns) {
-    fail(text, fmt::format("more than {} runs", kMostRuns));
+    fail_seeds(text, fmt::format("more than {} runs", kMostRuns));
   }
   for (std::uint64_t i = 0; i < count; ++i) {
     seeds.push_back(range.first + i);

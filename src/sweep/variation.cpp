@@ -10,7 +10,7 @@ namespace clca::sweep {
 
 namespace {
 
-[[noreturn]] void fail(std::string_view text, std::string_view message) {
+[[noreturn]] void fail_variation(std::string_view text, std::string_view message) {
   throw scene::SceneError(fmt::format("--vary {}: error: {}", text, message));
 }
 
@@ -77,18 +77,18 @@ std::vector<std::string> split(std::string_view text) {
 Variation parse_variation(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || trimmed(text.substr(0, equals)).empty()) {
-    fail(text, "expected KEY=V1,V2,... with a key like rules.inertia");
+    fail_variation(text, "expected KEY=V1,V2,... with a key like rules.inertia");
   }
   Variation variation = {std::string(trimmed(text.substr(0, equals))),
                          split(text.substr(equals + 1))};
   std::vector<std::string> sorted = variation.values;
   std::sort(sorted.begin(), sorted.end());
   if (sorted.front().empty()) {
-    fail(text, "a value is missing; null is the value that says nothing");
+    fail_variation(text, "a value is missing; null is the value that says nothing");
   }
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    fail(text, fmt::format("the value {} stands there twice", *twice));
+    fail_variation(text, fmt::format("the value {} stands there twice", *twice));
   }
   return variation;
 }
