@@ -2,28 +2,18 @@
 
 #include <algorithm>
 
+#include "random/word_hash.hpp"
+
 namespace clca::automaton {
 
 namespace {
 
-/// Hashes a sequence of 64-bit words with the finaliser of SplitMix64 (Steele et al. 2014).
-class WordHash {
- public:
-  void add(std::uint64_t word) {
-    std::uint64_t mixed = value_ ^ (word + 0x9e3779b97f4a7c15U + (value_ << 6U));
-    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
-    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
-    value_ = mixed ^ (mixed >> 31U);
-  }
-  void add(lattice::Site site) {
-    add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(site.column)) << 32U) |
-        static_cast<std::uint32_t>(site.row));
-  }
-  std::uint64_t value() const { return value_; }
+using random::WordHash;
 
- private:
-  std::uint64_t value_ = 0;
-};
+void add_site(WordHash& words, lattice::Site site) {
+  words.add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(site.column)) << 32U) |
+            static_cast<std::uint32_t>(site.row));
+}
 
 void add_travel(WordHash& words, const Travel& travel) {
   words.add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(travel.offset)) << 32U) |
@@ -78,7 +68,7 @@ std::uint64_t hash(const State& state) {
   words.add(state.step);
   words.add(state.particles.size());
   for (const Particle& particle : state.particles) {
-    words.add(particle.site());
+    add_site(words, particle.site());
     words.add((std::uint64_t{particle.kind} << 16U) | (std::uint64_t{particle.previous} << 8U) |
               (particle.present ? 1U : 0U));
   }

@@ -175,7 +175,8 @@ void Run::show_progress(const scene::Stage& stage, std::size_t number, double mo
 }
 
 store::RunSummary Run::summary(const std::string& status) const {
-  return {.version = version(),
+  return {.kind = "automaton",
+          .version = version(),
           .scene = scene_.name,
           .seed = scene_.seed,
           .threads = options_.threads,

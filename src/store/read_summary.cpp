@@ -80,6 +80,7 @@ StageSummary stage(const Json& object) {
 RunSummary summary_of(const Json& object) {
   const Json& build = field(object, "build", &Json::is_object);
   RunSummary summary = {
+      .kind = text(object, "kind"),
       .version = text(object, "clca"),
       .scene = text(object, "scene"),
       .seed = count(object, "seed"),

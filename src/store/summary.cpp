@@ -39,6 +39,7 @@ std::string to_json(const RunSummary& summary) {
     stages.push_back(to_object(stage));
   }
   const Json object = {{"clca", summary.version},
+                       {"kind", summary.kind},
                        {"scene", summary.scene},
                        {"seed", summary.seed},
                        {"threads", summary.threads},

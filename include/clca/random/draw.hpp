@@ -17,6 +17,15 @@ enum class Purpose : std::uint32_t {
   source_position = 9,
   scatter_direction = 10,
   passive = 11,
+  // Of the Boltzmann equation.
+  member = 32,  ///< seed of a member of an ensemble
+  initial_velocity = 33,
+  initial_spin = 34,
+  regroup = 35,    ///< which particles meet in a step
+  candidate = 36,  ///< pairs that may collide
+  normal = 37,     ///< line of centres
+  partner = 38,    ///< of the scheme of Ogawa & Kato
+  lattice_shift = 39,
 };
 
 /// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.

@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
@@ -22,13 +24,24 @@ class SceneError : public std::runtime_error {
 /// The value is YAML. An error in it names `--set KEY=VALUE` as its place.
 using Override = std::string;
 
+/// A scene of the automaton, or one of the Boltzmann equation (a block `boltzmann`).
+using AnyScene = std::variant<Scene, BoltzmannScene>;
+
 /// Parses scene text. `file` names the place in messages and gives the scene its name. Overrides
 /// that are `varied` come after the others; an error in one names `--vary KEY=VALUE`. Throws
 /// SceneError.
-Scene parse(std::string_view text, const std::string& file,
-            const std::vector<Override>& overrides = {}, const std::vector<Override>& varied = {});
+AnyScene parse_any(std::string_view text, const std::string& file,
+                   const std::vector<Override>& overrides = {},
+                   const std::vector<Override>& varied = {});
 
 /// Reads and parses a file. Throws SceneError, also when it cannot be read.
+AnyScene parse_any_file(const std::filesystem::path& file,
+                        const std::vector<Override>& overrides = {},
+                        const std::vector<Override>& varied = {});
+
+/// As parse_any and parse_any_file, for the automaton alone: the other kind is an error.
+Scene parse(std::string_view text, const std::string& file,
+            const std::vector<Override>& overrides = {}, const std::vector<Override>& varied = {});
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
                  const std::vector<Override>& varied = {});
 

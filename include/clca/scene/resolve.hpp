@@ -3,12 +3,14 @@
 
 #include <string>
 
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
 
 /// YAML that parses to the same Scene.
 std::string to_yaml(const Scene& scene);
+std::string to_yaml(const BoltzmannScene& scene);
 
 /// What a scene will need.
 struct Size {
@@ -19,5 +21,8 @@ struct Size {
 };
 
 Size size_of(const Scene& scene);
+
+/// Memory of a Boltzmann run on that many threads, in bytes, estimated from above.
+double bytes_of(const BoltzmannScene& scene, int threads);
 
 }  // namespace clca::scene

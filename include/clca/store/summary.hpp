@@ -22,6 +22,7 @@ struct StageSummary {
 };
 
 struct RunSummary {
+  std::string kind = "automaton";  ///< or boltzmann
   std::string version;
   std::string scene;
   std::uint64_t seed = 0;

@@ -77,6 +77,7 @@ TEST(Table, QuotesNamesOfColumnsLikeText) {
 
 RunSummary full_summary() {
   return {
+      .kind = "boltzmann",
       .version = "1.2.3",
       .scene = "a",
       .seed = 18446744073709551615U,
@@ -99,6 +100,7 @@ RunSummary full_summary() {
 TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
   const auto json = nlohmann::json::parse(to_json(full_summary()));
   EXPECT_EQ(json["clca"], "1.2.3");
+  EXPECT_EQ(json["kind"], "boltzmann");
   EXPECT_EQ(json["seed"], 18446744073709551615U);
   EXPECT_EQ(json["state_hash"], "0000000000000abc");
   EXPECT_EQ(json["stages"][0]["measures"]["repose_angle_deg"], 41.5);

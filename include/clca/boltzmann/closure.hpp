@@ -1,0 +1,47 @@
+#pragma once
+// Closed forms that the simulation is set beside. Units as in gas.hpp; A = 7 friction (1 +
+// restitution) / 2 for equal solid spheres.
+
+#include "clca/boltzmann/law.hpp"
+
+namespace clca::boltzmann {
+
+/// <v^2>/3 and <w^2>/3.
+struct Temperatures {
+  double translational = 1;
+  double rotational = 1;
+};
+
+/// Collision rate of a particle in a Maxwellian gas, (4 / sqrt(pi)) sqrt(T).
+double maxwellian_rate(double translational);
+
+/// Rates of change of both temperatures when velocities and spins are normal and independent:
+/// exact there, a closure later.
+Temperatures closure_rates(const Law& law, const Temperatures& temperatures);
+
+/// Both temperatures after `duration`, by Runge-Kutta steps of order 4.
+Temperatures closure(const Law& law, const Temperatures& begin, double duration);
+
+/// Haff's law for smooth spheres: T(t) / T(0).
+double haff_temperature(double restitution, double time, double a2 = 0);
+
+/// van Noije & Ernst 1998: a2 of the homogeneous cooling state of smooth spheres.
+double cooling_a2(double restitution);
+
+/// Steady ratio of rotational to translational temperature for constant tangential restitution.
+double rough_ratio(double restitution, double roughness);
+
+/// (1 - eta^2) / (1 + eta^2): below it the ratio of both temperatures grows without bound.
+double critical_restitution(double friction);
+
+/// Uniform shear flow of smooth spheres (kinetic model of Brey, Dufty & Santos 1999).
+struct ShearFlow {
+  double temperature = 0;  ///< steady, in v0^2
+  double p_xx = 0;         ///< relative to the mean pressure, as Moments
+  double p_yy = 0;
+  double p_xy = 0;
+};
+/// Throws std::invalid_argument unless 0 <= restitution < 1 and the shear rate is positive.
+ShearFlow shear_flow(double restitution, double shear_rate);
+
+}  // namespace clca::boltzmann

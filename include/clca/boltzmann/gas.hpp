@@ -1,0 +1,55 @@
+#pragma once
+// A homogeneous gas of equal solid spheres, as a sample of its distribution.
+//
+// Units: the mass of a sphere is 1; velocities in v0 = sqrt(<v^2>/3) at time 0; spins as surface
+// velocities w = a omega, also in v0, so that their energy is (2/5) w^2 / 2; time in
+// 1 / (pi N (2 a)^2 v0).
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace clca::boltzmann {
+
+/// One column per particle: velocity in rows 0 to 2, spin in rows 3 to 5. Column-major, so that a
+/// particle is one piece of 48 bytes.
+using Motions = Eigen::Array<double, 6, Eigen::Dynamic>;
+
+struct Gas {
+  Motions motions;
+  double time = 0;
+  std::uint64_t step = 0;  ///< of the scheme; numbers its draws
+  /// Sum over the particles of the collisions in which each took part.
+  std::uint64_t participations = 0;
+
+  Eigen::Index particles() const { return motions.cols(); }
+  double collisions_per_particle() const {
+    return static_cast<double>(participations) / static_cast<double>(particles());
+  }
+};
+
+/// Covers everything: equal for equal bits.
+std::uint64_t hash(const Gas& gas);
+
+enum class Initial : std::uint8_t {
+  gaussian,     ///< case 1: velocity and spin normal and independent
+  equal_energy  ///< case 2: |v| and |w| the same for all, directions isotropic and independent
+};
+
+struct Beginning {
+  std::uint64_t particles = 10'000;
+  Initial initial = Initial::gaussian;
+  double energy_ratio = 1;  ///< C_e = I <omega^2> / (m <v^2>); 0 or more
+  /// Shifts and scales the sample so that both means are zero and both mean squares exact.
+  bool exact_moments = true;
+  /// Points of a randomly shifted rank-1 lattice instead of independent ones.
+  bool quasi = false;
+};
+
+/// Throws std::invalid_argument for fewer than 2 particles.
+Gas make_gas(const Beginning& beginning, std::uint64_t seed);
+
+/// Seed of a member of an ensemble; that of member 0 is `seed` itself.
+std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member);
+
+}  // namespace clca::boltzmann

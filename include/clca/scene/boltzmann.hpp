@@ -1,0 +1,55 @@
+#pragma once
+// A scene of the Boltzmann equation: everything about a run, as plain validated values. Times and
+// velocities in the units of boltzmann/gas.hpp.
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "clca/boltzmann/gas.hpp"
+#include "clca/boltzmann/scheme.hpp"
+
+namespace clca::scene {
+
+struct QuantileBins {
+  int count = 20;
+
+  bool operator==(const QuantileBins&) const = default;
+};
+struct UniformBins {
+  double width = 0.5;
+  double end = 15;
+
+  bool operator==(const UniformBins&) const = default;
+};
+using BinsSpec = std::variant<QuantileBins, UniformBins>;
+
+struct BoltzmannScene {
+  std::string name;   ///< of the file, without folder and ending
+  std::string title;  ///< the name where the file gives none
+  std::uint64_t seed = 1;
+  std::uint64_t particles = 10'000;
+  boltzmann::Initial initial = boltzmann::Initial::gaussian;
+  bool exact_moments = true;
+  bool quasi = false;                      ///< sampling: quasi
+  std::vector<double> restitutions = {1};  ///< one run for each, in this order
+  /// Whether the file gives a list, even of one: tables then have a column for it.
+  bool lists_restitutions = false;
+  double friction = 0;   ///< boltzmann::kNoSlidingLimit where the file gives a roughness only
+  double roughness = 0;  ///< as in boltzmann::Law
+  double energy_ratio = 1;
+  boltzmann::Scheme scheme;
+  double shear_rate = 0;
+  double until = 15;
+  std::uint64_t ensemble = 1;
+  double series_every = 0.5;
+  std::vector<double> histograms;  ///< times, ascending, none beyond `until`
+  BinsSpec bins;
+  std::string place;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
+
+  /// Equal when they say the same, under whatever file name and wherever in it.
+  bool operator==(const BoltzmannScene& other) const;
+};
+
+}  // namespace clca::scene
