@@ -12,6 +12,7 @@ std::uint64_t hash(const Gas& gas) {
   words.add(std::bit_cast<std::uint64_t>(gas.time));
   words.add(gas.step);
   words.add(gas.participations);
+  words.add(std::bit_cast<std::uint64_t>(gas.thermal_speed));
   words.add(static_cast<std::uint64_t>(gas.particles()));
   for (const double value : gas.motions.reshaped()) {
     words.add(std::bit_cast<std::uint64_t>(value));

@@ -21,6 +21,7 @@ struct Gas {
   std::uint64_t step = 0;  ///< of the scheme; numbers its draws
   /// Sum over the particles of the collisions in which each took part.
   std::uint64_t participations = 0;
+  double thermal_speed = 1;  ///< sqrt(<v^2>/3) after the last step: says how long the next one is
 
   Eigen::Index particles() const { return motions.cols(); }
   double collisions_per_particle() const {

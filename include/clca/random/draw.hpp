@@ -23,9 +23,10 @@ enum class Purpose : std::uint32_t {
   initial_spin = 34,
   regroup = 35,    ///< which particles meet in a step
   candidate = 36,  ///< pairs that may collide
-  normal = 37,     ///< line of centres
+  normal = 37,     ///< second of a pair, and line of centres
   partner = 38,    ///< of the scheme of Ogawa & Kato
   lattice_shift = 39,
+  last_candidate = 40,
 };
 
 /// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.

@@ -1,0 +1,68 @@
+#include "boltzmann/grouping.hpp"
+
+#include <algorithm>
+
+#include "clca/random/draw.hpp"
+
+namespace clca::boltzmann {
+
+namespace {
+
+bool is_prime(std::uint64_t number) {
+  for (std::uint64_t divisor = 2; divisor * divisor <= number; ++divisor) {
+    if (number % divisor == 0) {
+      return false;
+    }
+  }
+  return number >= 2;
+}
+
+std::uint64_t prime_from(std::uint64_t number) {
+  while (!is_prime(number)) {
+    ++number;
+  }
+  return number;
+}
+
+std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item) {
+  return random::draw(seed, step, item, random::Purpose::regroup);
+}
+
+}  // namespace
+
+Walk::Walk(std::uint64_t count) : count_(count), modulus_(prime_from(count)) {}
+
+void Walk::shuffle(std::uint64_t bits, std::uint64_t more_bits) {
+  start_ = random::below(bits, modulus_);
+  stride_ = 1 + random::below(more_bits, modulus_ - 1);
+}
+
+Grouping::Grouping(Eigen::Index particles, Eigen::Index group_size)
+    : particles_(particles),
+      groups_(std::max<Eigen::Index>(1, particles / group_size)),
+      runs_(static_cast<std::uint64_t>((particles + kRun - 1) / kRun)) {}
+
+void Grouping::shuffle(std::uint64_t seed, std::uint64_t step) {
+  seed_ = seed;
+  step_ = step;
+  runs_.shuffle(draw(seed, step, 0), draw(seed, step, 1));
+}
+
+void Grouping::members(Eigen::Index group, std::vector<Eigen::Index>& now,
+                       std::vector<Eigen::Index>& then) const {
+  now.clear();
+  runs_.part(static_cast<std::uint64_t>(group), static_cast<std::uint64_t>(groups_),
+             [&](std::uint64_t run) {
+               const auto begin = static_cast<Eigen::Index>(run) * kRun;
+               for (Eigen::Index i = begin; i < std::min(begin + kRun, particles_); ++i) {
+                 now.push_back(i);
+               }
+             });
+  Walk places(now.size());
+  const auto item = 2 * static_cast<std::uint32_t>(group) + 2;
+  places.shuffle(draw(seed_, step_, item), draw(seed_, step_, item + 1));
+  then.clear();
+  places.part(0, 1, [&](std::uint64_t place) { then.push_back(now[place]); });
+}
+
+}  // namespace clca::boltzmann

@@ -1,0 +1,128 @@
+#include "boltzmann/majorant.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "boltzmann/group.hpp"
+#include "boltzmann/grouping.hpp"
+
+namespace clca::boltzmann {
+
+namespace {
+
+/// So that a group lies in the second-level cache of a core.
+constexpr Eigen::Index kGroupSize = 8192;
+constexpr double kCollisionsPerStep = 2;  // of a particle
+constexpr double kShearPerStep = 0.05;
+
+/// What one thread works with.
+struct Workbench {
+  Group group;
+  std::vector<Eigen::Index> now;   // where the particles of the group lie
+  std::vector<Eigen::Index> then;  // where they will lie after the step
+};
+
+/// What came of a group in a step.
+struct Outcome {
+  std::uint64_t collisions = 0;
+  double sum_of_squares = 0;  // of speeds
+};
+
+class Stepper {
+ public:
+  Stepper(Gas& gas, const Law& law, double shear_rate, std::uint64_t seed, int threads)
+      : gas_(gas),
+        law_(law),
+        shear_rate_(shear_rate),
+        seed_(seed),
+        threads_(threads),
+        grouping_(gas.particles(), kGroupSize),
+        benches_(static_cast<std::size_t>(threads)),
+        outcomes_(static_cast<std::size_t>(grouping_.groups())) {}
+
+  /// Not beyond `end`.
+  void step(double end);
+
+ private:
+  double duration(double longest) const;
+  Outcome work(Eigen::Index group, double duration, Workbench& bench);
+
+  Gas& gas_;
+  const Law& law_;
+  double shear_rate_;
+  std::uint64_t seed_;
+  int threads_;
+  Grouping grouping_;
+  std::vector<Workbench> benches_;
+  std::vector<Outcome> outcomes_;
+};
+
+double Stepper::duration(double longest) const {
+  const double rate = 4 * std::numbers::inv_sqrtpi * gas_.thermal_speed;
+  const double by_collisions = rate > 0 ? kCollisionsPerStep / rate : longest;
+  const double by_shear = shear_rate_ > 0 ? kShearPerStep / shear_rate_ : longest;
+  return std::min({longest, by_collisions, by_shear});
+}
+
+Outcome Stepper::work(Eigen::Index number, double duration, Workbench& bench) {
+  const double kick = shear_rate_ * duration / 2;
+  Group& group = bench.group;
+  grouping_.members(number, bench.now, bench.then);
+  const std::size_t count = bench.now.size();
+  group.resize(static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    constexpr std::size_t kAhead = 64;  // runs lie anywhere, which the processor does not foresee
+    __builtin_prefetch(&gas_.motions(0, bench.now[std::min(i + kAhead, count - 1)]));
+    auto motion = group.motion(static_cast<Eigen::Index>(i));
+    motion = gas_.motions.col(bench.now[i]);
+    motion[0] -= kick * motion[1];
+  }
+  Outcome outcome;
+  outcome.collisions = group.collide(
+      law_, {seed_, static_cast<std::uint32_t>(gas_.step), static_cast<std::uint32_t>(number)},
+      duration);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto motion = group.motion(static_cast<Eigen::Index>(i));
+    motion[0] -= kick * motion[1];
+    outcome.sum_of_squares += motion.head<3>().square().sum();
+    gas_.motions.col(bench.then[i]) = motion;
+  }
+  return outcome;
+}
+
+void Stepper::step(double end) {
+  const double longest = end - gas_.time;
+  const double length = duration(longest);
+  const Eigen::Index groups = grouping_.groups();
+  grouping_.shuffle(seed_, gas_.step);
+#pragma omp parallel for schedule(dynamic) num_threads(threads_) default(shared)
+  for (Eigen::Index group = 0; group < groups; ++group) {
+    outcomes_[static_cast<std::size_t>(group)] =
+        work(group, length, benches_[static_cast<std::size_t>(omp_get_thread_num())]);
+  }
+  double squares = 0;
+  for (const Outcome& outcome : outcomes_) {
+    gas_.participations += 2 * outcome.collisions;
+    squares += outcome.sum_of_squares;
+  }
+  gas_.thermal_speed = std::sqrt(squares / (3 * static_cast<double>(gas_.particles())));
+  gas_.time = length < longest ? gas_.time + length : end;
+  ++gas_.step;
+}
+
+}  // namespace
+
+void advance_majorant(Gas& gas, const Law& law, double shear_rate, std::uint64_t seed, double time,
+                      int threads, const KeepsOn& keeps_on) {
+  Stepper stepper(gas, law, shear_rate, seed, threads);
+  while (gas.time < time && (!keeps_on || keeps_on(gas))) {
+    stepper.step(time);
+  }
+}
+
+}  // namespace clca::boltzmann
