@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -16,40 +17,7 @@ inline double open_unit(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
 }
 
-/// c0 + c1 x + c2 x^2 + ... by Horner's rule. Real is double or an Eigen array.
-template <class Real, std::size_t kTerms>
-Real polynomial(const std::array<double, kTerms>& coefficients, const Real& x) {
-  Real sum = x * coefficients[kTerms - 1] + coefficients[kTerms - 2];
-  for (std::size_t i = kTerms - 2; i > 0; --i) {
-    sum = sum * x + coefficients[i - 1];
-  }
-  return sum;
-}
-
-/// 1, 1/3, 1/5, ...: of atanh.
-inline constexpr std::array kAtanhTerms = [] {
-  std::array<double, 12> terms{};
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    terms[i] = 1.0 / static_cast<double>(2 * i + 1);
-  }
-  return terms;
-}();
-
-/// (-1)^i / (2 i + first)!: of the cosine for 0, of the sine for 1.
-constexpr std::array<double, 9> circle_terms(int first) {
-  std::array<double, 9> terms{};
-  double term = 1;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    terms[i] = term;
-    const double next = static_cast<double>(2 * i) + first + 1;
-    term /= -next * (next + 1);
-  }
-  return terms;
-}
-inline constexpr std::array kCosineTerms = circle_terms(0);
-inline constexpr std::array kSineTerms = circle_terms(1);
-
-/// Natural logarithm of a normal positive number, to 2e-16 relative or 2e-16 absolute.
+/// Natural logarithm of a normal positive number, to 3e-16 relative or 3e-16 absolute.
 inline double logarithm(double x) {
   constexpr int kMantissaBits = 52;
   constexpr std::uint64_t kMantissa = (std::uint64_t{1} << kMantissaBits) - 1;
@@ -64,20 +32,58 @@ inline double logarithm(double x) {
   }
   // log m = 2 atanh z, z = (m - 1) / (m + 1), |z| < 0.1716.
   const double z = (mantissa - 1) / (mantissa + 1);
-  return static_cast<double>(exponent) * std::numbers::ln2 + 2 * z * polynomial(kAtanhTerms, z * z);
+  const double square = z * z;
+  double sum = 0;
+  for (int order = 23; order >= 1; order -= 2) {
+    sum = sum * square + 1.0 / order;
+  }
+  return static_cast<double>(exponent) * std::numbers::ln2 + 2 * z * sum;
 }
 
-/// Cosine and sine of 2 pi `turns`, for `turns` in [0, 1). Real is double or an Eigen array.
+/// 1 / n! for every other n from `begin` down to 0 or 1, rounded once.
+template <int begin>
+constexpr auto inverse_factorials() {
+  std::array<double, begin / 2 + 1> result{};
+  result.fill(1);        // of 0
+  double factorial = 1;  // exact up to 18!
+  for (int n = 1; n <= begin; ++n) {
+    factorial *= n;
+    if ((begin - n) % 2 == 0) {
+      result[static_cast<std::size_t>((begin - n) / 2)] = 1 / factorial;
+    }
+  }
+  return result;
+}
+
+/// c_n - square (c_(n-1) - square (... - square c_0)).
+template <class Real, std::size_t count>
+Real alternating_sum(const Real& square, const std::array<double, count>& coefficients) {
+  Real sum = square * 0 + coefficients[0];
+  for (std::size_t i = 1; i < count; ++i) {
+    sum = coefficients[i] - square * sum;
+  }
+  return sum;
+}
+
+/// Cosine and sine of 2 pi `turns` for `turns` in [0, 1), to 2e-16. Real is double or an Eigen
+/// array: the same bits.
 template <class Real>
 std::pair<Real, Real> cosine_and_sine(const Real& turns) {
-  // The angle is 4 h + pi, |h| <= pi/4.
-  const Real h = (turns - 0.5) * (std::numbers::pi / 2);
-  const Real square = h * h;
-  const Real sine = h * polynomial(kSineTerms, square);
-  const Real cosine = polynomial(kCosineTerms, square);
-  const Real sine2 = 2.0 * sine * cosine;
-  const Real cosine2 = 1.0 - 2.0 * sine * sine;
-  return {2.0 * sine2 * sine2 - 1.0, -2.0 * sine2 * cosine2};
+  using std::abs;
+  constexpr auto kCosine = inverse_factorials<16>();
+  constexpr auto kSine = inverse_factorials<17>();
+  constexpr double kToInteger = 0x1.8p52;  // what is added to this is rounded
+  const Real centred = turns - 0.5;
+  const Real quarters = (4.0 * centred + kToInteger) - kToInteger;          // -2 to 2
+  const Real angle = (centred - 0.25 * quarters) * (2 * std::numbers::pi);  // up to pi / 4
+  const Real square = angle * angle;
+  const Real cosine = alternating_sum(square, kCosine);
+  const Real sine = alternating_sum(square, kSine) * angle;
+  // Turned by the quarters and by a half: cosine and sine of these are exact.
+  const Real quarter_cosine = abs(quarters) - 1.0;
+  const Real quarter_sine = quarters * (abs(quarters) - 2.0);
+  return {quarter_cosine * cosine - quarter_sine * sine,
+          quarter_sine * cosine + quarter_cosine * sine};
 }
 
 }  // namespace clca::boltzmann
