@@ -10,16 +10,17 @@ namespace clca::boltzmann {
 /// F(x) of the chi-square distribution with 2 or 3 degrees of freedom; 0 for x <= 0. Throws
 /// std::invalid_argument for other numbers of degrees.
 double chi_square_cdf(double x, int degrees);
-/// Inverse of it for a probability in [0, 1).
+/// Inverse of it; throws std::invalid_argument for a probability outside [0, 1).
 double chi_square_quantile(double probability, int degrees);
 
 /// Bins of a variable that is not negative: edges ascend from 0, the last bin has no end.
 class Bins {
  public:
-  /// `count` bins of equal probability under chi-square; 2 to 1000.
+  /// `count` bins of equal probability under chi-square. Throws std::invalid_argument unless there
+  /// are 2 to 1000.
   static Bins equiprobable(int count, int degrees);
-  /// Bins of one width from 0 to `end`, and one beyond. Throws std::invalid_argument unless both
-  /// are positive and `width` does not exceed `end`.
+  /// Bins of one width from 0 to `end`, the last of them cut short there, and one beyond. Throws
+  /// std::invalid_argument unless both are positive and `end` is 1 to 1e6 widths.
   static Bins uniform(double width, double end);
 
   std::size_t count() const { return edges_.size(); }
