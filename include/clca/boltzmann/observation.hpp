@@ -14,7 +14,7 @@ struct Moments {
   double a2_translational = 0;  ///< 3 <v^4> / (5 <v^2>^2) - 1, the second cumulant
   double a2_rotational = 0;
   double correlation = 0;  ///< <v^2 w^2> / (<v^2> <w^2>) - 1
-  double alignment = 0;    ///< of axes: 3 <(v w)^2> / <v^2 w^2> - 1
+  double alignment = 0;    ///< of axes: (3 <(v w)^2> - <v^2 w^2>) / (<v^2> <w^2>)
   double p_xx = 0;         ///< 3 <v_x^2> / <v^2>, of the pressure tensor
   double p_yy = 0;
   double p_xy = 0;
