@@ -1,0 +1,127 @@
+#include "clca/boltzmann/closure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace clca::boltzmann {
+
+namespace {
+
+constexpr double kSolidInertia = 0.4;  // I / (m a^2)
+
+/// Means over collisions of what friction does, B = 1 - R.
+struct Braking {
+  double linear = 0;     ///< <B V_t^2>
+  double quadratic = 0;  ///< <B^2 V_t^2>
+};
+
+/// V n and |V_t| are independent, Rayleigh distributed with 2 T and s^2 = 2 (T + W), and
+/// B = min(c, A (V n) / |V_t|) with c = 1 + beta. There are T and friction.
+Braking braking(const Law& law, const Temperatures& temperatures) {
+  const double cap = 1 + law.roughness;
+  const double square = 2 * (temperatures.translational + temperatures.rotational);
+  const double ratio = std::sqrt(square / (2 * temperatures.translational)) /
+                       friction_number(law, Pair{});  // s / b, b^2 = 2 A^2 T
+  const double stuck = square / (1 + cap * cap * ratio * ratio);
+  return {.linear = cap * stuck + square * std::atan(cap * ratio) / ratio,
+          .quadratic = 2 * cap * cap * stuck};
+}
+
+Temperatures extrapolated(const Temperatures& begin, double duration, const Temperatures& rates) {
+  return {.translational = begin.translational + duration * rates.translational,
+          .rotational = begin.rotational + duration * rates.rotational};
+}
+
+Temperatures runge_kutta(const Law& law, const Temperatures& begin, double step) {
+  const Temperatures first = closure_rates(law, begin);
+  const Temperatures second = closure_rates(law, extrapolated(begin, step / 2, first));
+  const Temperatures third = closure_rates(law, extrapolated(begin, step / 2, second));
+  const Temperatures fourth = closure_rates(law, extrapolated(begin, step, third));
+  Temperatures result = extrapolated(begin, step / 6, first);
+  result = extrapolated(result, step / 3, second);
+  result = extrapolated(result, step / 3, third);
+  return extrapolated(result, step / 6, fourth);
+}
+
+}  // namespace
+
+double maxwellian_rate(double translational) {
+  return 4 * std::numbers::inv_sqrtpi * std::sqrt(translational);
+}
+
+Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
+  const double t = temperatures.translational;
+  if (t <= 0) {
+    return {.translational = 0, .rotational = 0};
+  }
+  // The part of V_t that is of the velocities, in the mean at a given V_t.
+  const double of_velocity = t / (t + temperatures.rotational);
+  const Braking friction = law.friction > 0 ? braking(law, temperatures) : Braking{};
+  const double compliance = Pair{}.compliance();
+  const double linear = friction.linear / compliance;
+  const double quadratic = friction.quadratic / (compliance * compliance);
+  // What a collision adds to the energies of the pair.
+  const double velocities =
+      -(1 - law.restitution * law.restitution) * t - linear * of_velocity + quadratic;
+  const double spins = -linear * (1 - of_velocity) + quadratic / kSolidInertia;
+  const double rate = maxwellian_rate(t);
+  return {.translational = rate / 3 * velocities, .rotational = rate / (3 * kSolidInertia) * spins};
+}
+
+Temperatures closure(const Law& law, const Temperatures& begin, double duration) {
+  constexpr double kCollisionsPerStep = 0.02;
+  Temperatures present = begin;
+  for (double left = duration; left > 0;) {
+    const double step = std::min(left, kCollisionsPerStep / maxwellian_rate(present.translational));
+    present = runge_kutta(law, present, step);
+    left -= step;
+  }
+  return present;
+}
+
+double haff_temperature(double restitution, double time, double a2) {
+  const double rate = 2 * std::numbers::inv_sqrtpi / 3 * (1 - restitution * restitution) *
+                      (1 + 3 * a2 / 16 + 9 * a2 * a2 / 1024);
+  return 1 / ((1 + rate * time) * (1 + rate * time));
+}
+
+double cooling_a2(double restitution) {
+  const double square = restitution * restitution;
+  return 16 * (1 - restitution) * (1 - 2 * square) /
+         (81 - 17 * restitution + 30 * square * (1 - restitution));
+}
+
+double rough_ratio(double restitution, double roughness) {
+  const double normal = 1 - restitution * restitution;
+  const double tangential = (1 - kSolidInertia) / (1 + kSolidInertia) * (1 - roughness * roughness);
+  const double stretch = (1 + kSolidInertia) / (1 + roughness);
+  const double h = stretch * stretch / (2 * kSolidInertia) * (normal - tangential);
+  return h + std::sqrt(1 + h * h);
+}
+
+double critical_restitution(double friction) {
+  return (1 - friction * friction) / (1 + friction * friction);
+}
+
+ShearFlow shear_flow(double restitution, double shear_rate) {
+  if (!(restitution >= 0 && restitution < 1 && shear_rate > 0)) {
+    throw std::invalid_argument("a steady shear flow needs a restitution below 1 and a shear rate");
+  }
+  // Steady second moments of a relaxation at the rate beta nu that also cools at zeta nu:
+  // 2 a P_xy = -3 zeta nu p, a P_yy = -(beta + zeta) nu P_xy, beta p = (beta + zeta) P_yy, with nu
+  // the pressure over the viscosity of elastic spheres.
+  const double zeta = 5.0 / 12 * (1 - restitution * restitution);
+  const double beta = (1 + restitution) * (2 + restitution) / 6;
+  const double both = beta + zeta;
+  const double per_collision = both * std::sqrt(3 * zeta / (2 * beta));  // a / nu
+  const double frequency = 16 * std::numbers::inv_sqrtpi / 5;            // nu / sqrt(T)
+  const double speed = shear_rate / (per_collision * frequency);
+  return {.temperature = speed * speed,
+          .p_xx = (beta + 3 * zeta) / both,
+          .p_yy = beta / both,
+          .p_xy = -std::sqrt(3 * zeta * beta / 2) / both};
+}
+
+}  // namespace clca::boltzmann
