@@ -12,7 +12,7 @@
 
 namespace clca::boltzmann {
 
-/// 53 uniform bits as a number in (0, 1): never 0, never 1.
+/// 52 uniform bits as a number in (0, 1): never 0, never 1.
 inline double open_unit(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
 }
@@ -40,26 +40,26 @@ inline double logarithm(double x) {
   return static_cast<double>(exponent) * std::numbers::ln2 + 2 * z * sum;
 }
 
-/// 1 / n! for every other n from `begin` down to 0 or 1, rounded once.
-template <int begin>
+/// 1 / n! for every other n from `kBegin` down to 0 or 1, rounded once.
+template <int kBegin>
 constexpr auto inverse_factorials() {
-  std::array<double, begin / 2 + 1> result{};
+  std::array<double, kBegin / 2 + 1> result{};
   result.fill(1);        // of 0
   double factorial = 1;  // exact up to 18!
-  for (int n = 1; n <= begin; ++n) {
+  for (int n = 1; n <= kBegin; ++n) {
     factorial *= n;
-    if ((begin - n) % 2 == 0) {
-      result[static_cast<std::size_t>((begin - n) / 2)] = 1 / factorial;
+    if ((kBegin - n) % 2 == 0) {
+      result[static_cast<std::size_t>((kBegin - n) / 2)] = 1 / factorial;
     }
   }
   return result;
 }
 
 /// c_n - square (c_(n-1) - square (... - square c_0)).
-template <class Real, std::size_t count>
-Real alternating_sum(const Real& square, const std::array<double, count>& coefficients) {
+template <class Real, std::size_t kCount>
+Real alternating_sum(const Real& square, const std::array<double, kCount>& coefficients) {
   Real sum = square * 0 + coefficients[0];
-  for (std::size_t i = 1; i < count; ++i) {
+  for (std::size_t i = 1; i < kCount; ++i) {
     sum = coefficients[i] - square * sum;
   }
   return sum;
