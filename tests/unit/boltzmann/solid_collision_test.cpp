@@ -1,0 +1,70 @@
+#include "boltzmann/solid_collision.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clca::boltzmann {
+namespace {
+
+using Many = Eigen::Array<double, 4, 1>;
+
+constexpr Law kPaper = {.restitution = 0.5, .friction = 0.3};
+constexpr Triple<double> kAlongX = {1, 0, 0};
+
+void expect_near(const Triple<double>& found, const Triple<double>& expected) {
+  EXPECT_NEAR(found.x, expected.x, 1e-15);
+  EXPECT_NEAR(found.y, expected.y, 1e-15);
+  EXPECT_NEAR(found.z, expected.z, 1e-15);
+}
+
+TEST(SolidCollision, SticksWhereFrictionSuffices) {
+  // V = (2, 2, 0), A = 1.575 > |V_t| / g_n = 1: R = 0.
+  const auto exchange = solid_collision<double>(kPaper, {2, 1, 0}, {0, 0, 1}, kAlongX);
+  expect_near(exchange.push, {1.5, 2.0 / 7, 0});
+  expect_near(exchange.twist, {0, 0, 2.0 / 7});
+}
+
+TEST(SolidCollision, SlidesWhereFrictionDoesNotSuffice) {
+  // V = (1, 0, 2): 1 - R = 1.575 / 2.
+  const auto exchange = solid_collision<double>(kPaper, {1, 0, 3}, {0, 1, 0}, kAlongX);
+  expect_near(exchange.push, {0.75, 0, 0.225});
+  expect_near(exchange.twist, {0, -0.225, 0});
+}
+
+TEST(SolidCollision, ReversesTheSlipOfPerfectlyRoughSpheres) {
+  const Law rough = {.restitution = 1, .friction = kNoSlidingLimit, .roughness = 1};
+  const auto exchange = solid_collision<double>(rough, {1, 1, 0}, {0, 0, 0}, kAlongX);
+  expect_near(exchange.push, {1, 2.0 / 7, 0});
+  expect_near(exchange.twist, {0, 0, 2.0 / 7});
+}
+
+TEST(SolidCollision, OnlyPushesWhereNothingSlips) {
+  for (const double friction : {0.0, 0.3, kNoSlidingLimit}) {
+    const Law law = {.restitution = 0.5, .friction = friction};
+    const auto exchange = solid_collision<double>(law, {2, 1, 0}, {0, 0, -1}, kAlongX);
+    expect_near(exchange.push, {1.5, 0, 0});
+    expect_near(exchange.twist, {0, 0, 0});
+  }
+}
+
+TEST(SolidCollision, GivesTheSameBitsForManyPairsAtOnce) {
+  const Triple<Many> g = {Many(2, 1, 0.7, 0.3), Many(1, 0, -0.4, 0.1), Many(0, 3, 1.1, 0.2)};
+  const Triple<Many> spins = {Many(0, 0, 1.3, -2), Many(0, 1, 0.6, 1), Many(1, 0, -0.9, 0.5)};
+  const Triple<Many> normal = {Many(1, 1, 0.6, 0.8), Many(0, 0, 0, 0.6), Many(0, 0, 0.8, 0)};
+  const Exchange<Many> many = solid_collision(kPaper, g, spins, normal);
+  const auto lane = [](const Triple<Many>& of, int i) {
+    return Triple<double>{of.x[i], of.y[i], of.z[i]};
+  };
+  const auto expect_equal = [](const Triple<double>& a, const Triple<double>& b) {
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.y, b.y);
+    EXPECT_EQ(a.z, b.z);
+  };
+  for (int i = 0; i < 4; ++i) {
+    const auto one = solid_collision(kPaper, lane(g, i), lane(spins, i), lane(normal, i));
+    expect_equal(one.push, lane(many.push, i));
+    expect_equal(one.twist, lane(many.twist, i));
+  }
+}
+
+}  // namespace
+}  // namespace clca::boltzmann
