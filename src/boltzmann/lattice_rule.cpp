@@ -1,0 +1,57 @@
+#include "boltzmann/lattice_rule.hpp"
+
+#include <bit>
+
+#include "boltzmann/elementary.hpp"
+#include "random/words.hpp"
+
+namespace clca::boltzmann {
+namespace {
+
+constexpr int kWordBits = 64;
+
+// The first components of exod2_base2_m20_CKN, see the header.
+constexpr std::array<std::uint64_t, LatticeRule::kDimensions> kGenerator = {
+    1,      182667, 469891, 498753, 110745, 446247, 250185, 118627, 245333, 283199,
+    408519, 391023, 246327, 126539, 399185, 461527, 300343, 69681,  516695, 436179};
+
+std::uint64_t reversed(std::uint64_t number, int bits) {
+  std::uint64_t result = 0;
+  for (int bit = 0; bit < bits; ++bit) {
+    result |= (number >> static_cast<unsigned>(bit) & 1U) << static_cast<unsigned>(bits - 1 - bit);
+  }
+  return result;
+}
+
+}  // namespace
+
+LatticeRule::LatticeRule(std::uint64_t points)
+    : bits_(static_cast<int>(std::bit_width(points - 1))) {
+  residues_.reserve(points);
+  for (std::uint64_t residue = 0; residue >> static_cast<unsigned>(bits_) == 0; ++residue) {
+    if (reversed(residue, bits_) < points) {
+      residues_.push_back(static_cast<std::uint32_t>(residue));
+    }
+  }
+}
+
+void LatticeRule::shift(std::uint64_t seed, const ShiftPlace& place) {
+  std::uint32_t item = 0;
+  for (std::uint64_t& component : shift_) {
+    const random::Words words =
+        random::words(seed, {.step = place.step, .group = place.group, .item = item++},
+                      random::Purpose::lattice_shift);
+    component = random::join(words[0], words[1]);
+  }
+}
+
+double LatticeRule::coordinate(std::uint64_t point, int dimension) const {
+  const auto at = static_cast<std::size_t>(dimension);
+  const std::uint64_t multiple = residues_[point] * kGenerator[at];
+  // Modulo 1 is modulo 2^64 here; a lattice of one point has no bits to move.
+  const std::uint64_t unshifted =
+      bits_ == 0 ? 0 : multiple << static_cast<unsigned>(kWordBits - bits_);
+  return open_unit(unshifted + shift_[at]);
+}
+
+}  // namespace clca::boltzmann

@@ -1,0 +1,45 @@
+#pragma once
+// Points that fill the unit cube more evenly than independent ones.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace clca::boltzmann {
+
+/// Where the shift of a rule comes from: each pair of numbers gives another one.
+struct ShiftPlace {
+  std::uint32_t step = 0;
+  std::uint32_t group = 0;
+};
+
+/// A randomly shifted rank-1 lattice rule with the generating vector of Cools, Kuo & Nuyens,
+/// "Constructing embedded lattice rules for multivariate integration", SIAM J. Sci. Comput. 28
+/// (2006) 2162-2188: order-2 weights, 2^10 to 2^20 points.
+///
+/// For numbers between powers of 2 it gives the first points of the embedded sequence, that is in
+/// the order of the radical inverse: every full power of 2 among them is a good lattice, which a
+/// Korobov rule, with its multiplier to be sought for every number of points, would not ensure.
+/// Beyond 2^20 points only the parts of 2^20 are known to be good.
+class LatticeRule {
+ public:
+  static constexpr int kDimensions = 20;
+
+  /// At least one point, fewer than 2^32.
+  explicit LatticeRule(std::uint64_t points);
+
+  /// Shifts all points by a vector drawn with purpose lattice_shift.
+  void shift(std::uint64_t seed, const ShiftPlace& place);
+
+  std::uint64_t points() const { return residues_.size(); }
+
+  /// A number in (0, 1). Without a shift, the points ascend in dimension 0.
+  double coordinate(std::uint64_t point, int dimension) const;
+
+ private:
+  int bits_ = 0;  // the points are among those of a lattice of 2^bits_
+  std::vector<std::uint32_t> residues_;
+  std::array<std::uint64_t, kDimensions> shift_{};  // in 2^-64
+};
+
+}  // namespace clca::boltzmann
