@@ -14,14 +14,22 @@ namespace clca::cli {
 
 namespace {
 
-void check(const SceneOptions& options) {
-  constexpr double kMebibyte = 1 << 20;
-  const scene::Scene scene = load_scene(options);
+constexpr double kMebibyte = 1 << 20;
+
+void print(const scene::Scene& scene) {
   scene::check_walls(scene);
   const scene::Size size = scene::size_of(scene);
   fmt::print("{}", scene::to_yaml(scene));
   fmt::print("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
              size.rows, size.particles, size.bytes / kMebibyte);
+}
+
+void print(const scene::BoltzmannScene& scene) {
+  const int threads = machine_threads();
+  fmt::print("{}", scene::to_yaml(scene));
+  fmt::print("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
+             scene.restitutions.size(), scene.ensemble, scene.particles,
+             scene::bytes_of(scene, threads) / kMebibyte, threads);
 }
 
 }  // namespace
@@ -32,7 +40,7 @@ void add_check_command(CLI::App& app, int& code) {
   auto options = std::make_shared<SceneOptions>();
   add_scene_options(*command, *options);
   command->callback([options, &code] {
-    check(*options);
+    std::visit([](const auto& scene) { print(scene); }, load_any_scene(*options));
     code = static_cast<int>(ExitCode::done);
   });
 }

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
+#include <thread>
 
-#include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
 namespace clca::cli {
@@ -30,6 +31,27 @@ double available_bytes() {
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
+/// --set and what is short for it.
+std::vector<scene::Override> overrides_of(const SceneOptions& options) {
+  std::vector<scene::Override> overrides = options.overrides;
+  if (options.seed) {
+    overrides.push_back(fmt::format("seed={}", *options.seed));
+  }
+  if (options.frames_every.value_or(0) > 0) {
+    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
+  }
+  return overrides;
+}
+
+/// The scene as the options want it. Throws scene::SceneError when it does not fit into memory.
+scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
+  if (options.frames_every == std::uint64_t{0}) {
+    scene.output.frames.reset();
+  }
+  check_memory(scene, memory_limit(options));
+  return scene;
+}
+
 }  // namespace
 
 double memory_limit(const SceneOptions& options) {
@@ -45,6 +67,17 @@ void check_memory(const scene::Scene& scene, double limit) {
         "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
         scene.box.place, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
         limit / kMebibyte));
+  }
+}
+
+void check_memory(const scene::BoltzmannScene& scene, double limit, int threads) {
+  const double bytes = scene::bytes_of(scene, threads);
+  if (bytes > limit) {
+    throw scene::SceneError(fmt::format(
+        "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
+        "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
+        "bins, or raise --memory-limit",
+        scene.place, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
   }
 }
 
@@ -73,20 +106,21 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   add_memory_limit(command, options);
 }
 
-scene::Scene load_scene(const SceneOptions& options) {
-  std::vector<scene::Override> overrides = options.overrides;
-  if (options.seed) {
-    overrides.push_back(fmt::format("seed={}", *options.seed));
+int machine_threads() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
+  scene::AnyScene scene = scene::parse_any_file(options.file, overrides_of(options));
+  if (auto* automaton = std::get_if<scene::Scene>(&scene)) {
+    return fitting(std::move(*automaton), options);
   }
-  if (options.frames_every.value_or(0) > 0) {
-    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
-  }
-  scene::Scene scene = scene::parse_file(options.file, overrides);
-  if (options.frames_every == std::uint64_t{0}) {
-    scene.output.frames.reset();
-  }
-  check_memory(scene, memory_limit(options));
+  check_memory(std::get<scene::BoltzmannScene>(scene), memory_limit(options), threads);
   return scene;
+}
+
+scene::Scene load_scene(const SceneOptions& options) {
+  return fitting(scene::parse_file(options.file, overrides_of(options)), options);
 }
 
 }  // namespace clca::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/scene/scene.hpp"
+#include "clca/scene/parse.hpp"
 
 namespace clca::cli {
 
@@ -28,11 +28,17 @@ void add_memory_limit(CLI::App& command, SceneOptions& options);
 
 /// Bytes that may be used.
 double memory_limit(const SceneOptions& options);
-/// Throws scene::SceneError when the scene needs more memory than `limit` bytes.
+/// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
 void check_memory(const scene::Scene& scene, double limit);
+void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
+
+/// Threads of the machine: those of a run that is not told otherwise.
+int machine_threads();
 
 /// The scene with the options applied. Throws scene::SceneError, also when it would need more
-/// memory than the limit.
+/// memory than the limit; that of a Boltzmann run depends on its threads.
+scene::AnyScene load_any_scene(const SceneOptions& options, int threads = machine_threads());
+/// The same for a scene of the automaton; the other kind is an error.
 scene::Scene load_scene(const SceneOptions& options);
 
 }  // namespace clca::cli

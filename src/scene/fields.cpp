@@ -83,6 +83,14 @@ double read_number(const Value& value, std::string_view path, double low, double
   return read_ranged(value, path, low, high);
 }
 
+double read_positive(const Value& value, std::string_view path, double high) {
+  const auto number = converted<double>(value);
+  if (!number || *number <= 0 || *number > high) {
+    unexpected(value, path, fmt::format("a number above 0 and up to {}", high));
+  }
+  return *number;
+}
+
 bool read_bool(const Value& value, std::string_view path) {
   if (!value.is(Value::Kind::scalar) || value.quoted ||
       (value.text != "true" && value.text != "false")) {
@@ -210,6 +218,11 @@ double KeyedMap::number(std::string_view key, double low, double high,
                         std::optional<double> otherwise) const {
   return otherwise && find(key) == nullptr ? *otherwise
                                            : read_number(at(key), path(key), low, high);
+}
+
+double KeyedMap::positive(std::string_view key, double high,
+                          std::optional<double> otherwise) const {
+  return otherwise && find(key) == nullptr ? *otherwise : read_positive(at(key), path(key), high);
 }
 
 bool KeyedMap::boolean(std::string_view key, bool otherwise) const {

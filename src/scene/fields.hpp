@@ -20,6 +20,8 @@ std::uint64_t read_count(const Value& value, std::string_view path, std::uint64_
                          std::uint64_t high);
 int read_int(const Value& value, std::string_view path, int low, int high);
 double read_number(const Value& value, std::string_view path, double low, double high);
+/// A number above 0 and up to `high`.
+double read_positive(const Value& value, std::string_view path, double high);
 bool read_bool(const Value& value, std::string_view path);
 /// Any scalar as it stands.
 const std::string& read_text(const Value& value, std::string_view path);
@@ -78,6 +80,7 @@ class KeyedMap {
   int integer(std::string_view key, int low, int high, std::optional<int> otherwise = {}) const;
   double number(std::string_view key, double low, double high,
                 std::optional<double> otherwise = {}) const;
+  double positive(std::string_view key, double high, std::optional<double> otherwise = {}) const;
   bool boolean(std::string_view key, bool otherwise) const;
   template <class T, std::size_t kCount>
   T choice(std::string_view key, const std::array<Named<T>, kCount>& names, T otherwise) const {

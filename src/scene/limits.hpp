@@ -44,4 +44,22 @@ inline constexpr int kMostLayers = 256;
 inline constexpr int kMostSupersampling = 4;
 inline constexpr double kLargestCell = 1000;
 
+// Of scenes of the Boltzmann equation.
+inline constexpr std::uint64_t kFewestInGas = 2;
+inline constexpr std::uint64_t kMostInGas = 100'000'000;
+inline constexpr std::size_t kMostRestitutions = 64;
+inline constexpr double kGreatestFriction = 1000;
+inline constexpr double kGreatestEnergyRatio = 1e6;
+inline constexpr double kLongestTimeStep = 1;
+inline constexpr int kMostPartners = 1000;
+inline constexpr double kGreatestShearRate = 100;
+inline constexpr double kLongestTime = 1e9;
+inline constexpr std::uint64_t kLargestEnsemble = 10'000;
+inline constexpr double kMostRows = 1'000'000;  ///< of a series
+inline constexpr std::size_t kMostHistograms = 1000;
+inline constexpr int kFewestQuantiles = 2;
+inline constexpr int kMostQuantiles = 1000;
+inline constexpr double kMostUniformBins = 10'000;
+inline constexpr double kGreatestEnergy = 1e6;  ///< where uniform bins end at the most
+
 }  // namespace clca::scene

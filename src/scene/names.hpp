@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
@@ -41,6 +42,15 @@ inline constexpr std::array<std::string_view, 10> kFramesKeys = {
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 1> kContactsKeys = {"every"};
+
+inline constexpr std::array<std::string_view, 5> kBoltzmannSceneKeys = {"clca", "title", "seed",
+                                                                        "boltzmann", "output"};
+inline constexpr std::array<std::string_view, 14> kBoltzmannKeys = {
+    "particles",    "initial", "exact_moments", "sampling", "restitution", "friction", "roughness",
+    "energy_ratio", "scheme",  "time_step",     "partners", "shear_rate",  "until",    "ensemble"};
+inline constexpr std::array<std::string_view, 3> kBoltzmannOutputKeys = {"series", "histograms",
+                                                                         "bins"};
+inline constexpr std::array<std::string_view, 2> kUniformBinsKeys = {"width", "end"};
 
 /// A word of the format and what it stands for.
 template <class T>
@@ -90,6 +100,15 @@ inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
     {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
 inline constexpr std::array<Named<Overlay>, 3> kOverlayNames = {
     {{"none", Overlay::none}, {"forces", Overlay::forces}, {"arrows", Overlay::arrows}}};
+
+inline constexpr std::array<Named<boltzmann::Initial>, 2> kInitialNames = {
+    {{"gaussian", boltzmann::Initial::gaussian},
+     {"equal_energy", boltzmann::Initial::equal_energy}}};
+/// Whether draws are quasi-random.
+inline constexpr std::array<Named<bool>, 2> kSamplingNames = {{{"random", false}, {"quasi", true}}};
+/// By index in boltzmann::Scheme.
+inline constexpr std::array<Named<std::size_t>, 2> kSchemeNames = {
+    {{"majorant", 0}, {"ogawa-kato", 1}}};
 
 template <class T, std::size_t kCount>
 constexpr std::string_view name_of(const std::array<Named<T>, kCount>& names, T value) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <limits>
@@ -9,6 +10,7 @@
 
 #include "scene/document.hpp"
 #include "scene/fields.hpp"
+#include "scene/kind.hpp"
 #include "scene/limits.hpp"
 #include "scene/override.hpp"
 #include "scene/sections.hpp"
@@ -50,15 +52,22 @@ void read_into(T& target, const KeyedMap& fields, std::string_view key, Read rea
   }
 }
 
-Scene read_scene(const Value& root, const std::string& file) {
-  const KeyedMap fields(root, "", kSceneKeys);
+/// What both kinds of scenes begin with.
+template <class AScene>
+AScene read_head(const KeyedMap& fields, const std::string& file) {
   check_version(fields);
-  Scene scene;
+  AScene scene;
   scene.name = name_of_file(file);
   scene.title = first_characters(scene.name, kLongestTitle);
-  scene.measures = all_measures();
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
+  return scene;
+}
+
+Scene read_scene(const Value& root, const std::string& file) {
+  const KeyedMap fields(root, "", kSceneKeys);
+  auto scene = read_head<Scene>(fields, file);
+  scene.measures = all_measures();
   scene.box = read_box(fields.at("box"));
   scene.species = read_species(fields.at("species"), scene.box);
   read_into(scene.rules, fields, "rules", read_rules);
@@ -71,6 +80,27 @@ Scene read_scene(const Value& root, const std::string& file) {
   read_into(scene.output, fields, "output", read_output, scene);
   check_use(scene, root);
   return scene;
+}
+
+BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) {
+  const KeyedMap fields(root, "", kBoltzmannSceneKeys);
+  auto scene = read_head<BoltzmannScene>(fields, file);
+  const auto block = std::find_if(root.entries.begin(), root.entries.end(),
+                                  [](const Entry& entry) { return entry.key == "boltzmann"; });
+  scene.place = to_string(block->place);
+  read_boltzmann(block->value, scene);
+  read_boltzmann_output(fields.find("output"), fields.at("boltzmann"), scene);
+  return scene;
+}
+
+/// The scene where it is one of the automaton.
+Scene of_automaton(AnyScene any) {
+  if (const auto* boltzmann = std::get_if<BoltzmannScene>(&any)) {
+    throw SceneError(boltzmann->place +
+                     ": error: expected a scene of the automaton, found one of the Boltzmann "
+                     "equation");
+  }
+  return std::get<Scene>(std::move(any));
 }
 
 /// The text of a file, cut once it is too long to be a scene.
@@ -95,8 +125,8 @@ std::string read_text_of(const std::filesystem::path& file, const Place& place) 
 
 }  // namespace
 
-Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
-            const std::vector<Override>& varied) {
+AnyScene parse_any(std::string_view text, const std::string& file,
+                   const std::vector<Override>& overrides, const std::vector<Override>& varied) {
   const auto origin = std::make_shared<const Origin>(Origin{printable(file), true});
   Value root = read_document(text, origin);
   if (!root.is(Value::Kind::map)) {
@@ -109,14 +139,27 @@ Scene parse(std::string_view text, const std::string& file, const std::vector<Ov
   for (const Override& text_of_override : varied) {
     apply_override(root, text_of_override, "--vary");
   }
+  if (kind_of(root) == Kind::boltzmann) {
+    return read_boltzmann_scene(root, file);
+  }
   return read_scene(root, file);
+}
+
+AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                        const std::vector<Override>& varied) {
+  const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
+                       1};
+  return parse_any(read_text_of(file, start), file.string(), overrides, varied);
+}
+
+Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
+            const std::vector<Override>& varied) {
+  return of_automaton(parse_any(text, file, overrides, varied));
 }
 
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                  const std::vector<Override>& varied) {
-  const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
-                       1};
-  return parse(read_text_of(file, start), file.string(), overrides, varied);
+  return of_automaton(parse_any_file(file, overrides, varied));
 }
 
 }  // namespace clca::scene

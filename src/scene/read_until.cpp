@@ -99,15 +99,6 @@ void check_waits(const Stage& stage, const Scene& scene, const Place& place,
   }
 }
 
-UntilDischarged read_discharged(const KeyedMap& fields, std::string_view key) {
-  const double share = fields.number(key, 0, 1);
-  if (share == 0) {
-    fail(fields.at(key).place,
-         fmt::format("{}: expected a number above 0 and up to 1, found 0", fields.path(key)));
-  }
-  return {share};
-}
-
 }  // namespace
 
 Until read_until(const Value& value, const std::string& path, const Stage& stage,
@@ -135,7 +126,7 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
     }
     return UntilCycles{fields.count(key, 1, kMostSteps)};
   }
-  const UntilDischarged discharged = read_discharged(fields, key);
+  const UntilDischarged discharged = {fields.positive(key, 1)};
   if (scene.outlets.empty()) {
     fail(value.place, fmt::format("{}: nothing can be discharged, the scene has no outlets", path));
   }

@@ -2,6 +2,7 @@
 // The parts of a scene, each from its value in the tree. All throw SceneError.
 
 #include "clca/lattice/lattice.hpp"
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 #include "scene/value.hpp"
 
@@ -49,6 +50,11 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
 
 std::vector<Measure> read_measures(const Value& value);
 Output read_output(const Value& value, const Scene& scene);
+
+/// The block `boltzmann`, into the scene.
+void read_boltzmann(const Value& value, BoltzmannScene& scene);
+/// What is to be written, once the block has been read; `output` is null where nothing is said.
+void read_boltzmann_output(const Value* output, const Value& block, BoltzmannScene& scene);
 
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.

@@ -62,7 +62,13 @@ Variant parsed(const Request& request, std::vector<std::string> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     varied.push_back(fmt::format("{}={}", request.variations[i].key, values[i]));
   }
-  scene::Scene scene = scene::parse_file(request.scene, request.overrides, varied);
+  scene::AnyScene any = scene::parse_any_file(request.scene, request.overrides, varied);
+  if (const auto* boltzmann = std::get_if<scene::BoltzmannScene>(&any)) {
+    throw scene::SceneError(boltzmann->place +
+                            ": error: a sweep takes scenes of the automaton only; this one has "
+                            "boltzmann.ensemble and lists of boltzmann.restitution of its own");
+  }
+  auto scene = std::get<scene::Scene>(std::move(any));
   scene.seed = request.seeds.front();
   return {std::move(values), std::move(scene)};
 }

@@ -25,13 +25,38 @@ std::vector<Block> blocks_of(std::string_view text) {
   return blocks;
 }
 
+std::string text_with(const std::string& whole, std::string_view part) {
+  std::vector<Block> scene = blocks_of(whole);
+  for (Block& block : blocks_of(part)) {
+    const auto old = std::find_if(scene.begin(), scene.end(),
+                                  [&](const Block& other) { return other.key == block.key; });
+    if (old == scene.end()) {
+      scene.push_back(std::move(block));
+    } else {
+      *old = std::move(block);
+    }
+  }
+  std::string text;
+  for (const Block& block : scene) {
+    text += block.lines;
+  }
+  return text;
+}
+
 }  // namespace
 
-std::vector<BadScene> bad_scenes() {
-  std::vector<BadScene> all;
+std::vector<BadText> bad_scenes() {
+  std::vector<BadText> all;
   for (const auto& some :
        {bad_basics(), bad_species(), bad_geometry(), bad_motion(), bad_stages(), bad_journeys()}) {
-    all.insert(all.end(), some.begin(), some.end());
+    for (const BadScene& bad : some) {
+      all.push_back({bad.what, scene_with(bad.part), bad.message, bad.judge});
+    }
+  }
+  for (const auto& some : {bad_gases(), bad_gas_outputs()}) {
+    for (const BadScene& bad : some) {
+      all.push_back({bad.what, gas_with(bad.part), bad.message, bad.judge});
+    }
   }
   return all;
 }
@@ -52,22 +77,21 @@ output: {frames: {every: 10}, series: {every: 1}}
 )";
 }
 
+std::string small_gas() {
+  return R"(clca: 1
+title: Test
+seed: 1
+boltzmann: {restitution: 0.5, friction: 0.3}
+output: {series: {every: 0.5}}
+)";
+}
+
 std::string scene_with(std::string_view part) {
-  std::vector<Block> scene = blocks_of(small_scene());
-  for (Block& block : blocks_of(part)) {
-    const auto old = std::find_if(scene.begin(), scene.end(),
-                                  [&](const Block& other) { return other.key == block.key; });
-    if (old == scene.end()) {
-      scene.push_back(std::move(block));
-    } else {
-      *old = std::move(block);
-    }
-  }
-  std::string text;
-  for (const Block& block : scene) {
-    text += block.lines;
-  }
-  return text;
+  return text_with(small_scene(), part);
+}
+
+std::string gas_with(std::string_view part) {
+  return text_with(small_gas(), part);
 }
 
 }  // namespace clca::scene::testing

@@ -81,10 +81,10 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "1000000000000, found '0'"},
     {"a share of 0", "stages: [{name: first, sources: [spout], until: {discharged: 0}}]",
      "scene.yaml:10:62: error: stages.first.until.discharged: expected a number above 0 and "
-     "up to 1, found 0"},
+     "up to 1, found '0'"},
     {"a share above 1", "stages: [{name: first, sources: [spout], until: {discharged: 90}}]",
-     "scene.yaml:10:62: error: stages.first.until.discharged: expected a number from 0 to 1, "
-     "found '90'"},
+     "scene.yaml:10:62: error: stages.first.until.discharged: expected a number above 0 and "
+     "up to 1, found '90'"},
     {"a discharge without an outlet",
      "outlets: {}\n"
      "stages: [{name: first, sources: [spout], until: {discharged: 0.9}}]",

@@ -50,6 +50,13 @@ TEST(Plan, WithoutVariationsItHasOneRunASeed) {
   EXPECT_EQ(seeds.scene(1).rules.inertia, 0.5);
 }
 
+TEST(Plan, RefusesASceneOfTheBoltzmannEquation) {
+  Request gas = request({"boltzmann.friction=0,0.3"});
+  gas.scene = std::string(CLCA_SOURCE_DIR) + "/scenes/boltzmann-case1.yaml";
+  EXPECT_THAT([&] { plan(gas); }, ThrowsMessage<scene::SceneError>(HasSubstr(
+                                      "error: a sweep takes scenes of the automaton only")));
+}
+
 TEST(Plan, NamesOfRunsFitAFileSystemAndStayApart) {
   std::string longer = "\"a";
   longer += std::string(150, 'x');

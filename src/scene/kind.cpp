@@ -1,0 +1,52 @@
+#include "scene/kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scene/names.hpp"
+#include "scene/text.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+bool contains(std::span<const std::string_view> words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// A misspelt `boltzmann` makes no scene of the automaton.
+bool stands_for_boltzmann(const Entry& entry) {
+  constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
+  return nearest(entry.key, kBlock).has_value();
+}
+
+}  // namespace
+
+Kind kind_of(const Value& root) {
+  const Entry* automaton = nullptr;
+  const Entry* boltzmann = nullptr;
+  for (const Entry& entry : root.entries) {
+    const bool in_automaton = contains(kSceneKeys, entry.key);
+    const bool in_boltzmann = contains(kBoltzmannSceneKeys, entry.key);
+    if (in_automaton && !in_boltzmann) {
+      automaton = &entry;
+    } else if (in_boltzmann && !in_automaton) {
+      boltzmann = &entry;
+    }
+    if (automaton != nullptr && boltzmann != nullptr) {
+      const Entry& other = automaton == &entry ? *boltzmann : *automaton;
+      fail(entry.place,
+           fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
+                       "{}; one of the automaton has {}",
+                       entry.key, other.key, fmt::join(kBoltzmannSceneKeys, ", "),
+                       fmt::join(kSceneKeys, ", ")));
+    }
+  }
+  const bool misspelt = automaton == nullptr &&
+                        std::any_of(root.entries.begin(), root.entries.end(), stands_for_boltzmann);
+  return boltzmann != nullptr || misspelt ? Kind::boltzmann : Kind::automaton;
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,102 @@
+// What a scene of the Boltzmann equation wants to have written.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
+
+#include "scene/fields.hpp"
+#include "scene/limits.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+std::vector<double> read_histograms(const Value& value, const std::string& path, double until) {
+  std::vector<double> times;
+  for (const Value& item : read_list(value, path, 0, kMostHistograms)) {
+    times.push_back(read_number(item, path, 0, until));
+    if (times.size() > 1 && times.back() <= times[times.size() - 2]) {
+      fail(item.place, fmt::format("{}: expected times that ascend, found {} after {}", path,
+                                   times.back(), times[times.size() - 2]));
+    }
+  }
+  return times;
+}
+
+/// The number in `q20`; nothing where it is not plain digits in range.
+std::optional<int> quantiles(const Value& value) {
+  const std::string_view text = value.text;
+  const std::string_view number = text.substr(std::min<std::size_t>(1, text.size()));
+  int count = 0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), count);
+  const bool whole = error == std::errc() && stop == number.data() + number.size();
+  const bool plain = text.starts_with('q') && !number.starts_with('0') && whole;
+  return plain && count >= kFewestQuantiles && count <= kMostQuantiles ? std::optional(count)
+                                                                       : std::nullopt;
+}
+
+UniformBins read_uniform_bins(const Value& value, const std::string& path) {
+  const KeyedMap fields(value, path, kUniformBinsKeys);
+  const UniformBins bins = {.width = fields.positive("width", kGreatestEnergy),
+                            .end = fields.positive("end", kGreatestEnergy)};
+  if (bins.width > bins.end || bins.end > kMostUniformBins * bins.width) {
+    fail(fields.at("width").place,
+         fmt::format("{}: expected a number from {} to {} for at most {} bins up to {}, found {}",
+                     fields.path("width"), bins.end / kMostUniformBins, bins.end, kMostUniformBins,
+                     bins.end, found(fields.at("width"))));
+  }
+  return bins;
+}
+
+BinsSpec read_bins(const Value& value, const std::string& path) {
+  if (value.is(Value::Kind::map)) {
+    return read_uniform_bins(value, path);
+  }
+  const std::optional<int> count = quantiles(value);
+  if (!count) {
+    fail(value.place, fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}",
+                                  path, kFewestQuantiles, kMostQuantiles, found(value)));
+  }
+  return QuantileBins{*count};
+}
+
+/// `every` is null where it is left to its default.
+void check_rows(const Value* every, const Value& block, const BoltzmannScene& scene) {
+  if (scene.until <= kMostRows * scene.series_every) {
+    return;
+  }
+  const Place& place = every != nullptr ? every->place : block.find("until")->place;
+  fail(place, fmt::format("output.series.every: expected at least {}, as a series has at most {} "
+                          "rows until {}, found {}",
+                          scene.until / kMostRows, kMostRows, scene.until,
+                          every != nullptr ? found(*every)
+                                           : fmt::format("the default {}", scene.series_every)));
+}
+
+}  // namespace
+
+void read_boltzmann_output(const Value* output, const Value& block, BoltzmannScene& scene) {
+  scene.histograms = {0, scene.until};
+  const Value* every = nullptr;
+  if (output != nullptr) {
+    const KeyedMap fields(*output, "output", kBoltzmannOutputKeys);
+    if (const Value* series = fields.find("series")) {
+      const KeyedMap rows(*series, fields.path("series"), kSeriesKeys);
+      every = rows.find("every");
+      scene.series_every = rows.positive("every", kLongestTime, scene.series_every);
+    }
+    if (const Value* times = fields.find("histograms")) {
+      scene.histograms = read_histograms(*times, fields.path("histograms"), scene.until);
+    }
+    if (const Value* bins = fields.find("bins")) {
+      scene.bins = read_bins(*bins, fields.path("bins"));
+    }
+  }
+  check_rows(every, block, scene);
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,43 @@
+// What a scene of the Boltzmann equation will need, from above.
+
+#include <algorithm>
+#include <cmath>
+
+#include "clca/scene/resolve.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr double kMotionBytes = 6 * sizeof(double);
+constexpr double kScratchBytes = 8;
+// Means and errors, as numbers and as the text of a table.
+constexpr double kRowBytes = 512;
+constexpr double kBinBytes = 128;
+
+double bin_count(const QuantileBins& bins) {
+  return bins.count;
+}
+double bin_count(const UniformBins& bins) {
+  return std::ceil(bins.end / bins.width) + 1;
+}
+
+double table_bytes(const BoltzmannScene& scene) {
+  const double rows = scene.until / scene.series_every + 2;
+  const double bins = std::visit([](const auto& spec) { return bin_count(spec); }, scene.bins);
+  const double shares = static_cast<double>(scene.histograms.size()) * bins;
+  return static_cast<double>(scene.restitutions.size()) * (kRowBytes * rows + kBinBytes * shares);
+}
+
+}  // namespace
+
+double bytes_of(const BoltzmannScene& scene, int threads) {
+  const auto members = static_cast<double>(
+      std::min(scene.ensemble, static_cast<std::uint64_t>(std::max(1, threads))));
+  // Sorted, or changed from one step to the next as a whole: there is a second copy.
+  const bool twice = scene.quasi || std::holds_alternative<boltzmann::OgawaKato>(scene.scheme);
+  const double gas = (kMotionBytes + kScratchBytes) * static_cast<double>(scene.particles);
+  return members * gas * (twice ? 2 : 1) + table_bytes(scene);
+}
+
+}  // namespace clca::scene

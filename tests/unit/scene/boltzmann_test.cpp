@@ -1,0 +1,197 @@
+// Scenes of the Boltzmann equation: what they say, back to text, and what they need.
+
+#include "clca/scene/boltzmann.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "bad_scenes.hpp"
+#include "clca/boltzmann/law.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+constexpr std::string_view kEverything =
+    "title: 'Say \"\\\" in Köln'\n"
+    "boltzmann: {particles: 500, initial: equal_energy, exact_moments: false, sampling: quasi,\n"
+    "  restitution: [1, 0, 0.8349], friction: 1e-7, roughness: -0.25, energy_ratio: 1e6,\n"
+    "  scheme: ogawa-kato, time_step: 1e-3, partners: 7, until: 1e9, ensemble: 12}\n"
+    "output: {series: {every: 1e5}, histograms: [], bins: {width: 0.3, end: 15}}\n";
+
+BoltzmannScene gas_with(std::string_view part, const std::vector<Override>& overrides = {}) {
+  return std::get<BoltzmannScene>(parse_any(testing::gas_with(part), "folder/gas.yaml", overrides));
+}
+
+}  // namespace
+
+TEST(BoltzmannScene, FillsInTheDefaults) {
+  const BoltzmannScene scene = std::get<BoltzmannScene>(
+      parse_any("clca: 1\nboltzmann: {restitution: 0.5, friction: 0.3}\n", "folder/gas.yaml"));
+  BoltzmannScene expected;
+  expected.title = "gas";
+  expected.restitutions = {0.5};
+  expected.friction = 0.3;
+  expected.histograms = {0, 15};
+  EXPECT_EQ(scene, expected);
+  EXPECT_EQ(scene.name, "gas");
+  EXPECT_EQ(scene.place, "folder/gas.yaml:2:1");
+}
+
+TEST(BoltzmannScene, ReadsEverything) {
+  const BoltzmannScene scene = gas_with(kEverything);
+  EXPECT_EQ(scene.particles, 500U);
+  EXPECT_EQ(scene.initial, boltzmann::Initial::equal_energy);
+  EXPECT_FALSE(scene.exact_moments);
+  EXPECT_TRUE(scene.quasi);
+  EXPECT_THAT(scene.restitutions, ElementsAre(1, 0, 0.8349));
+  EXPECT_TRUE(scene.lists_restitutions);
+  EXPECT_EQ(scene.friction, 1e-7);
+  EXPECT_EQ(scene.roughness, -0.25);
+  EXPECT_EQ(scene.energy_ratio, 1e6);
+  EXPECT_EQ(scene.scheme, boltzmann::Scheme(boltzmann::OgawaKato{1e-3, 7, true}));
+  EXPECT_EQ(scene.until, 1e9);
+  EXPECT_EQ(scene.ensemble, 12U);
+  EXPECT_EQ(scene.series_every, 1e5);
+  EXPECT_THAT(scene.histograms, IsEmpty());
+  EXPECT_EQ(scene.bins, BinsSpec(UniformBins{0.3, 15}));
+}
+
+TEST(BoltzmannScene, WithARoughnessAloneSlidesNowhere) {
+  const BoltzmannScene scene = gas_with("boltzmann: {restitution: 1, roughness: -1}");
+  EXPECT_EQ(scene.friction, boltzmann::kNoSlidingLimit);
+  EXPECT_EQ(scene.roughness, -1);
+}
+
+TEST(BoltzmannScene, KeepsAListOfOne) {
+  EXPECT_TRUE(gas_with("boltzmann: {restitution: [1], friction: 0}").lists_restitutions);
+  EXPECT_FALSE(gas_with("boltzmann: {restitution: 1, friction: 0}").lists_restitutions);
+}
+
+TEST(BoltzmannScene, TakesTheLastValuesThatAreAllowed) {
+  EXPECT_EQ(gas_with("output: {bins: q2}").bins, BinsSpec(QuantileBins{2}));
+  EXPECT_EQ(gas_with("output: {bins: q1000}").bins, BinsSpec(QuantileBins{1000}));
+  EXPECT_EQ(gas_with("output: {bins: {width: 15, end: 15}}").bins, BinsSpec(UniformBins{15, 15}));
+  EXPECT_EQ(gas_with("output: {bins: {width: 0.0015, end: 15}}").bins,
+            BinsSpec(UniformBins{0.0015, 15}));
+  EXPECT_EQ(gas_with("output: {series: {every: 1.5e-5}}").series_every, 1.5e-5);
+  EXPECT_THAT(gas_with("output: {histograms: [15]}").histograms, ElementsAre(15));
+}
+
+TEST(BoltzmannScene, TakesOverrides) {
+  const BoltzmannScene scene =
+      gas_with("", {"boltzmann.restitution=0.9", "boltzmann.scheme=ogawa-kato",
+                    "boltzmann.partners=3", "output.bins=q30", "seed=7"});
+  EXPECT_THAT(scene.restitutions, ElementsAre(0.9));
+  EXPECT_EQ(std::get<boltzmann::OgawaKato>(scene.scheme).partners, 3);
+  EXPECT_EQ(scene.bins, BinsSpec(QuantileBins{30}));
+  EXPECT_EQ(scene.seed, 7U);
+}
+
+TEST(BoltzmannScene, WithAnOverrideOfTheOtherKindIsRefusedAtTheOverride) {
+  EXPECT_THAT(
+      [] { gas_with("", {"rules.inertia=0"}); },
+      ThrowsMessage<SceneError>(StartsWith(
+          "--set rules.inertia=0: error: 'rules' does not go with 'boltzmann': a scene of the ")));
+  EXPECT_THAT(
+      [] { parse(testing::small_scene(), "scene.yaml", {"boltzmann.friction=0"}); },
+      ThrowsMessage<SceneError>(StartsWith(
+          "--set boltzmann.friction=0: error: 'boltzmann' does not go with 'box': a scene of ")));
+}
+
+TEST(BoltzmannScene, WithAMisspeltBlockIsStillOne) {
+  EXPECT_THAT([] { parse_any("clca: 1\nboltzman: {restitution: 1}\n", "scene.yaml"); },
+              ThrowsMessage<SceneError>(::testing::StrEq(
+                  "scene.yaml:2:1: error: unknown key 'boltzman' (allowed: clca, title, seed, "
+                  "boltzmann, output); did you mean 'boltzmann'?")));
+}
+
+TEST(BoltzmannScene, IsNoSceneOfTheAutomaton) {
+  EXPECT_THAT([] { parse(testing::small_gas(), "scene.yaml"); },
+              ThrowsMessage<SceneError>(
+                  ::testing::StrEq("scene.yaml:4:1: error: expected a scene of the automaton, "
+                                   "found one of the Boltzmann equation")));
+}
+
+TEST(BoltzmannScene, DiffersWhenAnyPartDiffers) {
+  const BoltzmannScene scene = gas_with("");
+  for (const std::string_view change :
+       {"title=Other", "seed=2", "boltzmann.particles=9", "boltzmann.initial=equal_energy",
+        "boltzmann.exact_moments=false", "boltzmann.sampling=quasi", "boltzmann.restitution=1",
+        "boltzmann.restitution=[0.5]", "boltzmann.friction=0", "boltzmann.roughness=1",
+        "boltzmann.energy_ratio=2", "boltzmann.scheme=ogawa-kato", "boltzmann.shear_rate=1",
+        "boltzmann.until=16", "boltzmann.ensemble=2", "output.series.every=1",
+        "output.histograms=[]", "output.bins=q21"}) {
+    EXPECT_NE(gas_with("", {std::string(change)}), scene) << change;
+  }
+}
+
+TEST(BoltzmannToYaml, ParsesToTheSameScene) {
+  for (const std::string_view part :
+       {std::string_view(""), kEverything,
+        std::string_view("boltzmann: {restitution: [1], roughness: 0.1, shear_rate: 1}")}) {
+    const BoltzmannScene scene = gas_with(part);
+    EXPECT_EQ(parse_any(to_yaml(scene), "gas.yaml"), AnyScene(scene)) << to_yaml(scene);
+  }
+}
+
+TEST(BoltzmannToYaml, ShowsEveryDefault) {
+  EXPECT_EQ(to_yaml(gas_with("output: {}")), R"(clca: 1
+title: "Test"
+seed: 1
+
+boltzmann:
+  particles: 10000
+  initial: gaussian
+  exact_moments: true
+  sampling: random
+  restitution: 0.5
+  friction: 0.3
+  roughness: 0
+  energy_ratio: 1
+  scheme: majorant
+  shear_rate: 0
+  until: 15
+  ensemble: 1
+
+output:
+  series: {every: 0.5}
+  histograms: [0, 15]
+  bins: q20
+)");
+}
+
+TEST(BytesOf, GrowWithParticlesAndMembersThatRunAtATime) {
+  const auto bytes = [](const std::vector<Override>& overrides, int threads) {
+    return bytes_of(gas_with("", overrides), threads);
+  };
+  const std::string many = "boltzmann.particles=1000000";
+  const double one = bytes({many}, 4);
+  EXPECT_GE(one, 56e6);
+  EXPECT_LE(one, 57e6);
+  EXPECT_EQ(bytes({many, "boltzmann.ensemble=3"}, 4) - one, 112e6);
+  EXPECT_EQ(bytes({many, "boltzmann.ensemble=3"}, 2) - one, 56e6);
+  EXPECT_EQ(bytes({many, "boltzmann.sampling=quasi"}, 1) - one, 56e6);
+  EXPECT_EQ(bytes({many, "boltzmann.scheme=ogawa-kato"}, 1) - one, 56e6);
+  EXPECT_EQ(bytes({many, "boltzmann.scheme=ogawa-kato", "boltzmann.sampling=quasi"}, 1) - one,
+            56e6);
+}
+
+TEST(BytesOf, GrowWithTheTables) {
+  const double least = bytes_of(gas_with("output: {histograms: []}"), 1);
+  EXPECT_GE(bytes_of(gas_with("output: {histograms: [1, 2], bins: {width: 0.01, end: 15}}"), 1),
+            least + 2 * 1501 * 4 * 8.0);
+  EXPECT_GE(bytes_of(gas_with("output: {histograms: [], series: {every: 15e-4}}"), 1),
+            least + 9900 * 20 * 8.0);
+}
+
+}  // namespace clca::scene
