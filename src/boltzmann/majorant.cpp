@@ -120,8 +120,10 @@ void Stepper::step(double end) {
 void advance_majorant(Gas& gas, const Law& law, double shear_rate, std::uint64_t seed, double time,
                       int threads, const KeepsOn& keeps_on) {
   Stepper stepper(gas, law, shear_rate, seed, threads);
-  while (gas.time < time && (!keeps_on || keeps_on(gas))) {
+  bool goes_on = true;
+  while (goes_on && gas.time < time) {
     stepper.step(time);
+    goes_on = !keeps_on || keeps_on(gas);
   }
 }
 

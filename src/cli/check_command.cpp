@@ -14,8 +14,6 @@ namespace clca::cli {
 
 namespace {
 
-constexpr double kMebibyte = 1 << 20;
-
 void print(const scene::Scene& scene) {
   scene::check_walls(scene);
   const scene::Size size = scene::size_of(scene);

@@ -38,6 +38,7 @@ int run_program(int argc, char** argv) {
 
   int code = 0;
   clca::cli::add_run_command(app, code);
+  clca::cli::add_boltzmann_command(app, code);
   clca::cli::add_sweep_command(app, code);
   clca::cli::add_check_command(app, code);
   clca::cli::add_diff_command(app, code);

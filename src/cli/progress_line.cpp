@@ -24,6 +24,14 @@ std::string to_text(const run::Progress& progress) {
                      left_text(progress.seconds_left));
 }
 
+std::string to_text(const run::GasProgress& progress) {
+  return fmt::format("{} ({}/{}): gas {} of {}, time {:.4g} of {}, {:.3g} million collisions/s{}",
+                     progress.stage, progress.stage_number, progress.stage_count,
+                     std::min(progress.gases_done + 1, progress.gases), progress.gases,
+                     progress.time, progress.until, progress.collisions_per_second / 1e6,
+                     left_text(progress.seconds_left));
+}
+
 std::string to_text(const sweep::Progress& progress) {
   return fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}", progress.done + progress.failed,
                      progress.runs, progress.failed, progress.runs_per_second,
@@ -49,6 +57,10 @@ ProgressLine::ProgressLine()
       next_plain_(std::chrono::steady_clock::now() + kPlainInterval) {}
 
 void ProgressLine::show(const run::Progress& progress) {
+  show(to_text(progress));
+}
+
+void ProgressLine::show(const run::GasProgress& progress) {
   show(to_text(progress));
 }
 

@@ -19,6 +19,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const run::Progress& progress);
+  void show(const run::GasProgress& progress);
   void show(const sweep::Progress& progress);
   /// A line that stays, on standard error.
   void print(const std::string& line);

@@ -1,10 +1,11 @@
-// clca run: runs a scene and leaves a run folder.
+// clca run, clca boltzmann: run a scene and leave a run folder.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <thread>
+#include <variant>
 
 #include "clca/run/run.hpp"
 #include "cli/commands.hpp"
@@ -24,38 +25,58 @@ struct RunCommandOptions {
   bool quiet = false;
 };
 
-void print_totals(const store::RunSummary& summary, const std::string& folder) {
-  fmt::print("{}: {} particles, {} steps in {:.3g} s, {:.3g} particle-updates/s, state {:016x}\n",
-             summary.status, summary.particles, summary.steps, summary.wall_seconds,
-             summary.particle_updates_per_second, summary.state_hash);
-  fmt::print("{}\n", folder);
+std::string totals(const store::RunSummary& summary) {
+  if (summary.kind == "boltzmann") {
+    return fmt::format("{}: gases of {} particles, {} steps in {:.3g} s, {:.3g} collisions/s",
+                       summary.status, summary.particles, summary.steps, summary.wall_seconds,
+                       summary.collisions_per_second);
+  }
+  return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} particle-updates/s",
+                     summary.status, summary.particles, summary.steps, summary.wall_seconds,
+                     summary.particle_updates_per_second);
 }
 
-int run_scene(const RunCommandOptions& options) {
-  const scene::Scene scene = load_scene(options.scene);
+template <class Scene>
+int run_one(const Scene& scene, const RunCommandOptions& options) {
   const std::string folder = options.folder.empty() ? "renders/" + scene.name : options.folder;
   ProgressLine line;
   run::RunEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
   if (!options.quiet) {
     events.progress = [&](const run::Progress& progress) { line.show(progress); };
+    events.gas_progress = [&](const run::GasProgress& progress) { line.show(progress); };
     events.message = [&](const std::string& text) { line.print(text); };
   }
   const std::atomic<int>& stop = catch_stop_signals();
   const store::RunSummary summary =
       run::run(scene, {.folder = folder, .threads = options.threads, .stop = &stop}, events);
   if (!options.quiet) {
-    print_totals(summary, folder);
+    fmt::print("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, folder);
   }
   return summary.status == "done" ? static_cast<int>(ExitCode::done)
                                   : static_cast<int>(ExitCode::signal_base) + stop;
 }
 
-}  // namespace
+int run_scene(const RunCommandOptions& options) {
+  const scene::AnyScene scene = load_any_scene(options.scene);
+  return std::visit([&](const auto& one) { return run_one(one, options); }, scene);
+}
 
-void add_run_command(CLI::App& app, int& code) {
-  CLI::App* command =
-      app.add_subcommand("run", "Run a scene: pictures, tables and numbers into a folder");
+/// As run_scene(), for scenes of the Boltzmann equation alone.
+int run_boltzmann_scene(const RunCommandOptions& options) {
+  const scene::AnyScene scene = load_any_scene(options.scene);
+  if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
+    throw scene::SceneError(fmt::format(
+        "{}: error: a scene of the automaton, which clca run takes; clca boltzmann wants a block "
+        "boltzmann in place of box to stages",
+        automaton->box.place));
+  }
+  return run_one(std::get<scene::BoltzmannScene>(scene), options);
+}
+
+void add_command(CLI::App& app, int& code, const char* name, const char* what,
+                 int (*run_it)(const RunCommandOptions&)) {
+  CLI::App* command = app.add_subcommand(name, what);
   auto options = std::make_shared<RunCommandOptions>();
   add_scene_options(*command, options->scene);
   command->add_option("-o,--output", options->folder, "Folder to write to [renders/SCENE-NAME]");
@@ -63,7 +84,18 @@ void add_run_command(CLI::App& app, int& code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
-  command->callback([options, &code] { code = run_scene(*options); });
+  command->callback([options, &code, run_it] { code = run_it(*options); });
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& code) {
+  add_command(app, code, "run", "Run a scene: pictures, tables and numbers into a folder",
+              run_scene);
+}
+
+void add_boltzmann_command(CLI::App& app, int& code) {
+  add_command(app, code, "boltzmann", "Run a scene of the Boltzmann equation", run_boltzmann_scene);
 }
 
 }  // namespace clca::cli

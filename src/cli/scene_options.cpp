@@ -15,7 +15,6 @@ namespace clca::cli {
 namespace {
 
 constexpr double kShareOfMemory = 0.8;
-constexpr double kMebibyte = 1 << 20;
 
 /// What can be had without swapping; memory that only caches files counts as free.
 double available_bytes() {

@@ -11,6 +11,9 @@
 
 namespace clca::cli {
 
+/// In which memory is told, in bytes.
+inline constexpr double kMebibyte = 1 << 20;
+
 struct SceneOptions {
   std::string file;
   std::vector<std::string> overrides;

@@ -20,6 +20,9 @@ Outputs::Outputs(const scene::Scene& scene, const automaton::State& state, bool 
 
 void Outputs::open(const store::RunFolder& folder) {
   folder_ = &folder;
+  if (pictures_) {
+    folder.make_frames();
+  }
   store::write_whole(folder.scene(), scene::to_yaml(scene_));
 }
 

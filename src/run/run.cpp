@@ -11,6 +11,7 @@
 #include "run/log.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
+#include "run/provenance.hpp"
 #include "run/records.hpp"
 #include "run/stage.hpp"
 
@@ -175,21 +176,19 @@ void Run::show_progress(const scene::Stage& stage, std::size_t number, double mo
 }
 
 store::RunSummary Run::summary(const std::string& status) const {
-  return {.kind = "automaton",
-          .version = version(),
-          .scene = scene_.name,
-          .seed = scene_.seed,
-          .threads = options_.threads,
-          .status = status,
-          .particles = automaton_.state().particles.size(),
-          .steps = automaton_.state().step,
-          .wall_seconds = wall_clock_.seconds(),
-          .step_seconds = step_clock_.seconds(),
-          .particle_updates_per_second = rate(),
-          .state_hash = automaton::hash(automaton_.state()),
-          .compiler = CLCA_COMPILER,
-          .build_type = CLCA_BUILD_TYPE,
-          .stages = stages_};
+  store::RunSummary summary = provenance();
+  summary.scene = scene_.name;
+  summary.seed = scene_.seed;
+  summary.threads = options_.threads;
+  summary.status = status;
+  summary.particles = automaton_.state().particles.size();
+  summary.steps = automaton_.state().step;
+  summary.wall_seconds = wall_clock_.seconds();
+  summary.step_seconds = step_clock_.seconds();
+  summary.particle_updates_per_second = rate();
+  summary.state_hash = automaton::hash(automaton_.state());
+  summary.stages = stages_;
+  return summary;
 }
 
 }  // namespace
@@ -197,10 +196,6 @@ store::RunSummary Run::summary(const std::string& status) const {
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
   return Run(scene, options, events).execute();
-}
-
-std::string version() {
-  return CLCA_VERSION;
 }
 
 }  // namespace clca::run

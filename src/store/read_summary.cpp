@@ -91,6 +91,7 @@ RunSummary summary_of(const Json& object) {
       .wall_seconds = number(object, "wall_seconds"),
       .step_seconds = number(object, "step_seconds"),
       .particle_updates_per_second = number(object, "particle_updates_per_second"),
+      .collisions_per_second = number(object, "collisions_per_second"),
       .state_hash = hash(object, "state_hash"),
       .compiler = text(build, "compiler"),
       .build_type = text(build, "type"),

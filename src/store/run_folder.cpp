@@ -35,10 +35,12 @@ bool is_frame(const fs::path& file) {
 }
 
 bool is_table(const fs::path& file) {
-  constexpr std::array<std::string_view, 6> kWhole = {"series.csv", "cycles.csv", "fields.csv",
-                                                      "run.json",   "scene.yaml", "log.txt"};
-  constexpr std::array<std::string_view, 6> kOfStages = {"profile-", "convection-", "contacts-",
-                                                         "forces-",  "loads-",      "walls-"};
+  constexpr std::array<std::string_view, 8> kWhole = {"series.csv",  "cycles.csv", "fields.csv",
+                                                      "closure.csv", "steady.csv", "run.json",
+                                                      "scene.yaml",  "log.txt"};
+  constexpr std::array<std::string_view, 8> kOfStages = {"profile-",   "convection-", "contacts-",
+                                                         "forces-",    "loads-",      "walls-",
+                                                         "histogram-", "fluctuation-"};
   const std::string name = file.filename().string();
   return std::find(kWhole.begin(), kWhole.end(), name) != kWhole.end() ||
          (file.extension() == ".csv" &&
@@ -63,13 +65,19 @@ void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {
 }  // namespace
 
 RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
-  const fs::path frames = path_ / "frames";
-  checked("make the folder", frames,
-          [&](std::error_code& error) { fs::create_directories(frames, error); });
+  checked("make the folder", path_,
+          [&](std::error_code& error) { fs::create_directories(path_, error); });
   if (fs::exists(summary())) {
-    remove_matching(frames, is_frame);
+    if (fs::exists(frames())) {
+      remove_matching(frames(), is_frame);
+    }
     remove_matching(path_, is_table);
   }
+}
+
+void RunFolder::make_frames() const {
+  checked("make the folder", frames(),
+          [&](std::error_code& error) { fs::create_directories(frames(), error); });
 }
 
 fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {

@@ -49,6 +49,7 @@ std::string to_json(const RunSummary& summary) {
                        {"wall_seconds", summary.wall_seconds},
                        {"step_seconds", summary.step_seconds},
                        {"particle_updates_per_second", summary.particle_updates_per_second},
+                       {"collisions_per_second", summary.collisions_per_second},
                        {"state_hash", fmt::format("{:016x}", summary.state_hash)},
                        {"build", {{"compiler", summary.compiler}, {"type", summary.build_type}}},
                        {"stages", std::move(stages)}};

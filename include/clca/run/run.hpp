@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
 
@@ -33,6 +34,19 @@ struct Progress {
   std::optional<double> seconds_left;
 };
 
+/// How a run of the Boltzmann equation is going.
+struct GasProgress {
+  std::string stage;
+  std::size_t stage_number = 0;  ///< from 1
+  std::size_t stage_count = 0;
+  double time = 0;  ///< of one gas of the ensemble
+  double until = 0;
+  std::uint64_t gases_done = 0;  ///< of this stage
+  std::uint64_t gases = 0;
+  double collisions_per_second = 0;  ///< of pairs
+  std::optional<double> seconds_left;
+};
+
 struct RunOptions {
   std::filesystem::path folder;
   int threads = 1;
@@ -45,6 +59,7 @@ struct RunOptions {
 /// All optional; called from the thread that runs.
 struct RunEvents {
   std::function<void(const Progress&)> progress = {};  ///< some ten times a second
+  std::function<void(const GasProgress&)> gas_progress = {};
   std::function<void(const std::string&)> message = {};
   std::function<void(const std::string&)> warning = {};
 };
@@ -53,6 +68,10 @@ struct RunEvents {
 /// of its own. No folder is made for a scene whose first stage
 /// cannot begin.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
+                      const RunEvents& events = {});
+
+/// As the other, for the Boltzmann equation: an ensemble for each restitution.
+store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
 /// Version of the program, as in CMakeLists.txt.

@@ -19,6 +19,8 @@ class RunFolder {
   explicit RunFolder(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
+  /// Makes the folder of pictures if need be. Throws StoreError.
+  void make_frames() const;
   std::filesystem::path frame(const std::string& scene, std::uint64_t step) const {
     return frame_path(path_, scene, step);
   }
@@ -34,6 +36,8 @@ class RunFolder {
   }
 
  private:
+  std::filesystem::path frames() const { return path_ / "frames"; }
+
   std::filesystem::path path_;
 };
 

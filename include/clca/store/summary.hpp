@@ -31,8 +31,9 @@ struct RunSummary {
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
   double wall_seconds = 0;
-  double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
-  double particle_updates_per_second = 0;
+  double step_seconds = 0;                 ///< of wall_seconds, in steps of the automaton
+  double particle_updates_per_second = 0;  ///< of the automaton
+  double collisions_per_second = 0;        ///< of the Boltzmann equation; pairs
   std::uint64_t state_hash = 0;
   std::string compiler;
   std::string build_type;

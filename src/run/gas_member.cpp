@@ -1,0 +1,120 @@
+#include "run/gas_member.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clca::run {
+
+namespace {
+
+boltzmann::Process process_of(const scene::BoltzmannScene& scene, double restitution) {
+  return {
+      .law = {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness},
+      .scheme = scene.scheme,
+      .shear_rate = scene.shear_rate};
+}
+
+class Observer {
+ public:
+  explicit Observer(const scene::BoltzmannScene& scene)
+      : bins_(bins_of(scene)), reference_(boltzmann::chi_square_shares(bins_, kGasDegrees)) {}
+
+  GasObservation operator()(const boltzmann::Gas& gas, bool in_histograms) const {
+    GasObservation observation;
+    observation.moments = boltzmann::moments(gas.motions);
+    observation.collisions = gas.collisions_per_particle();
+    boltzmann::EnergyShares shares =
+        boltzmann::energy_shares(gas.motions, observation.moments, bins_);
+    observation.dh_translational = distance(shares.translational);
+    observation.dh_rotational = distance(shares.rotational);
+    if (in_histograms) {
+      observation.shares = std::move(shares);
+    }
+    return observation;
+  }
+
+ private:
+  double distance(const std::vector<double>& shares) const {
+    return boltzmann::hellinger_distance(shares, reference_);
+  }
+
+  boltzmann::Bins bins_;
+  std::vector<double> reference_;
+};
+
+}  // namespace
+
+std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
+  std::vector<GasTime> times;
+  const auto rows = static_cast<std::uint64_t>(std::floor(scene.until / scene.series_every));
+  for (std::uint64_t row = 0; row <= rows; ++row) {
+    times.push_back({static_cast<double>(row) * scene.series_every, true, false});
+  }
+  times.push_back({scene.until, true, false});
+  for (const double time : scene.histograms) {
+    times.push_back({time, false, true});
+  }
+  std::sort(times.begin(), times.end(),
+            [](const GasTime& a, const GasTime& b) { return a.time < b.time; });
+  std::vector<GasTime> merged;
+  for (const GasTime& time : times) {
+    if (merged.empty() || merged.back().time < time.time) {
+      merged.push_back({time.time, false, false});
+    }
+    merged.back().in_series |= time.in_series;
+    merged.back().in_histograms |= time.in_histograms;
+  }
+  return merged;
+}
+
+boltzmann::Bins bins_of(const scene::BoltzmannScene& scene) {
+  if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
+    return boltzmann::Bins::uniform(uniform->width, uniform->end);
+  }
+  return boltzmann::Bins::equiprobable(std::get<scene::QuantileBins>(scene.bins).count,
+                                       kGasDegrees);
+}
+
+std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool sheared) const {
+  std::vector<GasColumn> columns = {{"t_tr", moments.translational / start.moments.translational},
+                                    {"t_rot", moments.rotational / start.moments.rotational},
+                                    {"collisions", collisions},
+                                    {"a2_tr", moments.a2_translational},
+                                    {"a2_rot", moments.a2_rotational},
+                                    {"dh_tr", dh_translational},
+                                    {"dh_rot", dh_rotational},
+                                    {"correlation", moments.correlation},
+                                    {"alignment", moments.alignment}};
+  if (sheared) {
+    columns.push_back({"p_xx", moments.p_xx});
+    columns.push_back({"p_yy", moments.p_yy});
+    columns.push_back({"p_xy", moments.p_xy});
+  }
+  return columns;
+}
+
+GasMember run_member(const scene::BoltzmannScene& scene, double restitution, std::uint64_t seed,
+                     int threads, const boltzmann::KeepsOn& keeps_on) {
+  const Observer observe(scene);
+  const boltzmann::Process process = process_of(scene, restitution);
+  boltzmann::Gas gas = boltzmann::make_gas({.particles = scene.particles,
+                                            .initial = scene.initial,
+                                            .energy_ratio = scene.energy_ratio,
+                                            .exact_moments = scene.exact_moments,
+                                            .quasi = scene.quasi},
+                                           seed);
+  GasMember member;
+  for (const GasTime& time : gas_times(scene)) {
+    boltzmann::advance(gas, process, seed, time.time, threads, keeps_on);
+    if (gas.time < time.time) {
+      break;  // stopped
+    }
+    member.observations.push_back(observe(gas, time.in_histograms));
+  }
+  member.steps = gas.step;
+  member.participations = gas.participations;
+  member.hash = boltzmann::hash(gas);
+  return member;
+}
+
+}  // namespace clca::run

@@ -1,0 +1,225 @@
+// Runs a scene of the Boltzmann equation: an ensemble of gases for each restitution.
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+
+#include "clca/run/run.hpp"
+#include "clca/scene/resolve.hpp"
+#include "clca/store/file.hpp"
+#include "random/word_hash.hpp"
+#include "run/gas_tables.hpp"
+#include "run/log.hpp"
+#include "run/meter.hpp"
+#include "run/provenance.hpp"
+
+namespace clca::run {
+
+namespace {
+
+constexpr double kLeastSeconds = 1e-9;
+
+std::string case_name(double restitution) {
+  return fmt::format("restitution-{}", restitution);
+}
+
+class GasRun {
+ public:
+  GasRun(const scene::BoltzmannScene& scene, const RunOptions& options, const RunEvents& events)
+      : scene_(scene),
+        options_(options),
+        events_(events),
+        folder_(options.folder),
+        log_(folder_.log(), events) {}
+
+  store::RunSummary execute();
+
+ private:
+  void run_cases();
+  GasCase run_case(double restitution);
+  /// True while the run goes on; shows progress from the thread that called run().
+  bool keeps_on(const boltzmann::Gas& gas, double restitution);
+  void show_progress(const boltzmann::Gas& gas, double restitution);
+  void finish_case(const GasCase& one);
+  void warn();
+  store::RunSummary summary(const std::string& status) const;
+  void write_summary(const std::string& status) const {
+    store::write_whole(folder_.summary(), store::to_json(summary(status)));
+  }
+  void note_failure() {
+    try {
+      write_summary("failed");
+    } catch (const store::StoreError& error) {
+      log_.error(error.what());
+    }
+  }
+
+  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+  /// By one collision.
+  double particles_changed() const {
+    return std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
+  }
+
+  const scene::BoltzmannScene& scene_;
+  const RunOptions& options_;
+  const RunEvents& events_;
+  store::RunFolder folder_;
+  Log log_;
+  WallClock wall_clock_;
+  Ticker ticker_{std::chrono::milliseconds(100)};
+  std::vector<GasCase> cases_;
+  std::vector<store::StageSummary> stages_;
+  std::atomic<double> collisions_ = 0;  // of finished gases
+  std::atomic<std::uint64_t> gases_done_ = 0;
+  Forecast forecast_;
+  bool complete_ = true;
+  std::uint64_t steps_ = 0;
+  random::WordHash hash_;
+};
+
+store::RunSummary GasRun::execute() {
+  write_summary("running");
+  try {
+    store::write_whole(folder_.scene(), scene::to_yaml(scene_));
+    warn();
+    run_cases();
+  } catch (const std::exception& error) {
+    log_.error(error.what());
+    note_failure();
+    throw;
+  }
+  const std::string status = complete_ ? "done" : "interrupted";
+  write_summary(status);
+  return summary(status);
+}
+
+void GasRun::warn() {
+  const auto* literal = std::get_if<boltzmann::OgawaKato>(&scene_.scheme);
+  if (literal != nullptr && literal->time_step > boltzmann::OgawaKato().time_step) {
+    log_.warning(fmt::format(
+        "{}: a time step of {} is too long for the scheme ogawa-kato: expect some {:.0f} % of heat "
+        "from nowhere until time {}; 0.025 or less is what it was made for",
+        scene_.place, literal->time_step, 100 * boltzmann::expected_heating(*literal, scene_.until),
+        scene_.until));
+  }
+}
+
+void GasRun::run_cases() {
+  for (const double restitution : scene_.restitutions) {
+    if (!complete_) {
+      break;
+    }
+    cases_.push_back(run_case(restitution));
+    finish_case(cases_.back());
+    write_tables(scene_, cases_, folder_);
+  }
+}
+
+GasCase GasRun::run_case(double restitution) {
+  GasCase one = {.restitution = restitution, .members = {}};
+  gases_done_ = 0;
+  forecast_ = Forecast();
+  one.members.resize(scene_.ensemble);
+  const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
+  const int outer = std::min(options_.threads, members);
+  const int inner = std::max(1, options_.threads / outer);
+  std::atomic<bool> failed = false;
+  std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic) num_threads(outer) default(shared)
+  for (int member = 0; member < members; ++member) {
+    if (failed || stop_asked()) {
+      continue;
+    }
+    try {
+      const auto number = static_cast<std::uint64_t>(member);
+      one.members[number] =
+          run_member(scene_, restitution, boltzmann::member_seed(scene_.seed, number), inner,
+                     [&](const boltzmann::Gas& gas) { return keeps_on(gas, restitution); });
+      collisions_ += static_cast<double>(one.members[number].participations) / particles_changed();
+      ++gases_done_;
+    } catch (...) {
+#pragma omp critical(gas_failure)
+      failure = failure ? failure : std::current_exception();
+      failed = true;
+    }
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+  return one;
+}
+
+bool GasRun::keeps_on(const boltzmann::Gas& gas, double restitution) {
+  if (omp_get_thread_num() == 0 && ticker_.due()) {
+    show_progress(gas, restitution);
+  }
+  return !stop_asked();
+}
+
+void GasRun::show_progress(const boltzmann::Gas& gas, double restitution) {
+  if (!events_.gas_progress) {
+    return;
+  }
+  const double part = gas.time / scene_.until;
+  const auto done = static_cast<double>(gases_done_);
+  const auto gases = static_cast<double>(scene_.ensemble);
+  const double at_work = std::min(static_cast<double>(options_.threads), gases - done);
+  forecast_.update((done + at_work * part) / gases);
+  const double running = at_work * static_cast<double>(gas.participations) / particles_changed();
+  events_.gas_progress({.stage = case_name(restitution),
+                        .stage_number = cases_.size() + 1,
+                        .stage_count = scene_.restitutions.size(),
+                        .time = gas.time,
+                        .until = scene_.until,
+                        .gases_done = gases_done_,
+                        .gases = scene_.ensemble,
+                        .collisions_per_second = (collisions_ + running) / wall_clock_.seconds(),
+                        .seconds_left = forecast_.seconds_left()});
+}
+
+void GasRun::finish_case(const GasCase& one) {
+  std::uint64_t steps = 0;
+  for (const GasMember& member : one.members) {
+    steps += member.steps;
+    hash_.add(member.hash);
+  }
+  steps_ += steps;
+  complete_ = one.observations() == gas_times(scene_).size();
+  const std::string ended = complete_ ? "time" : "interrupted";
+  stages_.push_back({.name = case_name(one.restitution),
+                     .steps = steps,
+                     .ended = ended,
+                     .measures = gas_measures(scene_, one)});
+  log_.info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
+                        one.restitution, one.members.size(), scene_.particles, steps, ended));
+}
+
+store::RunSummary GasRun::summary(const std::string& status) const {
+  store::RunSummary summary = provenance();
+  summary.kind = "boltzmann";
+  summary.scene = scene_.name;
+  summary.seed = scene_.seed;
+  summary.threads = options_.threads;
+  summary.status = status;
+  summary.particles = scene_.particles;
+  summary.steps = steps_;
+  summary.wall_seconds = wall_clock_.seconds();
+  summary.step_seconds = wall_clock_.seconds();
+  summary.collisions_per_second = collisions_ / std::max(wall_clock_.seconds(), kLeastSeconds);
+  summary.state_hash = hash_.value();
+  summary.stages = stages_;
+  return summary;
+}
+
+}  // namespace
+
+store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
+                      const RunEvents& events) {
+  return GasRun(scene, options, events).execute();
+}
+
+}  // namespace clca::run

@@ -1,0 +1,239 @@
+#include "run/gas_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clca/boltzmann/closure.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+namespace {
+
+using Row = std::vector<store::Cell>;
+
+/// The first cell of each row of a scene with a list of restitutions.
+Row begin_row(const scene::BoltzmannScene& scene, double restitution) {
+  return scene.lists_restitutions ? Row{restitution} : Row{};
+}
+
+std::vector<std::string> begin_columns(const scene::BoltzmannScene& scene) {
+  return scene.lists_restitutions ? std::vector<std::string>{"restitution"}
+                                  : std::vector<std::string>{};
+}
+
+void add_columns(std::vector<std::string>& columns, const std::string& name, bool with_error) {
+  columns.push_back(name);
+  if (with_error) {
+    columns.push_back(name + "_se");
+  }
+}
+
+void add_cells(Row& row, const Estimate& value, bool with_error) {
+  row.emplace_back(value.mean);
+  if (with_error) {
+    row.emplace_back(value.standard_error);
+  }
+}
+
+struct NamedEstimate {
+  const char* name;
+  Estimate value;
+};
+
+/// The columns of series.csv at one time, over the ensemble.
+std::vector<NamedEstimate> series_estimates(const GasCase& one, std::size_t place, bool sheared) {
+  std::vector<std::vector<GasColumn>> members;
+  for (const GasMember& member : one.members) {
+    members.push_back(member.observations[place].columns(member.observations.front(), sheared));
+  }
+  std::vector<NamedEstimate> estimates;
+  for (std::size_t column = 0; column < members.front().size(); ++column) {
+    std::vector<double> values;
+    for (const auto& member : members) {
+      values.push_back(member[column].value);
+    }
+    estimates.push_back({members.front()[column].name, estimate(values)});
+  }
+  return estimates;
+}
+
+std::string series_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
+  const bool errors = scene.ensemble > 1;
+  std::vector<std::string> columns = begin_columns(scene);
+  columns.emplace_back("time");
+  for (const GasColumn& column : GasObservation().columns({}, scene.shear_rate > 0)) {
+    add_columns(columns, column.name, errors);
+  }
+  store::Table table(columns);
+  const std::vector<GasTime> times = gas_times(scene);
+  for (const GasCase& one : cases) {
+    for (std::size_t i = 0; i < one.observations(); ++i) {
+      if (times[i].in_series) {
+        Row row = begin_row(scene, one.restitution);
+        row.emplace_back(times[i].time);
+        for (const NamedEstimate& entry : series_estimates(one, i, scene.shear_rate > 0)) {
+          add_cells(row, entry.value, errors);
+        }
+        table.add_row(std::move(row));
+      }
+    }
+  }
+  return table.to_csv();
+}
+
+/// Shares of one kind of energy at one time, a row for each bin.
+void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, const GasCase& one,
+                   std::size_t place, const char* energy,
+                   std::vector<double> boltzmann::EnergyShares::*kind) {
+  const boltzmann::Bins bins = bins_of(scene);
+  const std::vector<double> reference = boltzmann::chi_square_shares(bins, kGasDegrees);
+  for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+    std::vector<double> values;
+    for (const GasMember& member : one.members) {
+      values.push_back((member.observations[place].shares.*kind)[bin]);
+    }
+    const bool open = std::isinf(bins.upper(bin));
+    Row row = begin_row(scene, one.restitution);
+    row.emplace_back(energy);
+    row.emplace_back(bins.lower(bin));
+    row.emplace_back(open ? std::numeric_limits<double>::quiet_NaN() : bins.upper(bin));
+    add_cells(row, estimate(values), scene.ensemble > 1);
+    row.emplace_back(reference[bin]);
+    table.add_row(std::move(row));
+  }
+}
+
+/// None where no case has come so far.
+std::string histogram_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
+                          std::size_t place) {
+  std::vector<std::string> columns = begin_columns(scene);
+  columns.insert(columns.end(), {"energy", "lower", "upper"});
+  add_columns(columns, "share", scene.ensemble > 1);
+  columns.emplace_back("reference");
+  store::Table table(columns);
+  for (const GasCase& one : cases) {
+    if (place < one.observations()) {
+      add_histogram(table, scene, one, place, "translational",
+                    &boltzmann::EnergyShares::translational);
+      add_histogram(table, scene, one, place, "rotational", &boltzmann::EnergyShares::rotational);
+    }
+  }
+  return table.to_csv();
+}
+
+boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
+  return {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness};
+}
+
+/// Temperatures by the closed forms, relative to time 0, at the times of the series.
+std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
+  std::vector<std::string> columns = begin_columns(scene);
+  columns.insert(columns.end(), {"time", "t_tr", "t_rot"});
+  store::Table table(columns);
+  for (const GasCase& one : cases) {
+    if (one.observations() == 0) {
+      continue;
+    }
+    const boltzmann::Law law = law_of(scene, one.restitution);
+    const boltzmann::Temperatures start = {
+        1, one.members.front().observations.front().moments.rotational};
+    boltzmann::Temperatures now = start;
+    double since = 0;
+    for (const GasTime& time : gas_times(scene)) {
+      now = boltzmann::closure(law, now, time.time - since);
+      since = time.time;
+      if (time.in_series) {
+        Row row = begin_row(scene, one.restitution);
+        row.insert(row.end(), {time.time, now.translational, now.rotational / start.rotational});
+        table.add_row(std::move(row));
+      }
+    }
+  }
+  return table.to_csv();
+}
+
+/// Steady temperature and stresses of smooth spheres in shear.
+std::string shear_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
+  std::vector<std::string> columns = begin_columns(scene);
+  columns.insert(columns.end(), {"t_tr", "p_xx", "p_yy", "p_xy"});
+  store::Table table(columns);
+  for (const GasCase& one : cases) {
+    if (one.restitution < 1) {
+      const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+      Row row = begin_row(scene, one.restitution);
+      row.insert(row.end(), {flow.temperature, flow.p_xx, flow.p_yy, flow.p_xy});
+      table.add_row(std::move(row));
+    }
+  }
+  return table.to_csv();
+}
+
+}  // namespace
+
+std::size_t GasCase::observations() const {
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const GasMember& member : members) {
+    least = std::min(least, member.observations.size());
+  }
+  return members.empty() ? 0 : least;
+}
+
+Estimate estimate(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double value : values) {
+    sum += value;
+  }
+  const double mean = sum / count;
+  double squares = 0;
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean);
+  }
+  return {mean, values.size() > 1 ? std::sqrt(squares / (count * (count - 1))) : 0};
+}
+
+void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
+                  const store::RunFolder& folder) {
+  store::write_whole(folder.table("series"), series_csv(scene, cases));
+  const std::vector<GasTime> times = gas_times(scene);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const bool reached = std::any_of(cases.begin(), cases.end(),
+                                     [i](const GasCase& one) { return i < one.observations(); });
+    if (times[i].in_histograms && reached) {
+      store::write_whole(folder.table("histogram", fmt::format("{}", times[i].time)),
+                         histogram_csv(scene, cases, i));
+    }
+  }
+  const bool smooth = scene.friction == 0;
+  if (scene.shear_rate == 0) {
+    store::write_whole(folder.table("closure"), closure_csv(scene, cases));
+  } else if (smooth) {
+    store::write_whole(folder.table("steady"), shear_csv(scene, cases));
+  }
+}
+
+std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,
+                                              const GasCase& one) {
+  std::vector<store::NamedMeasure> measures = {
+      {"restitution", one.restitution},
+      {"hellinger_floor", boltzmann::hellinger_floor(bins_of(scene).count(), scene.particles)}};
+  const std::size_t reached = one.observations();
+  if (reached == 0) {
+    return measures;
+  }
+  measures.emplace_back("time", gas_times(scene)[reached - 1].time);
+  for (const NamedEstimate& entry : series_estimates(one, reached - 1, scene.shear_rate > 0)) {
+    measures.emplace_back(entry.name, entry.value.mean);
+    if (scene.ensemble > 1) {
+      measures.emplace_back(fmt::format("{}_se", entry.name), entry.value.standard_error);
+    }
+  }
+  return measures;
+}
+
+}  // namespace clca::run

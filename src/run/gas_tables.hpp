@@ -1,0 +1,39 @@
+#pragma once
+// Tables of a Boltzmann run: means over the ensemble, with standard errors where there is one.
+
+#include <vector>
+
+#include "clca/boltzmann/law.hpp"
+#include "clca/scene/boltzmann.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "run/gas_member.hpp"
+
+namespace clca::run {
+
+/// All members of the ensemble for one restitution. Where the run was stopped, what all of them
+/// have come to counts.
+struct GasCase {
+  double restitution = 1;
+  std::vector<GasMember> members;
+
+  std::size_t observations() const;
+};
+
+/// Mean over an ensemble; no error for a single run.
+struct Estimate {
+  double mean = 0;
+  double standard_error = 0;
+};
+Estimate estimate(const std::vector<double>& values);
+
+/// Writes series.csv, histogram-TIME.csv and the closed forms: closure.csv, or steady.csv in shear.
+/// Throws store::StoreError.
+void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
+                  const store::RunFolder& folder);
+
+/// The last row of the series, with what else is to be known of a case.
+std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,
+                                              const GasCase& one);
+
+}  // namespace clca::run

@@ -1,0 +1,19 @@
+#include "run/provenance.hpp"
+
+#include "clca/run/run.hpp"
+
+namespace clca::run {
+
+std::string version() {
+  return CLCA_VERSION;
+}
+
+store::RunSummary provenance() {
+  store::RunSummary summary;
+  summary.version = version();
+  summary.compiler = CLCA_COMPILER;
+  summary.build_type = CLCA_BUILD_TYPE;
+  return summary;
+}
+
+}  // namespace clca::run

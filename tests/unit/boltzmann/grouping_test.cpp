@@ -1,0 +1,84 @@
+#include "boltzmann/grouping.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace clca::boltzmann {
+namespace {
+
+std::vector<Eigen::Index> counting(Eigen::Index count) {
+  std::vector<Eigen::Index> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
+  for (const Eigen::Index particles : {2, 3, 7, 8, 9, 100, 1000, 4097}) {
+    for (const Eigen::Index size : {64, 1000}) {
+      Grouping grouping(particles, size);
+      grouping.shuffle(5, static_cast<std::uint64_t>(particles));
+      std::vector<Eigen::Index> all_now;
+      std::vector<Eigen::Index> all_then;
+      std::vector<Eigen::Index> now;
+      std::vector<Eigen::Index> then;
+      for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
+        grouping.members(group, now, then);
+        all_now.insert(all_now.end(), now.begin(), now.end());
+        all_then.insert(all_then.end(), then.begin(), then.end());
+        EXPECT_GE(now.size(), 2U);
+        std::sort(now.begin(), now.end());
+        std::sort(then.begin(), then.end());
+        EXPECT_EQ(now, then) << "a group keeps to its own places";
+      }
+      std::sort(all_now.begin(), all_now.end());
+      EXPECT_EQ(all_now, counting(particles)) << particles;
+    }
+  }
+}
+
+TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
+  constexpr Eigen::Index kParticles = 8 * 40;
+  constexpr int kSteps = 20'000;
+  Grouping grouping(kParticles, 80);  // 4 groups of 10 runs each
+  std::map<std::pair<Eigen::Index, Eigen::Index>, int> together;
+  std::vector<Eigen::Index> now;
+  std::vector<Eigen::Index> then;
+  for (int step = 0; step < kSteps; ++step) {
+    grouping.shuffle(1, static_cast<std::uint64_t>(step));
+    for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
+      grouping.members(group, now, then);
+      for (std::size_t i = 0; i < now.size(); i += 8) {
+        for (std::size_t j = 0; j < i; j += 8) {
+          ++together[{std::min(now[i], now[j]), std::max(now[i], now[j])}];
+        }
+      }
+    }
+  }
+  EXPECT_EQ(together.size(), 40U * 39U / 2U);
+  double mean = 0;
+  for (const auto& [pair, count] : together) {
+    mean += count / 780.0;
+  }
+  for (const auto& [pair, count] : together) {
+    EXPECT_NEAR(count, mean, 0.1 * mean) << pair.first << " and " << pair.second;
+  }
+}
+
+TEST(Grouping, MovesParticlesAboutWithinTheirGroup) {
+  Grouping grouping(1 << 15, 1 << 13);
+  std::vector<Eigen::Index> now;
+  std::vector<Eigen::Index> then;
+  grouping.shuffle(3, 0);
+  grouping.members(0, now, then);
+  std::size_t neighbours = 0;
+  for (std::size_t i = 1; i < then.size(); ++i) {
+    neighbours += then[i] / 8 == then[i - 1] / 8 ? 1 : 0;
+  }
+  EXPECT_LT(neighbours, then.size() / 100);
+}
+
+}  // namespace
+}  // namespace clca::boltzmann
