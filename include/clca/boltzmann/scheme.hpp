@@ -35,9 +35,9 @@ struct OgawaKato {
 ///
 /// Derived: with T = <v^2>/3, and to second order in the step, a Maxwellian gas has dT/dt = T^2
 /// C dt (1 - 1/partners) (1 - 1.749 dt T^(1/2)), where C = <gamma_a |v_a - v_b| (a^2 - b^2)> / 12 =
-/// 0.27566 at T = 1: the fast collide too seldom. One partner
-/// only does not heat. Measured with 100 000 particles and 10 partners at t = 15: 0.09 +- 0.02 for
-/// steps of 0.025, 0.19 +- 0.02 for 0.05, 0.44 +- 0.02 for 0.1 (expected: 0.098, 0.206, 0.463).
+/// 0.27566 at T = 1: the fast collide too seldom. One partner alone does not heat. Measured with
+/// 100 000 particles and 10 partners at t = 15: 0.09 +- 0.02 for steps of 0.025, 0.19 +- 0.02 for
+/// 0.05, 0.44 +- 0.02 for 0.1 (expected: 0.098, 0.206, 0.463).
 inline double expected_heating(const OgawaKato& scheme, double time) {
   constexpr double kFirstOrder = 0.27566;
   constexpr double kSecondOrder = 1.749;

@@ -111,23 +111,23 @@ TEST(OgawaKato, LeavesTheSpinsOfSmoothSpheresAlone) {
 }
 
 TEST(OgawaKato, CoolsByTheSameLawOnALattice) {
-  // Both within 4 standard deviations of a run, 0.9 % at 20 000 particles, of each other.
-  for (const int partners : {1, 10, 25}) {
+  // Both within 4 standard deviations of a run, 1.3 % at 10 000 particles, of each other.
+  for (const int partners : {10, 25}) {
     const OgawaKato independent = {.partners = partners};
     const OgawaKato lattice = {.partners = partners, .quasi = true};
-    const double expected = temperature(advanced(gas_of(20'000), kPaper, independent, 2));
-    const double found = temperature(advanced(gas_of(20'000), kPaper, lattice, 2));
-    EXPECT_NEAR(found / expected, 1, 4 * std::numbers::sqrt2 * 0.009) << partners;
+    const double expected = temperature(advanced(gas_of(10'000), kPaper, independent, 2));
+    const double found = temperature(advanced(gas_of(10'000), kPaper, lattice, 2));
+    EXPECT_NEAR(found / expected, 1, 4 * std::numbers::sqrt2 * 0.013) << partners;
   }
 }
 
 TEST(OgawaKato, HeatsWhatShouldKeepItsEnergyAsMuchAsExpected) {
-  // A run of 100 000 particles scatters by 0.007 at time 5; the expectation holds to 0.003.
+  // A run of 50 000 particles scatters by 0.010 at time 5; the expectation holds to 0.003.
   const Law elastic = {.restitution = 1};
   for (const int partners : {1, 10}) {
     const OgawaKato scheme = {.time_step = 0.1, .partners = partners};
-    const double heating = temperature(advanced(gas_of(100'000), elastic, scheme, 5)) - 1;
-    EXPECT_NEAR(heating, expected_heating(scheme, 5), 4 * 0.007 + 0.003) << partners;
+    const double heating = temperature(advanced(gas_of(50'000), elastic, scheme, 5)) - 1;
+    EXPECT_NEAR(heating, expected_heating(scheme, 5), 4 * 0.010 + 0.003) << partners;
   }
 }
 
