@@ -1,5 +1,7 @@
 #include "run/field_record.hpp"
 
+#include <limits>
+
 namespace clca::run {
 
 FieldRecord::FieldRecord(const scene::Fields& fields)
@@ -10,6 +12,7 @@ void FieldRecord::begin_stage(const std::string& stage, const automaton::State& 
   stage_ = stage;
   window_.emplace(state);
   window_begin_ = state.step;
+  fluctuations_ = {};
   fluctuation_steps_ = 0;
   steps_ = 0;
 }
@@ -36,6 +39,9 @@ void FieldRecord::end_window(const automaton::State& state) {
     }
   }
   const std::uint64_t steps = state.step - window_begin_;
+  if (steps == fields_.every) {
+    fluctuations_.add(window_->journeys(state), measure::Grid(state.lattice, fields_.cell));
+  }
   fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
   steps_ += steps;
   window_.emplace(state);
@@ -44,6 +50,21 @@ void FieldRecord::end_window(const automaton::State& state) {
 
 double FieldRecord::fluctuation_energy() const {
   return steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
+}
+
+std::string FieldRecord::fluctuation_csv() const {
+  store::Table table({"lower", "upper", "share", "share_local", "reference"});
+  const boltzmann::Bins& bins = fluctuations_.bins();
+  const std::vector<double> shares = fluctuations_.shares();
+  const std::vector<double> local = fluctuations_.local_shares();
+  const std::vector<double> reference = boltzmann::chi_square_shares(bins, 2);
+  for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+    const bool is_last = bin + 1 == bins.count();
+    table.add_row({bins.lower(bin),
+                   is_last ? std::numeric_limits<double>::quiet_NaN() : bins.upper(bin),
+                   shares[bin], local[bin], reference[bin]});
+  }
+  return table.to_csv();
 }
 
 }  // namespace clca::run

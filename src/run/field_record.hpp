@@ -1,10 +1,12 @@
 #pragma once
-// fields.csv: packing, velocity and its fluctuation on a grid, window after window.
+// fields.csv: packing, velocity and its fluctuation on a grid, window after window; and how the
+// energies of the fluctuations are distributed.
 
 #include <optional>
 #include <string>
 
 #include "clca/measure/fields.hpp"
+#include "clca/measure/fluctuation.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/table.hpp"
 
@@ -26,6 +28,11 @@ class FieldRecord {
   double fluctuation_energy() const;
   std::string to_csv() const { return table_.to_csv(); }
 
+  /// Of the whole windows of the stage; a last one cut short is not like them.
+  const measure::Fluctuations& fluctuations() const { return fluctuations_; }
+  /// Columns lower, upper (of the energy X; none for the last bin), share, share_local, reference.
+  std::string fluctuation_csv() const;
+
  private:
   void end_window(const automaton::State& state);
 
@@ -33,6 +40,7 @@ class FieldRecord {
   std::string stage_;
   store::Table table_;
   std::optional<measure::FieldWindow> window_;
+  measure::Fluctuations fluctuations_;
   std::uint64_t window_begin_ = 0;  // step
   double fluctuation_steps_ = 0;    // sum of fluctuation x steps
   std::uint64_t steps_ = 0;

@@ -78,6 +78,9 @@ void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton
   }
   if (records.fields()) {
     store::write_whole(folder_->table("fields"), records.fields()->to_csv());
+    if (records.fields()->fluctuations().samples() > 0) {
+      write("fluctuation", records.fields()->fluctuation_csv());
+    }
   }
   if (wants(scene::Measure::force) && records.forces()) {
     const auto contacts = measure::contacts(state, automaton.occupancy());

@@ -71,6 +71,22 @@ void add_convection(Results& results, const Records& records) {
   results.emplace_back("convection_circulation_right", of(&measure::Rolls::circulation_right));
 }
 
+void add_fluctuations(Results& results, const FieldRecord& fields) {
+  const measure::Fluctuations& fluctuations = fields.fluctuations();
+  const auto distance = [&](const std::vector<double>& shares) {
+    const auto reference = boltzmann::chi_square_shares(fluctuations.bins(), 2);
+    return fluctuations.samples() > 0
+               ? store::MeasureValue(boltzmann::hellinger_distance(shares, reference))
+               : store::MeasureValue();
+  };
+  results.emplace_back("fluctuation_energy", fields.fluctuation_energy());
+  results.emplace_back("fluctuation_hellinger", distance(fluctuations.shares()));
+  results.emplace_back("fluctuation_hellinger_local", distance(fluctuations.local_shares()));
+  results.emplace_back("fluctuation_samples", static_cast<double>(fluctuations.samples()));
+  results.emplace_back("fluctuation_resting_share", fluctuations.resting_share());
+  results.emplace_back("fluctuation_sparse_share", fluctuations.sparse_share());
+}
+
 }  // namespace
 
 double StageHistory::discharged_share() const {
@@ -122,7 +138,7 @@ Results stage_measures(const scene::Scene& scene, const automaton::Automaton& au
     }
   }
   if (records.fields()) {
-    results.emplace_back("fluctuation_energy", records.fields()->fluctuation_energy());
+    add_fluctuations(results, *records.fields());
   }
   return results;
 }

@@ -34,6 +34,8 @@ class FieldWindow {
   /// came or left within the window count in the packing only. In a window of no steps all
   /// velocities are 0.
   Fields fields(const automaton::State& now, double cell) const;
+  /// What the particles did if the window ends now, as Snapshot::journeys.
+  std::vector<Journey> journeys(const automaton::State& now) const { return begin_.journeys(now); }
 
  private:
   Snapshot begin_;
