@@ -2,6 +2,7 @@
 // Tables of a run, written as CSV.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,5 +26,15 @@ class Table {
   std::vector<std::string> columns_;
   std::string rows_;
 };
+
+/// A table read back: the header, and each row with one text per column.
+struct TableData {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Reads CSV as Table writes it. Throws StoreError (file.hpp) when it cannot be read, a quote is
+/// left open or a row has not one cell per column.
+TableData read_table(const std::filesystem::path& file);
 
 }  // namespace clca::store
