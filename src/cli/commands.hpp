@@ -11,6 +11,7 @@ void add_run_command(CLI::App& app, int& code);
 void add_boltzmann_command(CLI::App& app, int& code);
 void add_sweep_command(CLI::App& app, int& code);
 void add_check_command(CLI::App& app, int& code);
+void add_compare_command(CLI::App& app, int& code);
 void add_diff_command(CLI::App& app, int& code);
 
 }  // namespace clca::cli

@@ -41,6 +41,7 @@ int run_program(int argc, char** argv) {
   clca::cli::add_boltzmann_command(app, code);
   clca::cli::add_sweep_command(app, code);
   clca::cli::add_check_command(app, code);
+  clca::cli::add_compare_command(app, code);
   clca::cli::add_diff_command(app, code);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,62 @@
+// clca compare: a run of the automaton beside one of the Boltzmann equation.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "clca/compare/compare.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct CompareOptions {
+  std::string automaton;
+  std::string boltzmann;
+  std::string folder = "renders/comparison";
+  compare::Choice choice;
+};
+
+/// Runs that cannot be compared are wrong input.
+ExitCode compare_runs(const CompareOptions& options) {
+  try {
+    const compare::Comparison comparison =
+        compare::comparison(options.automaton, options.boltzmann, options.choice);
+    compare::write(comparison, options.folder);
+    fmt::print("stage {} beside time {}\n", scene::printable(comparison.stage), comparison.time);
+    for (const compare::Distance& distance : compare::distances(comparison)) {
+      fmt::print("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
+                 distance.floor);
+    }
+    fmt::print("{}\n", options.folder);
+  } catch (const compare::CompareError& error) {
+    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    return ExitCode::wrong_input;
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "Energies of an automaton run beside those of a Boltzmann run, as tables");
+  auto options = std::make_shared<CompareOptions>();
+  command->add_option("AUTOMATON", options->automaton, "Folder of a run with output.fields")
+      ->required();
+  command->add_option("BOLTZMANN", options->boltzmann, "Folder of a run with output.histograms")
+      ->required();
+  command->add_option("-o,--output", options->folder, "Folder to write to")->capture_default_str();
+  command->add_option("--stage", options->choice.stage,
+                      "Stage of the automaton [the last with a fluctuation table]");
+  command->add_option("--time", options->choice.time, "Time of the histogram [the latest]");
+  command->add_option("--restitution", options->choice.restitution,
+                      "Which one, where the Boltzmann run has several");
+  command->callback([options, &code] { code = static_cast<int>(compare_runs(*options)); });
+}
+
+}  // namespace clca::cli

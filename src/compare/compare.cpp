@@ -1,0 +1,111 @@
+#include "clca/compare/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "clca/boltzmann/distribution.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/table.hpp"
+#include "compare/read_runs.hpp"
+
+namespace clca::compare {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_of_automaton(const Distribution& distribution) {
+  return distribution.name.starts_with("automaton");
+}
+
+double noise_floor(const Distribution& of) {
+  return boltzmann::hellinger_floor(of.shares.size(), of.samples);
+}
+
+std::vector<double> equal_shares(std::size_t bins) {
+  return std::vector<double>(bins, 1 / static_cast<double>(bins));
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+  std::vector<std::string> columns = {"quantile_lower", "quantile_upper"};
+  for (const Distribution& distribution : comparison.distributions) {
+    columns.push_back(distribution.name);
+  }
+  columns.emplace_back("reference");
+  store::Table table(columns);
+  const std::vector<double> reference = equal_shares(comparison.distributions[0].shares.size());
+  const auto bins = static_cast<double>(reference.size());
+  for (std::size_t bin = 0; bin < reference.size(); ++bin) {
+    const auto place = static_cast<double>(bin);
+    std::vector<store::Cell> row = {place / bins, (place + 1) / bins};
+    for (const Distribution& distribution : comparison.distributions) {
+      row.emplace_back(distribution.shares[bin]);
+    }
+    row.emplace_back(reference[bin]);
+    table.add_row(std::move(row));
+  }
+  return table.to_csv();
+}
+
+std::string distances_csv(const Comparison& comparison) {
+  store::Table table({"name", "distance", "floor", "samples"});
+  for (const Distance& distance : distances(comparison)) {
+    table.add_row({distance.name, distance.distance, distance.floor, distance.samples});
+  }
+  return table.to_csv();
+}
+
+}  // namespace
+
+Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_run,
+                      const Choice& choice) {
+  const AutomatonSide automaton = read_automaton(automaton_run, choice);
+  const BoltzmannSide gas = read_boltzmann(boltzmann_run, choice);
+  Comparison result = {
+      .stage = automaton.stage, .time = gas.time, .distributions = automaton.distributions};
+  result.distributions.insert(result.distributions.end(), gas.distributions.begin(),
+                              gas.distributions.end());
+  const std::size_t bins = result.distributions[0].shares.size();
+  for (const Distribution& distribution : result.distributions) {
+    if (distribution.shares.size() != bins || bins == 0) {
+      throw CompareError(fmt::format(
+          "{}: the {} energy is in {} bins, that of the automaton in {} (bins: q20 in the scene)",
+          boltzmann_run.string(), distribution.name, distribution.shares.size(), bins));
+    }
+  }
+  return result;
+}
+
+std::vector<Distance> distances(const Comparison& comparison) {
+  std::vector<Distance> result;
+  for (const Distribution& one : comparison.distributions) {
+    const std::vector<double> reference = equal_shares(one.shares.size());
+    result.push_back({one.name, boltzmann::hellinger_distance(one.shares, reference),
+                      noise_floor(one), one.samples});
+  }
+  for (const Distribution& one : comparison.distributions) {
+    for (const Distribution& other : comparison.distributions) {
+      if (is_of_automaton(one) && !is_of_automaton(other)) {
+        result.push_back(
+            {one.name + ":" + other.name, boltzmann::hellinger_distance(one.shares, other.shares),
+             noise_floor(one) + noise_floor(other), std::min(one.samples, other.samples)});
+      }
+    }
+  }
+  return result;
+}
+
+void write(const Comparison& comparison, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw store::StoreError(
+        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  }
+  store::write_whole(folder / "comparison.csv", comparison_csv(comparison));
+  store::write_whole(folder / "distances.csv", distances_csv(comparison));
+}
+
+}  // namespace clca::compare

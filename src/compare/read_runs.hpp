@@ -1,0 +1,20 @@
+#pragma once
+// What each run has to say. All throw CompareError.
+
+#include "clca/compare/compare.hpp"
+
+namespace clca::compare {
+
+struct AutomatonSide {
+  std::string stage;
+  std::vector<Distribution> distributions;
+};
+AutomatonSide read_automaton(const std::filesystem::path& run, const Choice& choice);
+
+struct BoltzmannSide {
+  double time = 0;
+  std::vector<Distribution> distributions;
+};
+BoltzmannSide read_boltzmann(const std::filesystem::path& run, const Choice& choice);
+
+}  // namespace clca::compare
