@@ -25,7 +25,8 @@ double noise_floor(const Distribution& of) {
 }
 
 std::vector<double> equal_shares(std::size_t bins) {
-  return std::vector<double>(bins, 1 / static_cast<double>(bins));
+  std::vector<double> shares(bins, 1 / static_cast<double>(bins));
+  return shares;
 }
 
 std::string comparison_csv(const Comparison& comparison) {

@@ -41,13 +41,11 @@ void Reader::take(char letter) {
     }
     closed_ = quoted_;
     quoted_ = !quoted_;
-  } else if (quoted_) {
-    cell_ += letter;
-  } else if (letter == ',') {
+  } else if (letter == ',' && !quoted_) {
     end_cell();
-  } else if (letter == '\n') {
+  } else if (letter == '\n' && !quoted_) {
     end_line();
-  } else if (letter != '\r') {
+  } else if (letter != '\r' || quoted_) {
     cell_ += letter;
   }
 }
