@@ -30,7 +30,7 @@ Kind kind_of(const Value& root) {
   for (const Entry& entry : root.entries) {
     const bool in_automaton = contains(kSceneKeys, entry.key);
     const bool in_boltzmann = contains(kBoltzmannSceneKeys, entry.key);
-    if (in_automaton && !in_boltzmann) {
+    if (in_automaton && !in_boltzmann && automaton == nullptr) {
       automaton = &entry;
     } else if (in_boltzmann && !in_automaton) {
       boltzmann = &entry;

@@ -2,6 +2,7 @@
 
 #include "clca/scene/boltzmann.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,6 +86,18 @@ TEST(BoltzmannScene, TakesTheLastValuesThatAreAllowed) {
             BinsSpec(UniformBins{0.0015, 15}));
   EXPECT_EQ(gas_with("output: {series: {every: 1.5e-5}}").series_every, 1.5e-5);
   EXPECT_THAT(gas_with("output: {histograms: [15]}").histograms, ElementsAre(15));
+}
+
+TEST(BoltzmannScene, HasAtMostAThousandHistograms) {
+  std::string times = "0";
+  for (int i = 1; i < 1000; ++i) {
+    times += fmt::format(", {}", 0.01 * i);
+  }
+  EXPECT_EQ(gas_with(fmt::format("output: {{histograms: [{}]}}", times)).histograms.size(), 1000U);
+  EXPECT_THAT([&] { gas_with(fmt::format("output: {{histograms: [{}, 15]}}", times)); },
+              ThrowsMessage<SceneError>(::testing::StrEq(
+                  "folder/gas.yaml:5:22: error: output.histograms: expected 0 to 1000 items, "
+                  "found 1001")));
 }
 
 TEST(BoltzmannScene, TakesOverrides) {
