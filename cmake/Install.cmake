@@ -7,6 +7,8 @@ if(TARGET clca_program)
 endif()
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/scenes
         FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
+install(DIRECTORY plots/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/plots
+        FILES_MATCHING PATTERN "*.gp")
 
 install(TARGETS clca EXPORT clcaTargets ARCHIVE)
 install(DIRECTORY include/ TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")

@@ -13,5 +13,6 @@ void add_sweep_command(CLI::App& app, int& code);
 void add_check_command(CLI::App& app, int& code);
 void add_compare_command(CLI::App& app, int& code);
 void add_diff_command(CLI::App& app, int& code);
+void add_plot_command(CLI::App& app, int& code);
 
 }  // namespace clca::cli

@@ -54,29 +54,23 @@ void Histogram::fail(const std::string& why) const {
 }
 
 bool Histogram::has(const std::string& column) const {
-  return std::find(table_.columns.begin(), table_.columns.end(), column) != table_.columns.end();
+  return table_.find(column) != nullptr;
 }
 
-std::size_t Histogram::index(const std::string& column) const {
-  const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
-  if (found == table_.columns.end()) {
+const std::vector<std::string>& Histogram::cells(const std::string& column) const {
+  const auto* found = table_.find(column);
+  if (found == nullptr) {
     fail(fmt::format("it has no column '{}'", column));
   }
-  return static_cast<std::size_t>(found - table_.columns.begin());
+  return *found;
 }
 
 void Histogram::keep(const std::string& column, const std::string& text) {
-  const std::size_t place = index(column);
-  std::erase_if(table_.rows, [&](const auto& row) { return row[place] != text; });
-}
-
-std::vector<std::string> Histogram::texts(const std::string& column) const {
-  const std::size_t place = index(column);
-  std::vector<std::string> result;
-  for (const auto& row : table_.rows) {
-    result.push_back(row[place]);
+  const std::vector<std::string> keys = cells(column);
+  for (std::vector<std::string>& all : table_.cells) {
+    std::size_t row = 0;
+    std::erase_if(all, [&](const std::string&) { return keys[row++] != text; });
   }
-  return result;
 }
 
 std::vector<double> Histogram::numbers(const std::string& column) const {

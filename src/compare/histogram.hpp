@@ -26,7 +26,7 @@ class Histogram {
   bool has(const std::string& column) const;
   /// Keeps the rows whose `column` is `text`.
   void keep(const std::string& column, const std::string& text);
-  std::vector<std::string> texts(const std::string& column) const;
+  std::vector<std::string> texts(const std::string& column) const { return cells(column); }
   std::vector<double> numbers(const std::string& column) const;
   /// Numbers of a column that are the shares of equally probable bins: sum 1, or all 0.
   std::vector<double> shares(const std::string& column) const;
@@ -34,10 +34,10 @@ class Histogram {
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
-  std::size_t index(const std::string& column) const;
+  const std::vector<std::string>& cells(const std::string& column) const;
 
   std::filesystem::path file_;
-  store::TableData table_;
+  store::ReadTable table_;
 };
 
 }  // namespace clca::compare

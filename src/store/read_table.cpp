@@ -1,8 +1,12 @@
-// CSV back to a table.
+// CSV back to a table: strict, since the file may be cut off or somebody else's.
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
 
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
@@ -11,69 +15,113 @@ namespace clca::store {
 
 namespace {
 
-/// Splits RFC 4180 into rows of cells.
-class Reader {
+[[noreturn]] void refuse(const std::filesystem::path& file, std::size_t line,
+                         std::string_view reason) {
+  throw StoreError(fmt::format("cannot read {}: line {}: {}", file.string(), line, reason));
+}
+
+/// Takes the cells of a text one after the other.
+class CellReader {
  public:
-  void take(char letter);
-  /// Ends the last line; false when a quote is open.
-  bool finish();
-  std::vector<std::vector<std::string>>& lines() { return lines_; }
+  CellReader(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
+
+  bool at_end() const { return text_.empty(); }
+  std::size_t line() const { return line_; }
+
+  /// One row, to the end of its line.
+  std::vector<std::string> row() {
+    std::vector<std::string> cells;
+    do {
+      cells.push_back(text_.starts_with('"') ? quoted() : plain());
+    } while (takes(','));
+    if (!takes('\n')) {
+      refuse(file_, line_, at_end() ? "the file is cut off" : "a quote or carriage return");
+    }
+    ++line_;
+    return cells;
+  }
 
  private:
-  void end_cell() { line_.push_back(std::exchange(cell_, {})); }
-  void end_line() {
-    end_cell();
-    lines_.push_back(std::exchange(line_, {}));
+  bool takes(char letter) {
+    const bool found = text_.starts_with(letter);
+    text_.remove_prefix(found ? 1 : 0);
+    return found;
   }
 
-  std::vector<std::vector<std::string>> lines_;
-  std::vector<std::string> line_;
-  std::string cell_;
-  bool quoted_ = false;
-  bool closed_ = false;  // a quote ended just now: a second one stands for itself
-};
+  std::string_view taken(std::size_t count) {
+    const std::string_view front = text_.substr(0, count);
+    text_.remove_prefix(front.size());
+    return front;
+  }
 
-void Reader::take(char letter) {
-  const bool doubled = std::exchange(closed_, false) && letter == '"';
-  if (letter == '"') {
-    if (doubled) {
-      cell_ += letter;
+  std::string plain() { return std::string(taken(text_.find_first_of(",\"\r\n"))); }
+
+  std::string quoted() {
+    std::string cell;
+    takes('"');
+    while (true) {
+      const std::size_t end = text_.find('"');
+      if (end == std::string_view::npos) {
+        refuse(file_, line_, "a quote is not closed");
+      }
+      cell += taken(end);
+      takes('"');
+      if (!takes('"')) {
+        line_ += static_cast<std::size_t>(std::count(cell.begin(), cell.end(), '\n'));
+        return cell;
+      }
+      cell += '"';
     }
-    closed_ = quoted_;
-    quoted_ = !quoted_;
-  } else if (letter == ',' && !quoted_) {
-    end_cell();
-  } else if (letter == '\n' && !quoted_) {
-    end_line();
-  } else if (letter != '\r' || quoted_) {
-    cell_ += letter;
   }
-}
 
-bool Reader::finish() {
-  if (!line_.empty() || !cell_.empty()) {
-    end_line();
-  }
-  return !quoted_;
-}
+  const std::filesystem::path& file_;
+  std::string_view text_;
+  std::size_t line_ = 1;
+};
 
 }  // namespace
 
-TableData read_table(const std::filesystem::path& file) {
-  Reader reader;
-  for (const std::uint8_t byte : read_whole(file)) {
-    reader.take(static_cast<char>(byte));
+const std::vector<std::string>* ReadTable::find(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : &cells[static_cast<std::size_t>(found - names.begin())];
+}
+
+std::vector<double> ReadTable::numbers(const std::string& name) const {
+  const std::vector<std::string>* column = find(name);
+  if (column == nullptr) {
+    throw StoreError(fmt::format("cannot read {}: no column '{}'", file.string(), name));
   }
-  if (!reader.finish() || reader.lines().empty()) {
-    throw StoreError(fmt::format("cannot read {}: it is cut off or no table", file.string()));
-  }
-  TableData table = {.columns = std::move(reader.lines().front()), .rows = {}};
-  for (std::size_t line = 1; line < reader.lines().size(); ++line) {
-    if (reader.lines()[line].size() != table.columns.size()) {
-      throw StoreError(fmt::format("cannot read {}: line {} has {} cells, not {}", file.string(),
-                                   line + 1, reader.lines()[line].size(), table.columns.size()));
+  std::vector<double> values(column->size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const std::string& cell = (*column)[row];
+    const char* end = cell.data() + cell.size();
+    const auto [stop, error] = std::from_chars(cell.data(), end, values[row]);
+    if (!cell.empty() && (stop != end || error != std::errc())) {
+      refuse(file, row + 2, fmt::format("'{}' in column '{}' is no number", cell, name));
     }
-    table.rows.push_back(std::move(reader.lines()[line]));
+  }
+  return values;
+}
+
+ReadTable read_table(const std::filesystem::path& file) {
+  const auto bytes = read_whole(file);
+  CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
+  for (auto name = table.names.begin(); name != table.names.end(); ++name) {
+    if (name->empty() || std::find(table.names.begin(), name, *name) != name) {
+      refuse(file, 1, fmt::format("the name '{}' of a column is empty or there twice", *name));
+    }
+  }
+  table.cells.resize(table.names.size());
+  while (!reader.at_end()) {
+    const std::size_t line = reader.line();
+    std::vector<std::string> row = reader.row();
+    if (row.size() != table.names.size()) {
+      refuse(file, line, fmt::format("{} cells in {} columns", row.size(), table.names.size()));
+    }
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      table.cells[column].push_back(std::move(row[column]));
+    }
   }
   return table;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Tables of a run, written as CSV.
+// Tables of a run, written as CSV and read back.
 
 #include <cstdint>
 #include <filesystem>
@@ -27,14 +27,22 @@ class Table {
   std::string rows_;
 };
 
-/// A table read back: the header, and each row with one text per column.
-struct TableData {
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+/// A table read back. Cells are text as it was written, nothing where there is no value.
+struct ReadTable {
+  std::filesystem::path file;
+  std::vector<std::string> names;               ///< of the columns, all different
+  std::vector<std::vector<std::string>> cells;  ///< by column, then row
+
+  std::size_t rows() const { return cells.front().size(); }
+  /// The cells of a column; none where there is no such column.
+  const std::vector<std::string>* find(const std::string& name) const;
+  /// A column of numbers; NaN where a cell is empty. Throws StoreError where there is no such
+  /// column or a cell is no number.
+  std::vector<double> numbers(const std::string& name) const;
 };
 
-/// Reads CSV as Table writes it. Throws StoreError (file.hpp) when it cannot be read, a quote is
-/// left open or a row has not one cell per column.
-TableData read_table(const std::filesystem::path& file);
+/// Reads a table as Table writes it. Throws StoreError, with file and line, for everything else: a
+/// file that is cut off, a row that is too short or too long, a quote out of place.
+ReadTable read_table(const std::filesystem::path& file);
 
 }  // namespace clca::store

@@ -72,11 +72,11 @@ class Compare : public ::testing::Test {
 
 TEST_F(Compare, PutsBothRunsIntoOneTableByQuantile) {
   write(compared(), out());
-  const store::TableData table = store::read_table(out() / "comparison.csv");
-  EXPECT_THAT(table.columns,
+  const store::ReadTable table = store::read_table(out() / "comparison.csv");
+  EXPECT_THAT(table.names,
               ElementsAre("quantile_lower", "quantile_upper", "automaton", "automaton_local",
                           "boltzmann_translational", "boltzmann_rotational", "reference"));
-  ASSERT_EQ(table.rows.size(), 20U);
+  ASSERT_EQ(table.rows(), 20U);
   const auto last = [&](const std::string& column) {
     return testing::csv_column(out() / "comparison.csv", column).back();
   };

@@ -1,0 +1,8 @@
+# Collisions in which a particle has taken part.
+#
+# needs: series.csv: time, collisions
+# groups: restitution
+quantity = 'collisions'
+@set_time_axis
+set ylabel 'collisions per particle'
+plot @curves, @error_bars

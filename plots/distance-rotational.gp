@@ -1,0 +1,13 @@
+# How far the distribution of rotational energy is from chi-square:
+# Figs. 3 (case 1) and 6 (case 2) of Ogawa & Kato 1982.
+#
+# needs: series.csv: time, dh_rot
+# measure: hellinger_floor
+# groups: restitution
+quantity = 'dh_rot'
+@set_time_axis
+set ylabel 'Hellinger distance of rotational energy'
+set logscale y
+set format y '10^{%T}'
+plot @curves, @error_bars, \
+     hellinger_floor with lines dashtype 3 linecolor rgb theory_color title 'chance'

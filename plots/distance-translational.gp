@@ -1,0 +1,12 @@
+# How far the distribution of translational energy is from chi-square.
+#
+# needs: series.csv: time, dh_tr
+# measure: hellinger_floor
+# groups: restitution
+quantity = 'dh_tr'
+@set_time_axis
+set ylabel 'Hellinger distance of translational energy'
+set logscale y
+set format y '10^{%T}'
+plot @curves, @error_bars, \
+     hellinger_floor with lines dashtype 3 linecolor rgb theory_color title 'chance'

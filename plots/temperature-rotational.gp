@@ -1,0 +1,13 @@
+# Temperature of the rotational motion, and its closed form.
+#
+# needs: series.csv: time, t_rot
+# may use: closure.csv
+# groups: restitution
+quantity = 't_rot'
+@set_time_axis
+set ylabel 'rotational temperature / initial one'
+# Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
+if (!has('series.csv:p_xy')) {
+  set logscale y
+}
+plot @curves, @error_bars, @theory

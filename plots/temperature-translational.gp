@@ -1,0 +1,13 @@
+# Temperature of the translational motion, and its closed form.
+#
+# needs: series.csv: time, t_tr
+# may use: closure.csv
+# groups: restitution
+quantity = 't_tr'
+@set_time_axis
+set ylabel 'translational temperature / initial one'
+# Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
+if (!has('series.csv:p_xy')) {
+  set logscale y
+}
+plot @curves, @error_bars, @theory

@@ -1,0 +1,83 @@
+// clca plot: figures of a run folder.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "clca/plot/plot.hpp"
+#include "clca/store/file.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct PlotOptions {
+  std::string run;
+  std::string folder;
+  std::vector<std::string> only;
+  plot::Size size;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw store::StoreError(
+        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  }
+}
+
+void draw_all(const PlotOptions& options) {
+  const auto figures = plot::figures(options.run, options.only, plot::template_folder());
+  const std::filesystem::path folder = options.folder.empty()
+                                           ? std::filesystem::path(options.run) / "plots"
+                                           : std::filesystem::path(options.folder);
+  for (const plot::Figure& figure : figures) {
+    const auto picture = plot::draw(figure, options.size);
+    make_folder(folder);
+    const std::filesystem::path file = folder / (figure.name + ".png");
+    store::write_whole(file, picture);
+    fmt::print("{}\n", file.string());
+  }
+}
+
+ExitCode plot_or_complain(const PlotOptions& options) {
+  try {
+    draw_all(options);
+    return ExitCode::done;
+  } catch (const plot::InputError& error) {
+    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    return ExitCode::wrong_input;
+  }
+}
+
+}  // namespace
+
+void add_plot_command(CLI::App& app, int& code) {
+  CLI::App* command =
+      app.add_subcommand("plot", "Draw figures of the tables in a run folder, with gnuplot");
+  auto options = std::make_shared<PlotOptions>();
+  const CLI::Range pixels(100, 10'000);
+  command->add_option("DIR", options->run, "Folder that a run has left")->required();
+  command->add_option("-o,--output", options->folder, "Folder to write to [DIR/plots]");
+  command->add_option("--only", options->only, "Draw only these figures")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--width", options->size.width, "Pixels")
+      ->check(pixels)
+      ->capture_default_str();
+  command->add_option("--height", options->size.height, "Pixels")
+      ->check(pixels)
+      ->capture_default_str();
+  command->callback([options, &code] { code = static_cast<int>(plot_or_complain(*options)); });
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "clca/plot/plot.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/template.hpp"
+
+namespace clca::plot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_png(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  return bytes.size() > kSignature.size() &&
+         std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
+}
+
+}  // namespace
+
+fs::path template_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const std::array candidates = {
+      (program.parent_path() / CLCA_PLOTS_FROM_PROGRAM).lexically_normal(),
+      fs::path(CLCA_PLOTS_IN_SOURCE)};
+  for (const fs::path& folder : candidates) {
+    if (fs::exists(folder / kStyleFile, error)) {
+      return folder;
+    }
+  }
+  throw PlotError(fmt::format("no templates of figures, neither in {} nor in {}",
+                              candidates[0].string(), candidates[1].string()));
+}
+
+std::vector<std::uint8_t> draw(const Figure& figure, const Size& size) {
+  const std::string commands =
+      fmt::format("{} width = {}; height = {}", figure.setting, size.width, size.height);
+  try {
+    std::vector<std::uint8_t> bytes =
+        gnuplot(figure.run, commands, {figure.script.parent_path() / kStyleFile, figure.script});
+    if (!is_png(bytes)) {
+      throw PlotError("gnuplot leaves no picture");
+    }
+    return bytes;
+  } catch (const PlotError& error) {
+    throw PlotError(fmt::format("{}: {}", figure.name, error.what()));
+  }
+}
+
+}  // namespace clca::plot

@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "clca/plot/plot.hpp"
+#include "clca/store/file.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/run_tables.hpp"
+#include "plot/template.hpp"
+
+namespace clca::plot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `array NAME[2] = ['a', 'b'];`
+std::string array_text(const std::string& name, const std::vector<std::string>& values) {
+  std::string list;
+  for (const std::string& value : values) {
+    list += (list.empty() ? "" : ", ") + literal(value);
+  }
+  return fmt::format("array {}[{}] = [{}];", name, values.size(), list);
+}
+
+/// What a figure is drawn from.
+struct Content {
+  std::vector<TableFile> files;
+  std::vector<std::string> groups;
+};
+
+/// The values of a column in the order in which they come; one without a name where there is no
+/// such column.
+std::vector<std::string> group_names(RunTables& tables, const std::vector<TableFile>& files,
+                                     const std::string& column) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const TableFile& file : files) {
+    const std::vector<std::string>* cells = tables.read(file.name).find(column);
+    for (std::size_t row = 0; cells != nullptr && row < cells->size(); ++row) {
+      const std::string& name = (*cells)[row];
+      if (!is_label(name)) {
+        throw store::StoreError(fmt::format("cannot read {}: line {}: column '{}' holds no name",
+                                            tables.read(file.name).file.string(), row + 2, column));
+      }
+      if (known.insert(name).second) {
+        names.push_back(name);
+      }
+    }
+  }
+  return names.empty() ? std::vector<std::string>{""} : names;
+}
+
+/// |TABLE:COLUMN| for each column that says something: what has() of the style looks into.
+std::string known_columns(RunTables& tables, const Template& one) {
+  std::vector<std::string> patterns = one.may_use;
+  for (const Need& need : one.needs) {
+    patterns.push_back(need.table);
+  }
+  std::set<std::string> known;
+  for (const std::string& pattern : patterns) {
+    for (const TableFile& file : tables.files(pattern)) {
+      const store::ReadTable& table = tables.read(file.name);
+      for (const std::string& column : table.names) {
+        if (says_something(table, column, {})) {
+          known.insert(pattern + ":" + column);
+        }
+      }
+    }
+  }
+  std::string text = "|";
+  for (const std::string& column : known) {
+    text += column + "|";
+  }
+  return text;
+}
+
+/// Of the last stage that has it.
+std::string measure_text(const store::RunSummary& summary, const std::string& name) {
+  std::string value = "NaN";
+  for (const store::StageSummary& stage : summary.stages) {
+    for (const auto& [measure, what] : stage.measures) {
+      if (const auto* number = std::get_if<double>(&what); number != nullptr && measure == name) {
+        value = fmt::format("{:.17e}", *number);
+      }
+    }
+  }
+  return fmt::format("{} = {};", name, value);
+}
+
+std::string setting_text(RunTables& tables, const Template& one, const Content& content) {
+  std::vector<std::string> files;
+  std::vector<std::string> labels;
+  for (const TableFile& file : content.files) {
+    files.push_back(file.name);
+    labels.push_back(file.label);
+  }
+  std::string text = array_text("files", files) + array_text("labels", labels) +
+                     array_text("groups", content.groups);
+  text += fmt::format("group_column = {};", literal(one.groups));
+  text += fmt::format("known_columns = {};", literal(known_columns(tables, one)));
+  text += fmt::format("scene = {};", literal(tables.summary().scene));
+  for (const std::string& measure : one.measures) {
+    text += measure_text(tables.summary(), measure);
+  }
+  return text;
+}
+
+std::vector<Content> divided(const Content& whole, Division division) {
+  std::vector<Content> parts;
+  if (division == Division::by_group) {
+    for (const std::string& group : whole.groups) {
+      parts.push_back({whole.files, {group}});
+    }
+  } else if (division == Division::by_file) {
+    for (const TableFile& file : whole.files) {
+      parts.push_back({{file}, whole.groups});
+    }
+  } else {
+    parts.push_back(whole);
+  }
+  return parts;
+}
+
+std::string figure_name(const Template& one, const Content& part) {
+  const std::string label = one.division == Division::by_group  ? part.groups.front()
+                            : one.division == Division::by_file ? part.files.front().label
+                                                                : std::string();
+  return label.empty() ? one.name : one.name + "-" + label;
+}
+
+/// Empty where the tables lack something that is needed.
+std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
+  for (const Need& need : one.needs) {
+    if (tables.files(need).empty()) {
+      return {};
+    }
+  }
+  Content whole = {.files = tables.files(one.needs.front()), .groups = {}};
+  whole.groups = group_names(tables, whole.files, one.groups);
+  std::vector<Figure> result;
+  for (const Content& part : divided(whole, one.division)) {
+    result.push_back({.name = figure_name(one, part),
+                      .script = one.file,
+                      .run = tables.run(),
+                      .setting = setting_text(tables, one, part)});
+  }
+  return result;
+}
+
+/// Why there is no figure of that name, in words.
+std::string reason(const std::vector<Template>& templates, const std::vector<Figure>& possible,
+                   const std::string& name) {
+  const auto one = std::find_if(templates.begin(), templates.end(),
+                                [&](const Template& any) { return any.name == name; });
+  if (one != templates.end()) {
+    std::string needs;
+    for (const Need& need : one->needs) {
+      needs += (needs.empty() ? "" : "; ") + to_text(need);
+    }
+    return fmt::format("the tables do not allow the figure '{}', which needs {}", name, needs);
+  }
+  std::string names;
+  for (const Figure& figure : possible) {
+    names += (names.empty() ? "" : ", ") + figure.name;
+  }
+  return fmt::format("no figure '{}' (there are: {})", name, names);
+}
+
+bool is_named(const Figure& figure, const std::string& name) {
+  return figure.name == name || figure.script.stem() == name;
+}
+
+std::vector<Figure> chosen(const std::vector<Figure>& possible,
+                           const std::vector<std::string>& only) {
+  std::vector<Figure> result;
+  std::copy_if(possible.begin(), possible.end(), std::back_inserter(result), [&](const auto& one) {
+    return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& name) {
+             return is_named(one, name);
+           });
+  });
+  return result;
+}
+
+std::vector<Figure> possible_figures(const fs::path& run, const std::vector<Template>& templates) {
+  try {
+    RunTables tables(run);
+    std::vector<Figure> all;
+    for (const Template& one : templates) {
+      const std::vector<Figure> more = figures_of(tables, one);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+  } catch (const store::StoreError& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>& only,
+                            const fs::path& templates) {
+  const std::vector<Template> known = read_templates(templates);
+  const std::vector<Figure> possible = possible_figures(run, known);
+  if (possible.empty()) {
+    throw InputError(fmt::format("{}: no tables that a figure could be drawn from", run.string()));
+  }
+  for (const std::string& name : only) {
+    if (std::none_of(possible.begin(), possible.end(),
+                     [&](const Figure& figure) { return is_named(figure, name); })) {
+      throw InputError(fmt::format("{}: {}", run.string(), reason(known, possible, name)));
+    }
+  }
+  return chosen(possible, only);
+}
+
+}  // namespace clca::plot

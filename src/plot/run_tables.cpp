@@ -1,0 +1,117 @@
+#include "plot/run_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <tuple>
+
+#include "clca/store/file.hpp"
+
+namespace clca::plot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> file_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    names.push_back(it->path().filename().string());
+  }
+  if (error) {
+    throw store::StoreError(
+        fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
+  }
+  return names;
+}
+
+/// Stages as they come in the run, times as they ascend, all else by the alphabet.
+auto order(const store::RunSummary& summary, const std::string& label) {
+  const auto stage = std::find_if(summary.stages.begin(), summary.stages.end(),
+                                  [&](const auto& one) { return one.name == label; });
+  double number = 0;
+  std::from_chars(label.data(), label.data() + label.size(), number);
+  return std::tuple(stage - summary.stages.begin(), number, label);
+}
+
+bool is_row(const store::ReadTable& table, std::size_t row, const Need& need) {
+  return std::all_of(need.rows.begin(), need.rows.end(), [&](const auto& wanted) {
+    const std::vector<std::string>* cells = table.find(wanted.first);
+    return cells != nullptr && (*cells)[row] == wanted.second;
+  });
+}
+
+}  // namespace
+
+bool is_label(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char letter) {
+    return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+           (letter >= 'A' && letter <= 'Z') ||
+           std::string_view("_-+.").find(static_cast<char>(letter)) != std::string_view::npos;
+  });
+}
+
+bool says_something(const store::ReadTable& table, const std::string& column, const Need& need) {
+  const std::vector<std::string>* cells = table.find(column);
+  for (std::size_t row = 0; cells != nullptr && row < cells->size(); ++row) {
+    const std::string& cell = (*cells)[row];
+    if (!cell.empty() && cell != "0" && is_row(table, row, need)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+RunTables::RunTables(const fs::path& run)
+    : run_(run), summary_(store::read_summary(run / "run.json")), names_(file_names(run)) {}
+
+std::vector<TableFile> RunTables::files(const std::string& table) const {
+  const std::size_t star = table.find('*');
+  if (star == std::string::npos) {
+    const bool there = std::find(names_.begin(), names_.end(), table) != names_.end();
+    return there ? std::vector{TableFile{table, ""}} : std::vector<TableFile>();
+  }
+  const std::string begin = table.substr(0, star);
+  const std::string end = table.substr(star + 1);
+  std::vector<TableFile> found;
+  for (const std::string& name : names_) {
+    if (name.size() > begin.size() + end.size() && name.starts_with(begin) && name.ends_with(end)) {
+      std::string label = name.substr(begin.size(), name.size() - begin.size() - end.size());
+      if (is_label(label)) {
+        found.push_back({name, std::move(label)});
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), [&](const TableFile& a, const TableFile& b) {
+    return order(summary_, a.label) < order(summary_, b.label);
+  });
+  return found;
+}
+
+std::vector<TableFile> RunTables::files(const Need& need) {
+  std::vector<TableFile> found = files(need.table);
+  std::erase_if(found, [&](const TableFile& file) { return !satisfies(file.name, need); });
+  return found;
+}
+
+const store::ReadTable& RunTables::read(const std::string& file) {
+  const auto found = tables_.find(file);
+  return found != tables_.end()
+             ? found->second
+             : tables_.emplace(file, store::read_table(run_ / file)).first->second;
+}
+
+bool RunTables::satisfies(const std::string& file, const Need& need) {
+  const store::ReadTable& table = read(file);
+  return std::all_of(need.columns.begin(), need.columns.end(), [&](const std::string& column) {
+    if (table.find(column) != nullptr) {
+      table.numbers(column);  // complains where gnuplot would leave out
+    }
+    return says_something(table, column, need);
+  });
+}
+
+}  // namespace clca::plot

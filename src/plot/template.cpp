@@ -1,0 +1,117 @@
+#include "plot/template.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+#include "clca/plot/plot.hpp"
+#include "clca/store/file.hpp"
+
+namespace clca::plot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Text before and after the first `mark`; after is empty where there is none.
+std::pair<std::string, std::string> halves(const std::string& text, char mark) {
+  const std::size_t place = text.find(mark);
+  return {trimmed(text.substr(0, place)),
+          place == std::string::npos ? std::string() : trimmed(text.substr(place + 1))};
+}
+
+Need to_need(const std::string& text) {
+  const auto [table, columns] = halves(text, ':');
+  Need need = {.table = table, .columns = {}, .rows = {}};
+  std::stringstream stream(columns);
+  for (std::string item; std::getline(stream, item, ',');) {
+    const auto [column, value] = halves(item, '=');
+    if (value.empty()) {
+      need.columns.push_back(column);
+    } else {
+      need.rows.emplace_back(column, value);
+    }
+  }
+  return need;
+}
+
+Division to_division(const std::string& text) {
+  if (text != "group" && text != "file") {
+    throw PlotError(fmt::format("one figure for each: group or file, not '{}'", text));
+  }
+  return text == "group" ? Division::by_group : Division::by_file;
+}
+
+void read_line(Template& result, const std::string& line) {
+  const auto [key, value] = halves(line.substr(1), ':');
+  if (key == "needs") {
+    result.needs.push_back(to_need(value));
+  } else if (key == "may use") {
+    result.may_use.push_back(value);
+  } else if (key == "groups") {
+    result.groups = value;
+  } else if (key == "one figure for each") {
+    result.division = to_division(value);
+  } else if (key == "measure") {
+    result.measures.push_back(value);
+  }
+}
+
+Template read_template(const fs::path& file) {
+  Template result;
+  result.file = file;
+  result.name = file.stem().string();
+  const auto bytes = store::read_whole(file);
+  std::stringstream text(std::string(bytes.begin(), bytes.end()));
+  for (std::string line; std::getline(text, line) && line.starts_with('#');) {
+    read_line(result, line);
+  }
+  if (result.needs.empty() || result.needs.front().columns.empty()) {
+    throw PlotError("it does not say which columns it needs");
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Template> read_templates(const fs::path& folder) {
+  std::vector<Template> templates;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != ".gp" || it->path().filename() == kStyleFile) {
+      continue;
+    }
+    try {
+      templates.push_back(read_template(it->path()));
+    } catch (const std::runtime_error& unsound) {
+      throw PlotError(fmt::format("{}: {}", it->path().string(), unsound.what()));
+    }
+  }
+  if (error) {
+    throw PlotError(fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
+  }
+  std::sort(templates.begin(), templates.end(),
+            [](const Template& a, const Template& b) { return a.name < b.name; });
+  return templates;
+}
+
+std::string to_text(const Need& need) {
+  std::string text;
+  for (const auto& [column, value] : need.rows) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", column, value);
+  }
+  for (const std::string& column : need.columns) {
+    text += (text.empty() ? "" : ", ") + column;
+  }
+  return need.table + ": " + text;
+}
+
+}  // namespace clca::plot
