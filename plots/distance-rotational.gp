@@ -7,7 +7,9 @@
 quantity = 'dh_rot'
 @set_time_axis
 set ylabel 'Hellinger distance of rotational energy'
+is_logarithmic = 1
 set logscale y
 set format y '10^{%T}'
 plot @curves, @error_bars, \
-     hellinger_floor with lines dashtype 3 linecolor rgb theory_color title 'chance'
+     for [i = 1:(hellinger_floor > 0)] hellinger_floor \
+         with lines linewidth 1.5 dashtype 3 linecolor rgb theory_color title 'chance'

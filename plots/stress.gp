@@ -14,8 +14,9 @@ set key enhanced
 plot for [i = 1:3] 'series.csv' using (of_group(1, column('time'))):(column(parts[i])) \
          with lines linewidth 2 linecolor rgb color(i, 3) title names[i], \
      for [i = 1:bars] 'series.csv' every rows_per_bar \
-         using (of_group(1, column('time'))):(column(parts[i])):(column(parts[i] . '_se')) \
-         with yerrorbars pointtype 7 pointsize 0.4 linecolor rgb color(i, 3) notitle, \
+         using (of_group(1, column('time'))):(foot(column(parts[i]), column(parts[i] . '_se'))): \
+               (0):(rise(column(parts[i]), column(parts[i] . '_se'))) \
+         @bar_style linecolor rgb color(i, 3) notitle, \
      for [i = 1:theories] 'closure.csv' \
          using (of_group(1, column('time'))):(column(parts[i])) \
          with lines linewidth 1.5 dashtype 2 linecolor rgb color(i, 3) notitle, \

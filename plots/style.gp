@@ -16,9 +16,9 @@ set datafile missing NaN
 
 set border 3 linecolor '#404040'
 set tics out nomirror
-set grid linecolor '#e4e4e4' linewidth 1
-set key outside right top vertical Left reverse noenhanced samplen 2 spacing 1.25 width 1
-set bars 0.5
+set grid linetype 1 linecolor '#dcdcdc' linewidth 1
+set autoscale xfix
+set key outside right top vertical Left reverse noenhanced samplen 2.5 spacing 1.25 width 1
 set title scene noenhanced offset 0, -0.3
 
 # Okabe & Ito 2008: told apart by colour-blind people too. Where there are more curves, they have
@@ -45,13 +45,20 @@ curves = "for [g = 1:|groups|] 'series.csv' \
     using (of_group(g, column('time'))):(column(quantity)) \
     with lines linewidth 2 linecolor rgb color(g, |groups|) title restitution_title(g)"
 
-# Their standard errors; not at every row where that would be a smear.
+# Their standard errors; not at every row where that would be a smear. Drawn as arrows, since error
+# bars of cairo clear a box around each point. A bar that a logarithmic axis cannot show down to its
+# end begins at the point.
 stats files[1] using 0 nooutput
 rows_per_bar = ceil(STATS_records / (30.0 * |groups|))
+is_logarithmic = 0
+foot(y, error) = is_logarithmic && y <= error ? y : y - error
+rise(y, error) = y + error - foot(y, error)
+bar_style = "with vectors heads size graph 0.004, 90 linewidth 1"
 bar_groups(name) = has('series.csv:' . name . '_se') ? |groups| : 0
 error_bars = "for [g = 1:bar_groups(quantity)] 'series.csv' every rows_per_bar \
-    using (of_group(g, column('time'))):(column(quantity)):(column(quantity . '_se')) \
-    with yerrorbars pointtype 7 pointsize 0.4 linecolor rgb color(g, |groups|) notitle"
+    using (of_group(g, column('time'))):(foot(column(quantity), column(quantity . '_se'))): \
+          (0):(rise(column(quantity), column(quantity . '_se'))) \
+    @bar_style linecolor rgb color(g, |groups|) notitle"
 
 # Their closed forms, dashed.
 theory_groups(name) = has('closure.csv:' . name) ? |groups| : 0

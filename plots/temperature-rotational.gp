@@ -8,6 +8,7 @@ quantity = 't_rot'
 set ylabel 'rotational temperature / initial one'
 # Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
 if (!has('series.csv:p_xy')) {
+  is_logarithmic = 1
   set logscale y
 }
 plot @curves, @error_bars, @theory

@@ -1,0 +1,8 @@
+# Slope of the surface by cycle of shaking.
+#
+# needs: cycles.csv: cycle, repose_angle_deg
+# groups: stage
+set xlabel 'cycle'
+set ylabel 'slope, degrees'
+plot for [g = 1:|groups|] 'cycles.csv' using (of_group(g, column('cycle'))):(column('repose_angle_deg')) \
+         with points pointtype 7 pointsize 0.5 linecolor rgb color(g, |groups|) title groups[g]
