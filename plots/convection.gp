@@ -1,5 +1,5 @@
-# Mean drift in a cycle of shaking, as arrows: of mean length 0.7 times the width of a cell, so that
-# the fast ones at the surface do not make the others vanish.
+# Mean drift in a cycle of shaking, as arrows: of mean length 0.7 times the width of a cell, and none
+# longer than 1.3 times it, so that the fast ones at the surface do not hide the others.
 #
 # needs: convection-*.csv: x, y, dx, dy
 # one figure for each: file
@@ -10,7 +10,10 @@ pitch(x) = x > before && (cell == 0 || x - before < cell) ? x - before : cell
 seen(x) = (cell = pitch(x), before = x)
 stats files[1] using (drift(0)):(seen(column('x'))) nooutput
 longest = STATS_max_x
-k = 0.7 * cell / STATS_mean_x
+mean = STATS_mean_x
+length(d) = d / mean < 1.3 / 0.7 ? 0.7 * cell / mean : 1.3 * cell / d  # spacings per drift
+dx(x) = length(drift(0)) * column('dx')
+dy(x) = length(drift(0)) * column('dy')
 set title scene . ', ' . labels[1] . sprintf(' (longest: %.2g spacings per cycle)', longest)
 unset key
 set xlabel 'x, lattice spacings'
@@ -18,6 +21,9 @@ set ylabel 'y, lattice spacings'
 set size ratio -1
 set autoscale fix
 set offsets cell, cell, cell, cell
-plot files[1] using (column('x') - k / 2 * column('dx')):(column('y') - k / 2 * column('dy')): \
-         (k * column('dx')):(k * column('dy')) \
+stats files[1] using (column('x')) nooutput
+if (STATS_max < 150) {
+  set xtics 20
+}
+plot files[1] using (column('x') - dx(0) / 2):(column('y') - dy(0) / 2):(dx(0)):(dy(0)) \
          with vectors filled head size graph 0.012, 20 linewidth 1.5 linecolor rgb color(1, 1)

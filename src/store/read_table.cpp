@@ -35,7 +35,10 @@ class CellReader {
       cells.push_back(text_.starts_with('"') ? quoted() : plain());
     } while (takes(','));
     if (!takes('\n')) {
-      refuse(file_, line_, at_end() ? "the file is cut off" : "a quote or carriage return");
+      refuse(file_, line_,
+             at_end()                           ? "the file is cut off"
+             : text_.find_first_of("\"\r") == 0 ? "a quote or carriage return out of place"
+                                                : "a character after a closing quote");
     }
     ++line_;
     return cells;

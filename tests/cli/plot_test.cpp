@@ -1,0 +1,184 @@
+// clca plot as a user meets it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "clca/render/png.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+#include "support/program.hpp"
+#include "support/runs.hpp"
+
+namespace clca {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// What a run of the Boltzmann equation leaves, small.
+void write_gas(const fs::path& run, const std::string& scene) {
+  fs::create_directories(run);
+  store::RunSummary summary;
+  summary.kind = "boltzmann";
+  summary.scene = scene;
+  store::write_whole(run / "run.json", store::to_json(summary));
+  store::write_whole(run / "series.csv",
+                     "restitution,time,t_tr,t_tr_se,t_rot,collisions,dh_rot\n"
+                     "0.5,0,1,0,1,0,0.001\n0.5,1,0.5,0.01,0.7,2,0.01\n"
+                     "0.9,0,1,0,1,0,0.001\n0.9,1,0.9,0.02,0.8,2.2,0.004\n");
+  store::write_whole(run / "closure.csv",
+                     "restitution,time,t_tr,t_rot\n0.5,0,1,1\n0.5,1,0.4,0.6\n0.9,1,0.8,0.7\n");
+  store::write_whole(run / "histogram-0.csv",
+                     "restitution,energy,lower,upper,share,reference\n"
+                     "0.5,rotational,0,2,0.5,0.4\n0.5,rotational,2,4,0.4,0.4\n"
+                     "0.5,rotational,4,,0.1,0.2\n0.9,rotational,0,2,0.6,0.4\n"
+                     "0.9,rotational,2,4,0,0.4\n0.9,rotational,4,,0.4,0.2\n");
+}
+
+class PlotCommandTest : public ::testing::Test {
+ protected:
+  testing::ProgramResult plot(std::vector<std::string> arguments,
+                              testing::ProgramSetting setting = {}) const {
+    arguments.insert(arguments.begin(), "plot");
+    setting.folder = folder_.path().string();
+    return testing::run_program(arguments, setting);
+  }
+  std::vector<std::uint8_t> bytes(const fs::path& file) const {
+    return store::read_whole(folder_.path() / file);
+  }
+  void expect_picture(const fs::path& file, int width, int height) const {
+    const render::Image image = render::decode_png(bytes(file)).image;
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const render::Rgb color = image.at(x, y);
+        colors.insert({color.red, color.green, color.blue});
+      }
+    }
+    EXPECT_GT(colors.size(), 20U) << file << " is blank";
+  }
+  void expect_refused(const testing::ProgramResult& result, int code,
+                      const ::testing::Matcher<std::string>& message) const {
+    EXPECT_EQ(result.code, code);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, message);
+    EXPECT_EQ(result.out, "");
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(PlotCommandTest, DrawsTheFiguresThatTheTablesAllow) {
+  write_gas(folder_.path() / "gas", "gas");
+  const auto result = plot({"gas", "--width", "640", "--height", "400"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  std::string expected;
+  for (const char* name :
+       {"collisions", "distance-rotational", "energy-rotational-0.5", "energy-rotational-0.9",
+        "temperature-ratio", "temperature-rotational", "temperature-translational"}) {
+    const std::string file = std::string("gas/plots/") + name + ".png";
+    expected += file + "\n";
+    expect_picture(file, 640, 400);
+  }
+  EXPECT_EQ(result.out, expected);
+}
+
+TEST_F(PlotCommandTest, DrawsARunOfTheAutomaton) {
+  std::ofstream(folder_.path() / "small.yaml") << R"(clca: 1
+box: {width: 60, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+walls:
+  gate: {box: [30, 0, 31, 60]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 60], counts: {small: 30}}
+  - name: flow
+    remove: [gate]
+output:
+  series: {every: 1}
+)";
+  ASSERT_EQ(
+      testing::run_program({"run", "small.yaml", "-o", "run"}, {.folder = folder_.path().string()})
+          .code,
+      0);
+  EXPECT_EQ(plot({"run"}).out, "run/plots/motion.png\nrun/plots/profile.png\n");
+  expect_picture("run/plots/profile.png", 960, 600);
+}
+
+TEST_F(PlotCommandTest, TheSameTablesGiveTheSameBytes) {
+  write_gas(folder_.path() / "gas", "gas");
+  plot({"gas", "-o", "a", "--only", "energy-rotational"});
+  plot({"gas", "-o", "b", "--only", "energy-rotational"});
+  for (const char* name : {"energy-rotational-0.5.png", "energy-rotational-0.9.png"}) {
+    EXPECT_EQ(bytes(fs::path("a") / name), bytes(fs::path("b") / name));
+  }
+}
+
+TEST_F(PlotCommandTest, NamesOfFoldersAndScenesMayHoldAnySign) {
+  const std::string odd = "it's \"odd\" \\ `touch bad` $(touch bad) @x %d {a}^2 é\n;";
+  write_gas(folder_.path() / odd, "the " + odd);
+  const auto result = plot({odd, "--only", "collisions", "-o", odd + "/out"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  expect_picture(odd + "/out/collisions.png", 960, 600);
+  EXPECT_FALSE(fs::exists(folder_.path() / "bad"));
+  EXPECT_FALSE(fs::exists(folder_.path() / odd / "bad"));
+}
+
+TEST_F(PlotCommandTest, WithoutGnuplotItSaysWhatToInstall) {
+  write_gas(folder_.path() / "gas", "gas");
+  for (const char* path : {"", "/nonexistent", "."}) {
+    expect_refused(plot({"gas"}, {.environment = {{"PATH", path}}}), 1,
+                   StartsWith("clca: error: collisions: gnuplot not found; install gnuplot-nox"));
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "gas/plots"));
+}
+
+TEST_F(PlotCommandTest, WhenGnuplotFailsItsComplaintIsPassedOnAndNothingIsWritten) {
+  write_gas(folder_.path() / "gas", "gas");
+  fs::create_directories(folder_.path() / "bin");
+  const auto expect = [&](const std::string& program, const std::string& message) {
+    const fs::path file = folder_.path() / "bin/gnuplot";
+    std::ofstream(file) << "#!/bin/sh\n" << program;
+    fs::permissions(file, fs::perms::owner_all);
+    expect_refused(plot({"gas"}, {.environment = {{"PATH", file.parent_path().string()}}}), 1,
+                   HasSubstr(message));
+    EXPECT_FALSE(fs::exists(folder_.path() / "gas/plots"));
+  };
+  expect("echo >&2\necho 'plot x(' >&2\necho '\"a.gp\" line 3: no x' >&2\nexit 1\n",
+         "collisions: gnuplot fails with exit code 1: \"a.gp\" line 3: no x");
+  expect("echo 'no such library' >&2\nexit 127\n", "exit code 127: no such library");
+  expect("kill -9 $$\n", "exit code 137");
+  expect("exit 0\n", "gnuplot leaves no picture");
+}
+
+TEST_F(PlotCommandTest, WrongFoldersTablesAndNamesAreOneLineAndExitCodeTwo) {
+  expect_refused(plot({"none"}), 2, HasSubstr("none/run.json: No such file"));
+  fs::create_directories(folder_.path() / "empty");
+  store::write_whole(folder_.path() / "empty/run.json", store::to_json({}));
+  expect_refused(plot({"empty"}), 2, HasSubstr("empty: no tables that a figure could be drawn"));
+  write_gas(folder_.path() / "gas", "gas");
+  expect_refused(plot({"gas", "--only", "moon"}), 2, HasSubstr("no figure 'moon' (there are: c"));
+  expect_refused(plot({"gas", "--only", "stress"}), 2, HasSubstr("needs series.csv: time, p_xx"));
+  expect_refused(plot({"gas", "--width", "5"}), 2, HasSubstr("--width"));
+  store::write_whole(folder_.path() / "gas/closure.csv", "time,t_tr\n0,1,2\n");
+  expect_refused(plot({"gas"}), 2, HasSubstr("closure.csv: line 2: 3 cells in 2 columns"));
+}
+
+TEST_F(PlotCommandTest, AFolderThatCannotBeWrittenIsOneLineAndExitCodeOne) {
+  write_gas(folder_.path() / "gas", "gas");
+  expect_refused(plot({"gas", "-o", "gas/run.json/x"}), 1, HasSubstr("cannot make the folder"));
+}
+
+}  // namespace
+}  // namespace clca

@@ -1,0 +1,175 @@
+// Which figures the tables of a run allow, and what gnuplot is told. Nothing is drawn here.
+
+#include "clca/plot/plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+#include "plot/gnuplot.hpp"
+#include "support/runs.hpp"
+
+namespace clca::plot {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+class FiguresTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(run());
+    std::filesystem::create_directories(templates());
+    store::RunSummary summary;
+    summary.scene = "it's";
+    summary.stages = {{.name = "packing", .ended = "settled", .measures = {{"chance", 0.25}}},
+                      {.name = "flow", .ended = "settled", .measures = {}}};
+    write("run.json", store::to_json(summary));
+  }
+  std::filesystem::path run() const { return folder_.path() / "run"; }
+  std::filesystem::path templates() const { return folder_.path() / "templates"; }
+  void write(const std::string& file, const std::string& text) const {
+    store::write_whole(run() / file, text);
+  }
+  void write_template(const std::string& name, const std::string& text) const {
+    store::write_whole(templates() / (name + ".gp"), text);
+  }
+  std::vector<Figure> found(const std::vector<std::string>& only = {}) const {
+    return figures(run(), only, templates());
+  }
+  std::vector<std::string> names(const std::vector<std::string>& only = {}) const {
+    std::vector<std::string> result;
+    for (const Figure& figure : found(only)) {
+      result.push_back(figure.name);
+    }
+    return result;
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(FiguresTest, AFigureNeedsAValueOtherThanZeroInEachColumn) {
+  for (const char* column : {"full", "zero", "empty", "absent"}) {
+    write_template(column, std::string("# Why.\n#\n# needs: series.csv: time, ") + column + "\n");
+  }
+  write("series.csv", "time,full,zero,empty\n0,0,0,\n1,-2.5,0,\n");
+  EXPECT_THAT(names(), ElementsAre("full"));
+}
+
+TEST_F(FiguresTest, RowsMayBeChosenByText) {
+  write_template("a", "# needs: series.csv: kind=a, value\n");
+  write_template("b", "# needs: series.csv: kind=b, value\n");
+  write("series.csv", "kind,value\na,0\nb,1\n");
+  EXPECT_THAT(names(), ElementsAre("b"));
+}
+
+TEST_F(FiguresTest, AllTablesThatAreNeededMustBeThere) {
+  write_template("both", "# needs: series.csv: x\n# needs: other.csv: y\n");
+  write_template("one", "# needs: series.csv: x\n");
+  write("series.csv", "x\n1\n");
+  EXPECT_THAT(names(), ElementsAre("one"));
+  write("other.csv", "y\n1\n");
+  EXPECT_THAT(names(), ElementsAre("both", "one"));
+}
+
+TEST_F(FiguresTest, FilesComeInTheOrderOfStagesOrTimes) {
+  write_template("p", "# needs: p-*.csv: x\n");
+  for (const char* file : {"p-flow.csv", "p-packing.csv", "p-a b'.csv"}) {
+    write(file, "x\n1\n");
+  }
+  EXPECT_THAT(found().at(0).setting, HasSubstr("array files[2] = ['p-packing.csv', 'p-flow.csv'];"
+                                               "array labels[2] = ['packing', 'flow'];"));
+  write_template("h", "# needs: h-*.csv: x\n");
+  for (const char* file : {"h-10.csv", "h-0.5.csv", "h-5.csv"}) {
+    write(file, "x\n1\n");
+  }
+  write("h-3.csv", "x\n0\n");
+  EXPECT_THAT(found().at(0).setting, HasSubstr("labels[3] = ['0.5', '5', '10'];"));
+}
+
+TEST_F(FiguresTest, GroupsAreTheValuesOfAColumnAsTheyCome) {
+  write_template("g", "# needs: series.csv: x\n# groups: stage\n");
+  write("series.csv", "stage,x\nb,1\nb,2\na,1\n");
+  EXPECT_THAT(found().at(0).setting, HasSubstr("groups[2] = ['b', 'a'];group_column = 'stage';"));
+  write("series.csv", "x\n1\n");
+  EXPECT_THAT(found().at(0).setting, HasSubstr("groups[1] = [''];"));
+  write("series.csv", "stage,x\n../../a,1\n");
+  EXPECT_THAT([&] { found(); }, ThrowsMessage<InputError>(
+                                    HasSubstr("series.csv: line 2: column 'stage' holds no name")));
+}
+
+TEST_F(FiguresTest, ThereMayBeOneForEachGroupOrFile) {
+  write_template("g", "# needs: p-*.csv: x\n# groups: r\n# one figure for each: group\n");
+  write_template("f", "# needs: p-*.csv: x\n# one figure for each: file\n");
+  write("p-flow.csv", "r,x\n0.2,1\n1,1\n");
+  write("p-packing.csv", "r,x\n0.2,1\n");
+  EXPECT_THAT(names(), ElementsAre("f-packing", "f-flow", "g-0.2", "g-1"));
+  EXPECT_THAT(names({"g"}), ElementsAre("g-0.2", "g-1"));
+  EXPECT_THAT(names({"g-1", "f-flow"}), ElementsAre("f-flow", "g-1"));
+  EXPECT_THAT(found({"g-1"}).at(0).setting, HasSubstr("groups[1] = ['1'];"));
+}
+
+TEST_F(FiguresTest, TemplatesLearnOfColumnsAndMeasuresThatAreThere) {
+  write_template("t",
+                 "# needs: series.csv: x\n# may use: more.csv\n# measure: chance\n"
+                 "# measure: none\n");
+  write("series.csv", "x,x_se,y\n1,2,0\n");
+  write("more.csv", "z\n1\n");
+  const std::string setting = found().at(0).setting;
+  EXPECT_THAT(setting, HasSubstr("known_columns = '|more.csv:z|series.csv:x|series.csv:x_se|';"));
+  EXPECT_THAT(setting, HasSubstr("chance = 2.5"));
+  EXPECT_THAT(setting, HasSubstr("none = NaN;"));
+  EXPECT_THAT(setting, HasSubstr("scene = 'it''s';"));
+}
+
+TEST_F(FiguresTest, TablesThatNoTemplateNamesAreNotRead) {
+  write_template("t", "# needs: series.csv: x\n");
+  write("series.csv", "x\n1\n");
+  write("mine.csv", "\"");
+  EXPECT_THAT(names(), ElementsAre("t"));
+}
+
+TEST_F(FiguresTest, WhatCannotBeDrawnIsSaidInOneLine) {
+  write_template("t", "# needs: series.csv: kind=a, x\n");
+  const auto expect = [&](const std::vector<std::string>& only, const std::string& reason) {
+    EXPECT_THAT([&] { found(only); }, ThrowsMessage<InputError>(HasSubstr(reason)));
+  };
+  expect({}, "no tables that a figure could be drawn from");
+  write("series.csv", "kind,x\na,1\n");
+  write_template("u", "# needs: series.csv: y\n");
+  expect({"v"}, "no figure 'v' (there are: t)");
+  expect({"t", "u"}, "the tables do not allow the figure 'u', which needs series.csv: y");
+  write("series.csv", "kind,x\na,one\n");
+  expect({}, "series.csv: line 2: 'one' in column 'x' is no number");
+  write("series.csv", "kind,x\na,1");
+  expect({}, "series.csv: line 2: the file is cut off");
+  write("run.json", "{");
+  expect({}, "run.json: it is cut off or no JSON");
+}
+
+TEST_F(FiguresTest, ATemplateThatDoesNotSayWhatItNeedsIsNamed) {
+  write_template("t", "plot sin(x)\n");
+  EXPECT_THAT([&] { found(); }, ThrowsMessage<PlotError>(HasSubstr("t.gp: it does not say")));
+  write_template("t", "# needs: series.csv: x\n# one figure for each: moon\n");
+  EXPECT_THAT([&] { found(); }, ThrowsMessage<PlotError>(HasSubstr("t.gp: one figure for each: ")));
+}
+
+TEST(Templates, AreFoundAndSayWhatTheyNeed) {
+  const testing::ScratchFolder empty;
+  store::write_whole(empty.path() / "run.json", store::to_json({}));
+  EXPECT_THROW(figures(empty.path(), {}, template_folder()), InputError);
+}
+
+TEST(Literal, MeansNothingButItself) {
+  EXPECT_EQ(literal("a"), "'a'");
+  EXPECT_EQ(literal("it's \"`date`\" \\ @x $y"), "'it''s \"`date`\" \\ @x $y'");
+  EXPECT_EQ(literal("two\nlines"), "'two lines'");
+}
+
+}  // namespace
+}  // namespace clca::plot
