@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "clca/compare/compare.hpp"
+#include "clca/plot/plot.hpp"
+#include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "scene/text.hpp"
@@ -21,6 +23,13 @@ struct CompareOptions {
   compare::Choice choice;
 };
 
+void draw_figure(const std::filesystem::path& folder) {
+  for (const plot::Figure& figure :
+       plot::figures(folder, {"comparison"}, plot::template_folder())) {
+    store::write_whole(folder / (figure.name + ".png"), plot::draw(figure, plot::Size()));
+  }
+}
+
 /// Runs that cannot be compared are wrong input.
 ExitCode compare_runs(const CompareOptions& options) {
   try {
@@ -32,6 +41,7 @@ ExitCode compare_runs(const CompareOptions& options) {
       fmt::print("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
                  distance.floor);
     }
+    draw_figure(options.folder);
     fmt::print("{}\n", options.folder);
   } catch (const compare::CompareError& error) {
     fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
@@ -44,7 +54,8 @@ ExitCode compare_runs(const CompareOptions& options) {
 
 void add_compare_command(CLI::App& app, int& code) {
   CLI::App* command = app.add_subcommand(
-      "compare", "Energies of an automaton run beside those of a Boltzmann run, as tables");
+      "compare",
+      "Energies of an automaton run beside those of a Boltzmann run, as tables and a figure");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("AUTOMATON", options->automaton, "Folder of a run with output.fields")
       ->required();

@@ -27,7 +27,7 @@ struct RunCommandOptions {
 
 std::string totals(const store::RunSummary& summary) {
   if (summary.kind == "boltzmann") {
-    return fmt::format("{}: gases of {} particles, {} steps in {:.3g} s, {:.3g} collisions/s",
+    return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} collisions/s",
                        summary.status, summary.particles, summary.steps, summary.wall_seconds,
                        summary.collisions_per_second);
   }

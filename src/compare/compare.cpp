@@ -9,6 +9,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
 #include "compare/read_runs.hpp"
+#include "run/provenance.hpp"
 
 namespace clca::compare {
 
@@ -58,14 +59,35 @@ std::string distances_csv(const Comparison& comparison) {
   return table.to_csv();
 }
 
+double from_chi_square(const Distribution& one) {
+  return boltzmann::hellinger_distance(one.shares, equal_shares(one.shares.size()));
+}
+
+/// So that figures can be drawn of the folder as of that of a run.
+store::RunSummary summary(const Comparison& comparison) {
+  store::RunSummary summary = run::provenance();
+  summary.kind = "comparison";
+  summary.scene = comparison.title;
+  summary.status = "done";
+  store::StageSummary stage = {.name = comparison.stage, .steps = 0, .ended = "", .measures = {}};
+  for (const Distribution& one : comparison.distributions) {
+    stage.measures.emplace_back("hellinger_" + one.name, from_chi_square(one));
+  }
+  summary.stages.push_back(stage);
+  return summary;
+}
+
 }  // namespace
 
 Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_run,
                       const Choice& choice) {
   const AutomatonSide automaton = read_automaton(automaton_run, choice);
   const BoltzmannSide gas = read_boltzmann(boltzmann_run, choice);
-  Comparison result = {
-      .stage = automaton.stage, .time = gas.time, .distributions = automaton.distributions};
+  Comparison result = {.title = fmt::format("{}, {}, and {} at {}", automaton.scene,
+                                            automaton.stage, gas.scene, gas.time),
+                       .stage = automaton.stage,
+                       .time = gas.time,
+                       .distributions = automaton.distributions};
   result.distributions.insert(result.distributions.end(), gas.distributions.begin(),
                               gas.distributions.end());
   const std::size_t bins = result.distributions[0].shares.size();
@@ -82,9 +104,7 @@ Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_r
 std::vector<Distance> distances(const Comparison& comparison) {
   std::vector<Distance> result;
   for (const Distribution& one : comparison.distributions) {
-    const std::vector<double> reference = equal_shares(one.shares.size());
-    result.push_back({one.name, boltzmann::hellinger_distance(one.shares, reference),
-                      noise_floor(one), one.samples});
+    result.push_back({one.name, from_chi_square(one), noise_floor(one), one.samples});
   }
   for (const Distribution& one : comparison.distributions) {
     for (const Distribution& other : comparison.distributions) {
@@ -107,6 +127,7 @@ void write(const Comparison& comparison, const fs::path& folder) {
   }
   store::write_whole(folder / "comparison.csv", comparison_csv(comparison));
   store::write_whole(folder / "distances.csv", distances_csv(comparison));
+  store::write_whole(folder / "run.json", store::to_json(summary(comparison)));
 }
 
 }  // namespace clca::compare

@@ -57,7 +57,8 @@ AutomatonSide read_automaton(const fs::path& run, const Choice& choice) {
   const store::StageSummary& stage = chosen_stage(run, summary, choice.stage);
   const Histogram table(fluctuation_file(run, stage.name));
   const std::uint64_t samples = sample_count(run, stage);
-  return {.stage = stage.name,
+  return {.scene = summary.scene,
+          .stage = stage.name,
           .distributions = {{"automaton", table.shares("share"), samples},
                             {"automaton_local", table.shares("share_local"), samples}}};
 }

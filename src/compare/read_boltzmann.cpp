@@ -86,7 +86,8 @@ BoltzmannSide read_boltzmann(const fs::path& run, const Choice& choice) {
   const auto [time, file] = chosen_histogram(run, choice.time);
   Histogram table(file);
   choose_restitution(table, choice.restitution);
-  BoltzmannSide side = {.time = time,
+  BoltzmannSide side = {.scene = summary.scene,
+                        .time = time,
                         .distributions = {{"boltzmann_translational",
                                            shares_of(table, "translational"), summary.particles}}};
   if (auto rotational = shares_of(table, "rotational"); !is_zero(rotational)) {

@@ -6,12 +6,14 @@
 namespace clca::compare {
 
 struct AutomatonSide {
+  std::string scene;
   std::string stage;
   std::vector<Distribution> distributions;
 };
 AutomatonSide read_automaton(const std::filesystem::path& run, const Choice& choice);
 
 struct BoltzmannSide {
+  std::string scene;
   double time = 0;
   std::vector<Distribution> distributions;
 };

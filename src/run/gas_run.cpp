@@ -205,7 +205,7 @@ store::RunSummary GasRun::summary(const std::string& status) const {
   summary.seed = scene_.seed;
   summary.threads = options_.threads;
   summary.status = status;
-  summary.particles = scene_.particles;
+  summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
   summary.wall_seconds = wall_clock_.seconds();
   summary.step_seconds = wall_clock_.seconds();

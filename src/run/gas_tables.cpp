@@ -157,16 +157,19 @@ std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<Ga
   return table.to_csv();
 }
 
-/// Steady temperature and stresses of smooth spheres in shear.
-std::string shear_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
+/// Steady temperature and stresses of smooth spheres in shear, at the begin and the end.
+std::string steady_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
   std::vector<std::string> columns = begin_columns(scene);
-  columns.insert(columns.end(), {"t_tr", "p_xx", "p_yy", "p_xy"});
+  columns.insert(columns.end(), {"time", "t_tr", "p_xx", "p_yy", "p_xy"});
   store::Table table(columns);
   for (const GasCase& one : cases) {
-    if (one.restitution < 1) {
-      const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+    if (one.restitution == 1) {
+      continue;  // heats for ever
+    }
+    const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+    for (const double time : {0.0, scene.until}) {
       Row row = begin_row(scene, one.restitution);
-      row.insert(row.end(), {flow.temperature, flow.p_xx, flow.p_yy, flow.p_xy});
+      row.insert(row.end(), {time, flow.temperature, flow.p_xx, flow.p_yy, flow.p_xy});
       table.add_row(std::move(row));
     }
   }
@@ -209,11 +212,10 @@ void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>
                          histogram_csv(scene, cases, i));
     }
   }
-  const bool smooth = scene.friction == 0;
   if (scene.shear_rate == 0) {
     store::write_whole(folder.table("closure"), closure_csv(scene, cases));
-  } else if (smooth) {
-    store::write_whole(folder.table("steady"), shear_csv(scene, cases));
+  } else if (scene.friction == 0) {
+    store::write_whole(folder.table("closure"), steady_csv(scene, cases));
   }
 }
 

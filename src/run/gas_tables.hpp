@@ -27,7 +27,7 @@ struct Estimate {
 };
 Estimate estimate(const std::vector<double>& values);
 
-/// Writes series.csv, histogram-TIME.csv and the closed forms: closure.csv, or steady.csv in shear.
+/// Writes series.csv, histogram-TIME.csv and, where there are closed forms, closure.csv.
 /// Throws store::StoreError.
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                   const store::RunFolder& folder);

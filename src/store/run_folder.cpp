@@ -35,9 +35,8 @@ bool is_frame(const fs::path& file) {
 }
 
 bool is_table(const fs::path& file) {
-  constexpr std::array<std::string_view, 8> kWhole = {"series.csv",  "cycles.csv", "fields.csv",
-                                                      "closure.csv", "steady.csv", "run.json",
-                                                      "scene.yaml",  "log.txt"};
+  constexpr std::array<std::string_view, 7> kWhole = {
+      "series.csv", "cycles.csv", "fields.csv", "closure.csv", "run.json", "scene.yaml", "log.txt"};
   constexpr std::array<std::string_view, 8> kOfStages = {"profile-",   "convection-", "contacts-",
                                                          "forces-",    "loads-",      "walls-",
                                                          "histogram-", "fluctuation-"};

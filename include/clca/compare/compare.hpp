@@ -41,6 +41,7 @@ struct Distance {
 };
 
 struct Comparison {
+  std::string title;  ///< both scenes, with stage and time
   std::string stage;
   double time = 0;
   std::vector<Distribution> distributions;
@@ -54,8 +55,8 @@ Comparison comparison(const std::filesystem::path& automaton_run,
 std::vector<Distance> distances(const Comparison& comparison);
 
 /// Writes comparison.csv (quantile_lower, quantile_upper, a column per distribution, reference) and
-/// distances.csv (name, distance, floor, samples) into `folder`, made if need be. Throws
-/// store::StoreError.
+/// distances.csv (name, distance, floor, samples) into `folder`, made if need be, and a run.json of
+/// kind "comparison" that lets figures be drawn. Throws store::StoreError.
 void write(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace clca::compare
