@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <thread>
 #include <variant>
 
 #include "clca/run/run.hpp"
@@ -21,7 +19,7 @@ namespace {
 struct RunCommandOptions {
   SceneOptions scene;
   std::string folder;
-  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int threads = machine_threads();
   bool quiet = false;
 };
 
@@ -58,13 +56,13 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
 }
 
 int run_scene(const RunCommandOptions& options) {
-  const scene::AnyScene scene = load_any_scene(options.scene);
+  const scene::AnyScene scene = load_any_scene(options.scene, options.threads);
   return std::visit([&](const auto& one) { return run_one(one, options); }, scene);
 }
 
 /// As run_scene(), for scenes of the Boltzmann equation alone.
 int run_boltzmann_scene(const RunCommandOptions& options) {
-  const scene::AnyScene scene = load_any_scene(options.scene);
+  const scene::AnyScene scene = load_any_scene(options.scene, options.threads);
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
         "{}: error: a scene of the automaton, which clca run takes; clca boltzmann wants a block "

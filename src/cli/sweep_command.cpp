@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
@@ -25,7 +24,7 @@ struct SweepCommandOptions {
   std::string seeds = "1..8";
   std::vector<std::string> variations;
   std::string folder;
-  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int jobs = machine_threads();
   bool all_pictures = false;
   bool quiet = false;
 };

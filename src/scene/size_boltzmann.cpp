@@ -11,9 +11,11 @@ namespace {
 
 constexpr double kMotionBytes = 6 * sizeof(double);
 constexpr double kScratchBytes = 8;
-// Means and errors, as numbers and as the text of a table.
-constexpr double kRowBytes = 512;
-constexpr double kBinBytes = 128;
+// Kept for each gas of the ensemble until the end, and as the text of a table.
+constexpr double kRowBytes = 256;
+constexpr double kRowTextBytes = 512;
+constexpr double kBinBytes = 16;
+constexpr double kBinTextBytes = 128;
 
 double bin_count(const QuantileBins& bins) {
   return bins.count;
@@ -26,7 +28,9 @@ double table_bytes(const BoltzmannScene& scene) {
   const double rows = scene.until / scene.series_every + 2;
   const double bins = std::visit([](const auto& spec) { return bin_count(spec); }, scene.bins);
   const double shares = static_cast<double>(scene.histograms.size()) * bins;
-  return static_cast<double>(scene.restitutions.size()) * (kRowBytes * rows + kBinBytes * shares);
+  const auto gases = static_cast<double>(scene.ensemble);
+  return static_cast<double>(scene.restitutions.size()) *
+         ((kRowBytes * gases + kRowTextBytes) * rows + (kBinBytes * gases + kBinTextBytes) * shares);
 }
 
 }  // namespace
