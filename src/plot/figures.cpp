@@ -65,7 +65,7 @@ std::string known_columns(RunTables& tables, const Template& one) {
       const store::ReadTable& table = tables.read(file.name);
       for (const std::string& column : table.names) {
         if (says_something(table, column, {})) {
-          known.insert(pattern + ":" + column);
+          known.insert(fmt::format("{}:{}", pattern, column));
         }
       }
     }

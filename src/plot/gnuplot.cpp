@@ -28,7 +28,7 @@ fs::path find_gnuplot() {
   const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nobody sets it
   std::stringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::path(folder) / "gnuplot";
+    fs::path file = fs::path(folder) / "gnuplot";
     if (file.is_absolute() && !fs::is_directory(file) && ::access(file.c_str(), X_OK) == 0) {
       return file;
     }

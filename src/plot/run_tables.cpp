@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 
@@ -47,11 +48,9 @@ bool is_row(const store::ReadTable& table, std::size_t row, const Need& need) {
 }  // namespace
 
 bool is_label(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char letter) {
-    return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
-           (letter >= 'A' && letter <= 'Z') ||
-           std::string_view("_-+.").find(static_cast<char>(letter)) != std::string_view::npos;
-  });
+  constexpr std::string_view kLetters =
+      "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.";
+  return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
 }
 
 bool says_something(const store::ReadTable& table, const std::string& column, const Need& need) {

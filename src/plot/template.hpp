@@ -9,6 +9,7 @@
 //
 // A `*` in TABLE stands for the name of a stage or a time.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
