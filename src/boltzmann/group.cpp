@@ -27,12 +27,10 @@ void Group::measure_speeds() {
   fastest_ = speeds_.maxCoeff();
 }
 
-Group::Candidates Group::draw_firsts(const GroupKey& key, std::uint32_t batch,
-                                     std::size_t count) const {
+void Group::draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count) {
   constexpr std::size_t kWords = std::tuple_size_v<random::Words>;
   const auto size = static_cast<std::uint64_t>(particles());
-  Candidates firsts;
-  firsts.count = count;
+  count_ = count;
   for (std::size_t i = 0; i < count; i += kWords) {
     const auto item = static_cast<std::uint32_t>((batch * kBatch + i) / kWords);
     const random::Words words =
@@ -40,16 +38,15 @@ Group::Candidates Group::draw_firsts(const GroupKey& key, std::uint32_t batch,
     for (std::size_t k = 0; k < kWords; ++k) {
       // The whole part says which particle, what is left over is its chance.
       const std::uint64_t product = words[k] * size;
-      firsts.all[i + k].number = static_cast<std::uint32_t>(i + k);
-      firsts.all[i + k].first = static_cast<std::uint32_t>(product >> 32U);
-      firsts.all[i + k].chance = static_cast<std::uint32_t>(product);
+      candidates_[i + k].first = static_cast<std::uint32_t>(product >> 32U);
+      candidates_[i + k].chance = static_cast<std::uint32_t>(product);
     }
   }
-  return firsts;
 }
 
-void Group::draw_second(const GroupKey& key, std::uint32_t batch, Candidate& candidate) const {
-  const auto item = static_cast<std::uint32_t>(batch * kBatch + candidate.number);
+void Group::draw_second(const GroupKey& key, std::uint32_t batch, std::size_t number) {
+  Candidate& candidate = candidates_[number];
+  const auto item = static_cast<std::uint32_t>(batch * kBatch + number);
   candidate.words = random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
   candidate.second = one_of(candidate.words[0], static_cast<std::uint32_t>(particles() - 1));
   candidate.second += candidate.second >= candidate.first ? 1 : 0;
@@ -86,71 +83,69 @@ void Group::store(const Collisions<kWidth>& collisions, int lane, const Candidat
   ++collisions_;
 }
 
-bool Group::share_particles(const Candidates& firsts, const Candidates& seconds,
-                            const Candidates& pairs) {
+bool Group::share_particles() {
   unsigned repeated = 0;
-  for (const Candidate& pair : pairs) {
-    repeated += touched_[pair.first];
-    touched_[pair.first] = 1;
-    repeated += touched_[pair.second];
-    touched_[pair.second] = 1;
+  for (const std::size_t pair : pairs_) {
+    repeated += touched_[candidates_[pair].first];
+    touched_[candidates_[pair].first] = 1;
+    repeated += touched_[candidates_[pair].second];
+    touched_[candidates_[pair].second] = 1;
   }
   // Each pair meets itself once among the firsts and once among the seconds.
   std::size_t met = 0;
-  for (const Candidate& candidate : firsts) {
-    met += touched_[candidate.first];
+  for (std::size_t i = 0; i < count_; ++i) {
+    met += touched_[candidates_[i].first];
   }
-  for (const Candidate& candidate : seconds) {
-    met += touched_[candidate.second];
+  for (const std::size_t number : seconds_) {
+    met += touched_[candidates_[number].second];
   }
-  for (const Candidate& pair : pairs) {
-    touched_[pair.first] = 0;
-    touched_[pair.second] = 0;
+  for (const std::size_t pair : pairs_) {
+    touched_[candidates_[pair].first] = 0;
+    touched_[candidates_[pair].second] = 0;
   }
-  return repeated > 0 || met > 2 * pairs.count;
+  return repeated > 0 || met > 2 * pairs_.count;
 }
 
-bool Group::collide_at_once(const Law& law, const Candidates& pairs) {
-  std::array<Collisions<kLanes>, kBatch / kLanes> chunks;
+bool Group::collide_at_once(const Law& law) {
+  const std::size_t chunks = (pairs_.count + kLanes - 1) / kLanes;
+  for (std::size_t i = 0; i < chunks * kLanes; ++i) {  // what is over repeats the last
+    const std::size_t pair = pairs_.numbers[std::min(i, pairs_.count - 1)];
+    load(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[pair]);
+  }
   double fastest = 0;
-  for (std::size_t begin = 0; begin < pairs.count; begin += kLanes) {
-    Collisions<kLanes>& chunk = chunks[begin / kLanes];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {  // what is over repeats the last
-      load(chunk, static_cast<int>(lane), pairs.all[std::min(begin + lane, pairs.count - 1)]);
-    }
-    chunk.compute(law);
-    fastest = std::max(fastest, chunk.first_speed.max(chunk.second_speed).maxCoeff());
+  for (std::size_t i = 0; i < chunks; ++i) {
+    chunks_[i].compute(law);
+    fastest = std::max(fastest, chunks_[i].first_speed.max(chunks_[i].second_speed).maxCoeff());
   }
   if (fastest > fastest_) {
     return false;
   }
-  for (std::size_t i = 0; i < pairs.count; ++i) {
-    store(chunks[i / kLanes], static_cast<int>(i % kLanes), pairs.all[i]);
+  for (std::size_t i = 0; i < pairs_.count; ++i) {
+    store(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[pairs_.numbers[i]]);
   }
   return true;
 }
 
-bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch,
-                           const Candidates& firsts) {
-  Candidates seconds;
-  for (const Candidate& candidate : firsts) {
-    seconds.push(candidate, goes_on(candidate));
+bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch) {
+  seconds_.count = 0;
+  pairs_.count = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    seconds_.push(i, goes_on(candidates_[i]));
   }
-  Candidates pairs;
-  for (std::size_t i = 0; i < seconds.count; ++i) {
-    draw_second(key, batch, seconds.all[i]);
-    pairs.push(seconds.all[i], meets(seconds.all[i]));
+  for (const std::size_t number : seconds_) {
+    draw_second(key, batch, number);
+    pairs_.push(number, meets(candidates_[number]));
   }
-  return !share_particles(firsts, seconds, pairs) && collide_at_once(law, pairs);
+  return !share_particles() && collide_at_once(law);
 }
 
-std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch,
-                                     const Candidates& firsts) {
-  for (Candidate candidate : firsts) {
+std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Candidate& candidate = candidates_[i];
     if (!goes_on(candidate)) {
       continue;
     }
-    draw_second(key, batch, candidate);
+    draw_second(key, batch, i);
     if (!meets(candidate)) {
       continue;
     }
@@ -159,10 +154,10 @@ std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::u
     collision.compute(law);
     store(collision, 0, candidate);
     if (std::max(collision.first_speed[0], collision.second_speed[0]) > fastest_) {
-      return candidate.number + 1;
+      return i + 1;
     }
   }
-  return firsts.count;
+  return count_;
 }
 
 std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duration) {
@@ -179,14 +174,12 @@ std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duratio
     if (candidates < 1) {
       break;
     }
-    const Candidates firsts =
-        draw_firsts(key, batch, static_cast<std::size_t>(std::min<double>(candidates, kBatch)));
-    const std::size_t decided = decide_at_once(law, key, batch, firsts)
-                                    ? firsts.count
-                                    : decide_one_by_one(law, key, batch, firsts);
+    draw_firsts(key, batch, static_cast<std::size_t>(std::min<double>(candidates, kBatch)));
+    const std::size_t decided =
+        decide_at_once(law, key, batch) ? count_ : decide_one_by_one(law, key, batch);
     left -= static_cast<double>(decided) * waiting;
     since_measured += decided;
-    if (decided < firsts.count || since_measured >= static_cast<std::size_t>(particles())) {
+    if (decided < count_ || since_measured >= static_cast<std::size_t>(particles())) {
       fastest_ = speeds_.maxCoeff();
       since_measured = 0;
     }

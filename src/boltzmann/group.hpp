@@ -42,53 +42,56 @@ class Group {
   static constexpr std::size_t kBatch = 32;  // candidates
   static constexpr std::size_t kLanes = 8;   // collisions that are computed at once
 
+  /// One of a batch.
   struct Candidate {
-    std::uint32_t number = 0;  // in the batch
     std::uint32_t first = 0;
     std::uint32_t chance = 0;  // of the first to go on, of 2^32
     std::uint32_t second = 0;
     random::Words words = {};  // which second, its chance, line of centres
   };
-  /// Of one batch, the first `count` of the array.
-  struct Candidates {
-    std::array<Candidate, kBatch> all;
+  /// Some of a batch, by number.
+  struct Selection {
+    std::array<std::uint8_t, kBatch> numbers = {};
     std::size_t count = 0;
 
-    void push(const Candidate& candidate, bool stays) {  // no branch
-      all[count] = candidate;
+    void push(std::size_t number, bool stays) {  // no branch
+      numbers[count] = static_cast<std::uint8_t>(number);
       count += stays ? 1 : 0;
     }
-    const Candidate* begin() const { return all.data(); }
-    const Candidate* end() const { return all.data() + count; }
+    const std::uint8_t* begin() const { return numbers.data(); }
+    const std::uint8_t* end() const { return numbers.data() + count; }
   };
 
   void measure_speeds();
-  Candidates draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count) const;
-  void draw_second(const GroupKey& key, std::uint32_t batch, Candidate& candidate) const;
+  void draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count);
+  void draw_second(const GroupKey& key, std::uint32_t batch, std::size_t number);
   bool goes_on(const Candidate& candidate) const;
   bool meets(const Candidate& candidate) const;
 
   /// Decides all candidates of a batch, or none and says false.
-  bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch,
-                      const Candidates& firsts);
+  bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch);
   /// Decides them until a speed passes s_max; returns how many.
-  std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch,
-                                const Candidates& firsts);
+  std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch);
   /// Whether a particle of a pair is that of another candidate, too.
-  bool share_particles(const Candidates& firsts, const Candidates& seconds,
-                       const Candidates& pairs);
+  bool share_particles();
 
   template <int kWidth>
   void load(Collisions<kWidth>& collisions, int lane, const Candidate& pair) const;
   template <int kWidth>
   void store(const Collisions<kWidth>& collisions, int lane, const Candidate& pair);
-  bool collide_at_once(const Law& law, const Candidates& pairs);
+  bool collide_at_once(const Law& law);
 
   Eigen::Array<double, 8, Eigen::Dynamic> motions_;  // velocity, spin, 2 unused: a cache line each
   Eigen::ArrayXd speeds_;
   double fastest_ = 0;
   std::uint64_t collisions_ = 0;
-  std::vector<std::uint8_t> touched_;  // by a pair of the batch at hand; all 0 between batches
+  // The batch at hand: its candidates, those that go on, and those that collide.
+  std::array<Candidate, kBatch> candidates_;
+  std::size_t count_ = 0;
+  Selection seconds_;
+  Selection pairs_;
+  std::array<Collisions<kLanes>, kBatch / kLanes> chunks_;
+  std::vector<std::uint8_t> touched_;  // by a pair; all 0 between batches
 };
 
 }  // namespace clca::boltzmann

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "boltzmann/encounter.hpp"
 #include "boltzmann/partner_draws.hpp"
-#include "boltzmann/solid_collision.hpp"
 
 namespace clca::boltzmann {
 namespace {
@@ -29,19 +29,6 @@ Triple<double> difference(const Triple<double>& a, const Triple<double>& b) {
 
 double length(const Triple<double>& vector) {
   return std::sqrt(dot(vector, vector));
-}
-
-// Density cos / pi on the hemisphere about g: the unit vector along g plus one that is uniform on
-// the sphere, normalised.
-Triple<double> line_of_centres(const Triple<double>& g, const std::array<double, 2>& draws) {
-  const double speed = length(g);
-  const double z = 2 * draws[0] - 1;
-  const double radius = std::sqrt(1 - z * z);
-  const auto [cosine, sine] = cosine_and_sine(draws[1]);
-  const Triple<double> sum = {g.x / speed + radius * cosine, g.y / speed + radius * sine,
-                              g.z / speed + z};
-  const double norm = greater(length(sum), std::numeric_limits<double>::min());
-  return {sum.x / norm, sum.y / norm, sum.z / norm};
 }
 
 // What does not change during a step.
@@ -94,9 +81,10 @@ void hit(const SynchronousStep& step, const Draws& draws, Place place, Place oth
   const Triple<double> g = difference(velocity(step.before, place), velocity(step.before, other));
   const Triple<double> w1 = spin(step.before, place);
   const Triple<double> w2 = spin(step.before, other);
+  const auto [height, turn] = draws.direction(place);
   const auto [push, twist] =
       solid_collision<double>(step.law, g, {w1.x + w2.x, w1.y + w2.y, w1.z + w2.z},
-                              line_of_centres(g, draws.direction(place)));
+                              line_of_centres<double>(g, height, turn));
   motion(0) -= push.x;
   motion(1) -= push.y;
   motion(2) -= push.z;
@@ -144,32 +132,24 @@ Motions sorted_by_speed(const Motions& motions) {
   return sorted;
 }
 
-// Ends of steps, by number: adding up would gather rounding errors.
+// Steps end at multiples of their duration, and at the time asked for: the same ones however often
+// a run has been stopped in between. Adding up would gather rounding errors.
 class StepEnds {
  public:
-  StepEnds(double begin, double end, double duration)
-      : begin_(begin), end_(end), duration_(duration) {
+  StepEnds(double duration, double last) : duration_(duration), last_(last) {}
+
+  // The end of the step that begins at `time`.
+  double after(double time) const {
     // A rest that is nothing but rounding gets no step of its own.
     constexpr double kRest = 1e-6;
-    count_ = static_cast<std::uint64_t>(std::max(0.0, std::ceil((end - begin) / duration - kRest)));
-    const double last = end - before(count_);
-    last_ = last > duration * (1 - kRest) ? duration : last;
+    const double number = std::floor(time / duration_ + kRest) + 1;
+    const double end = number * duration_;
+    return end > last_ - kRest * duration_ ? last_ : end;
   }
-
-  std::uint64_t count() const { return count_; }
-  double duration(std::uint64_t number) const { return number == count_ ? last_ : duration_; }
-  double end(std::uint64_t number) const { return number == count_ ? end_ : before(number + 1); }
 
  private:
-  double before(std::uint64_t number) const {
-    return begin_ + (static_cast<double>(number) - 1) * duration_;
-  }
-
-  double begin_;
-  double end_;
   double duration_;
-  std::uint64_t count_ = 0;
-  double last_ = 0;
+  double last_;
 };
 
 }  // namespace
@@ -180,15 +160,16 @@ void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::
     throw std::invalid_argument("time step and number of partners must be positive");
   }
   const auto particles = static_cast<std::uint64_t>(gas.particles());
-  const StepEnds steps(gas.time, time, scheme.time_step);
+  const StepEnds steps(scheme.time_step, time);
   std::optional<LatticeRule> rule;
   if (scheme.quasi) {
     rule.emplace(particles);
   }
   Motions before(gas.motions.rows(), gas.motions.cols());
-  for (std::uint64_t number = 1; number <= steps.count(); ++number) {
+  while (gas.time < time) {
+    const double end = steps.after(gas.time);
     const IndependentDraws draws(seed, gas.step, particles);
-    const SynchronousStep step = {.before = before, .law = law, .duration = steps.duration(number)};
+    const SynchronousStep step = {.before = before, .law = law, .duration = end - gas.time};
     if (rule) {
       before = sorted_by_speed(gas.motions);
       rule->shift(seed, {.step = static_cast<std::uint32_t>(gas.step), .group = kStepShift});
@@ -198,7 +179,7 @@ void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::
       before.swap(gas.motions);
       gas.participations += take(step, draws, scheme.partners, threads, gas.motions);
     }
-    gas.time = steps.end(number);
+    gas.time = end;
     ++gas.step;
     if (keeps_on && !keeps_on(gas)) {
       return;

@@ -33,7 +33,7 @@ int run_program(int argc, char** argv) {
     return fmt::format("clca: error: {} (see clca --help)\n", clca::scene::printable(error.what()));
   });
   app.footer(
-      "Exit codes: 0 done; 1 a run failed, or pictures differ; 2 wrong input;\n"
+      "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
       "130 or 143 interrupted, with what was done so far written whole.");
 
   int code = 0;

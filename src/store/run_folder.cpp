@@ -34,6 +34,11 @@ bool is_frame(const fs::path& file) {
          stem.find_first_not_of("0123456789", dash + 1) == std::string::npos;
 }
 
+/// What clca plot leaves.
+bool is_figure(const fs::path& file) {
+  return file.extension() == ".png";
+}
+
 bool is_table(const fs::path& file) {
   constexpr std::array<std::string_view, 7> kWhole = {
       "series.csv", "cycles.csv", "fields.csv", "closure.csv", "run.json", "scene.yaml", "log.txt"};
@@ -47,7 +52,12 @@ bool is_table(const fs::path& file) {
                       [&](std::string_view start) { return name.starts_with(start); }));
 }
 
+/// Nothing where there is no such folder.
 void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {
+  std::error_code unknown;
+  if (!fs::exists(folder, unknown)) {
+    return;
+  }
   std::vector<fs::path> found;
   checked("read the folder", folder, [&](std::error_code& error) {
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -67,9 +77,8 @@ RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
   checked("make the folder", path_,
           [&](std::error_code& error) { fs::create_directories(path_, error); });
   if (fs::exists(summary())) {
-    if (fs::exists(frames())) {
-      remove_matching(frames(), is_frame);
-    }
+    remove_matching(frames(), is_frame);
+    remove_matching(path_ / "plots", is_figure);
     remove_matching(path_, is_table);
   }
 }

@@ -9,6 +9,9 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run(${prefix}/bin/clca check ${prefix}/share/clca/scenes/wall-removal.yaml)
+if(NOT EXISTS ${prefix}/share/clca/plots/style.gp)
+  message(FATAL_ERROR "the templates of figures are not installed")
+endif()
 
 set(flags)
 if(SANITIZE)

@@ -14,8 +14,8 @@ std::filesystem::path frame_path(const std::filesystem::path& run, const std::st
 class RunFolder {
  public:
   /// Makes the folder if need be. Where a run.json says that a run has been here before, clears
-  /// what it has left: its pictures, tables, scene.yaml, run.json and log.txt. Other files stay.
-  /// Throws StoreError.
+  /// what it has left: its pictures, tables, figures, scene.yaml, run.json and log.txt. Other files
+  /// stay. Throws StoreError.
   explicit RunFolder(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }

@@ -159,8 +159,11 @@ using RunFolderTest = StoreTest;
 
 TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   const RunFolder first(folder_ / "run");
-  for (const char* name : {"run.json", "series.csv", "cycles.csv", "profile-flow.csv",
-                           "contacts-flow.csv", "notes.txt", "other.csv"}) {
+  first.make_frames();
+  fs::create_directories(first.path() / "plots");
+  for (const char* name :
+       {"run.json", "series.csv", "cycles.csv", "profile-flow.csv", "contacts-flow.csv",
+        "histogram-5.csv", "plots/profile.png", "notes.txt", "other.csv"}) {
     write_whole(first.path() / name, "x");
   }
   write_whole(first.frame("scene", 120), "x");
@@ -172,6 +175,8 @@ TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   EXPECT_FALSE(fs::exists(second.table("cycles")));
   EXPECT_FALSE(fs::exists(second.table("profile", "flow")));
   EXPECT_FALSE(fs::exists(second.table("contacts", "flow")));
+  EXPECT_FALSE(fs::exists(second.table("histogram", "5")));
+  EXPECT_FALSE(fs::exists(second.path() / "plots" / "profile.png"));
   EXPECT_FALSE(fs::exists(second.frame("scene", 120)));
   EXPECT_TRUE(fs::exists(second.path() / "notes.txt"));
   EXPECT_TRUE(fs::exists(second.path() / "other.csv"));
