@@ -191,8 +191,9 @@ TEST(BytesOf, GrowWithParticlesAndMembersThatRunAtATime) {
   const double one = bytes({many}, 4);
   EXPECT_GE(one, 56e6);
   EXPECT_LE(one, 57e6);
-  EXPECT_EQ(bytes({many, "boltzmann.ensemble=3"}, 4) - one, 112e6);
-  EXPECT_EQ(bytes({many, "boltzmann.ensemble=3"}, 2) - one, 56e6);
+  constexpr double kTables = 1e5;  // a part of them for each member
+  EXPECT_NEAR(bytes({many, "boltzmann.ensemble=3"}, 4) - one, 112e6, kTables);
+  EXPECT_NEAR(bytes({many, "boltzmann.ensemble=3"}, 2) - one, 56e6, kTables);
   EXPECT_EQ(bytes({many, "boltzmann.sampling=quasi"}, 1) - one, 56e6);
   EXPECT_EQ(bytes({many, "boltzmann.scheme=ogawa-kato"}, 1) - one, 56e6);
   EXPECT_EQ(bytes({many, "boltzmann.scheme=ogawa-kato", "boltzmann.sampling=quasi"}, 1) - one,
