@@ -30,7 +30,8 @@ double table_bytes(const BoltzmannScene& scene) {
   const double shares = static_cast<double>(scene.histograms.size()) * bins;
   const auto gases = static_cast<double>(scene.ensemble);
   return static_cast<double>(scene.restitutions.size()) *
-         ((kRowBytes * gases + kRowTextBytes) * rows + (kBinBytes * gases + kBinTextBytes) * shares);
+         ((kRowBytes * gases + kRowTextBytes) * rows +
+          (kBinBytes * gases + kBinTextBytes) * shares);
 }
 
 }  // namespace
