@@ -50,7 +50,7 @@ class Stepper {
 
  private:
   double duration(double longest) const;
-  Outcome work(Eigen::Index group, double duration, Workbench& bench);
+  Outcome work(Eigen::Index number, double duration, Workbench& bench);
 
   Gas& gas_;
   const Law& law_;

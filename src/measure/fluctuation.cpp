@@ -7,7 +7,7 @@ namespace clca::measure {
 namespace {
 
 /// Journeys of equal lattice vectors differ by rounding only, all others by half a spacing or more.
-constexpr double kRounding = 1e-9;  // square spacings
+constexpr double kAtRest = 1e-9;  // square spacings
 
 struct CellMotion {
   std::size_t particles = 0;
@@ -15,7 +15,7 @@ struct CellMotion {
   double squares = 0;                              // sum of squared deviations from it
 
   bool is_sparse() const { return particles < Fluctuations::kFewest; }
-  bool is_resting() const { return squares < kRounding; }
+  bool is_resting() const { return squares < kAtRest; }
   bool counts() const { return !is_sparse() && !is_resting(); }
   /// Squared deviation of one of them, corrected for the mean being theirs.
   double energy(const Journey& journey) const {
