@@ -99,13 +99,17 @@ store::RunSummary GasRun::execute() {
 
 void GasRun::warn() {
   const auto* literal = std::get_if<boltzmann::OgawaKato>(&scene_.scheme);
-  if (literal != nullptr && literal->time_step > boltzmann::OgawaKato().time_step) {
-    log_.warning(fmt::format(
-        "{}: a time step of {} is too long for the scheme ogawa-kato: expect some {:.0f} % of heat "
-        "from nowhere until time {}; 0.025 or less is what it was made for",
-        scene_.place, literal->time_step, 100 * boltzmann::expected_heating(*literal, scene_.until),
-        scene_.until));
+  if (literal == nullptr || literal->time_step <= boltzmann::OgawaKato().time_step) {
+    return;
   }
+  constexpr double kPercent = 100;
+  const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.until);
+  const std::string bias = std::isfinite(heat) ? fmt::format("{:.0f} %", heat) : "without bound";
+  log_.warning(
+      fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato: expect "
+                  "<v^2> to be too large by time {}, {} for elastic spheres; 0.025 or "
+                  "less is what it was made for",
+                  scene_.place, literal->time_step, scene_.until, bias));
 }
 
 void GasRun::run_cases() {
@@ -127,6 +131,7 @@ GasCase GasRun::run_case(double restitution) {
   const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
   const int outer = std::min(options_.threads, members);
   const int inner = std::max(1, options_.threads / outer);
+  omp_set_max_active_levels(2);  // gases, and groups of particles in each
   std::atomic<bool> failed = false;
   std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic) num_threads(outer) default(shared)
