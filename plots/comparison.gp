@@ -18,6 +18,7 @@ set ylabel 'share / share under chi-square'
 set xrange [0:1]
 set yrange [0:*]
 set key outside bottom center horizontal maxcols 1
+set bmargin 10.5
 plot for [i = 1:count] 'comparison.csv' \
          using ((column('quantile_lower') + column('quantile_upper')) / 2): \
                (column(names[i]) / column('reference')) \
