@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clca::run {
 
@@ -75,16 +76,21 @@ boltzmann::Bins bins_of(const scene::BoltzmannScene& scene) {
                                        kGasDegrees);
 }
 
+double relative_temperature(double temperature, double start) {
+  return start > 0 ? temperature / start : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool sheared) const {
-  std::vector<GasColumn> columns = {{"t_tr", moments.translational / start.moments.translational},
-                                    {"t_rot", moments.rotational / start.moments.rotational},
-                                    {"collisions", collisions},
-                                    {"a2_tr", moments.a2_translational},
-                                    {"a2_rot", moments.a2_rotational},
-                                    {"dh_tr", dh_translational},
-                                    {"dh_rot", dh_rotational},
-                                    {"correlation", moments.correlation},
-                                    {"alignment", moments.alignment}};
+  std::vector<GasColumn> columns = {
+      {"t_tr", relative_temperature(moments.translational, start.moments.translational)},
+      {"t_rot", relative_temperature(moments.rotational, start.moments.rotational)},
+      {"collisions", collisions},
+      {"a2_tr", moments.a2_translational},
+      {"a2_rot", moments.a2_rotational},
+      {"dh_tr", dh_translational},
+      {"dh_rot", dh_rotational},
+      {"correlation", moments.correlation},
+      {"alignment", moments.alignment}};
   if (sheared) {
     columns.push_back({"p_xx", moments.p_xx});
     columns.push_back({"p_yy", moments.p_yy});
@@ -105,9 +111,13 @@ GasMember run_member(const scene::BoltzmannScene& scene, double restitution, std
                                            seed);
   GasMember member;
   for (const GasTime& time : gas_times(scene)) {
+    // A cold gas comes from one time to the next in a single step, which nothing can stop.
+    if (!keeps_on(gas)) {
+      break;
+    }
     boltzmann::advance(gas, process, seed, time.time, threads, keeps_on);
     if (gas.time < time.time) {
-      break;  // stopped
+      break;
     }
     member.observations.push_back(observe(gas, time.in_histograms));
   }

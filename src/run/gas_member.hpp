@@ -27,6 +27,9 @@ std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene);
 
 boltzmann::Bins bins_of(const scene::BoltzmannScene& scene);
 
+/// Over that at time 0; NaN where there was none.
+double relative_temperature(double temperature, double start);
+
 /// One quantity of a row of series.csv.
 struct GasColumn {
   const char* name;
@@ -52,7 +55,7 @@ struct GasMember {
   std::uint64_t hash = 0;
 };
 
-/// Runs one; `keeps_on` is asked between steps.
+/// Runs one; `keeps_on` is asked before each time and between steps.
 GasMember run_member(const scene::BoltzmannScene& scene, double restitution, std::uint64_t seed,
                      int threads, const boltzmann::KeepsOn& keeps_on);
 
