@@ -107,6 +107,8 @@ void standardise(TripleList& vectors) {
 UnitSample normal_sample(const Beginning& beginning, std::uint64_t seed) {
   const CubePoints points(beginning, beginning.particles, seed);
   UnitSample sample;
+  sample.velocities.reserve(beginning.particles);
+  sample.spins.reserve(beginning.particles);
   for (std::uint64_t particle = 0; particle < beginning.particles; ++particle) {
     const CubePoint u = points(particle);
     const auto [v_x, v_y] = two_normals(u[0], u[1]);
@@ -136,6 +138,7 @@ std::array<Components, 3> star(const Components& first, const Components& other)
 // the first (count + 1) / 2 directions.
 TripleList balanced(const TripleList& directions, std::uint64_t count) {
   TripleList result;
+  result.reserve(count);
   const std::uint64_t pairs = count % 2 == 0 ? count / 2 : (count - 3) / 2;
   for (std::uint64_t pair = 0; pair < pairs; ++pair) {
     result.push_back(directions[pair]);
@@ -153,6 +156,8 @@ UnitSample equal_sample(const Beginning& beginning, std::uint64_t seed) {
       beginning.exact_moments ? (beginning.particles + 1) / 2 : beginning.particles;
   const CubePoints points(beginning, count, seed);
   UnitSample sample;
+  sample.velocities.reserve(count);
+  sample.spins.reserve(count);
   for (std::uint64_t number = 0; number < count; ++number) {
     const CubePoint u = points(number);
     sample.velocities.push_back(direction(u[0], u[1]));

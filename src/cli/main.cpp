@@ -26,7 +26,10 @@ int fail(ExitCode code, std::string_view message) {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app("Granular flow patterns by the Connected Lattice Cellular Automaton.", "clca");
+  CLI::App app(
+      "Granular flow patterns by the Connected Lattice Cellular Automaton, and the Boltzmann\n"
+      "equation of inelastic, frictional spheres beside it.",
+      "clca");
   app.set_version_flag("--version", "clca " + clca::run::version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App* /*app*/, const CLI::Error& error) {

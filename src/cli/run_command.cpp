@@ -27,11 +27,11 @@ std::string totals(const store::RunSummary& summary) {
   if (summary.kind == "boltzmann") {
     return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} collisions/s",
                        summary.status, summary.particles, summary.steps, summary.wall_seconds,
-                       summary.collisions_per_second);
+                       summary.rate);
   }
   return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} particle-updates/s",
                      summary.status, summary.particles, summary.steps, summary.wall_seconds,
-                     summary.particle_updates_per_second);
+                     summary.rate);
 }
 
 template <class Scene>
@@ -72,8 +72,8 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   return run_one(std::get<scene::BoltzmannScene>(scene), options);
 }
 
-void add_command(CLI::App& app, int& code, const char* name, const char* what,
-                 int (*run_it)(const RunCommandOptions&)) {
+CLI::App* add_command(CLI::App& app, int& code, const char* name, const char* what,
+                      int (*run_it)(const RunCommandOptions&)) {
   CLI::App* command = app.add_subcommand(name, what);
   auto options = std::make_shared<RunCommandOptions>();
   add_scene_options(*command, options->scene);
@@ -83,6 +83,7 @@ void add_command(CLI::App& app, int& code, const char* name, const char* what,
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
   command->callback([options, &code, run_it] { code = run_it(*options); });
+  return command;
 }
 
 }  // namespace
@@ -93,7 +94,9 @@ void add_run_command(CLI::App& app, int& code) {
 }
 
 void add_boltzmann_command(CLI::App& app, int& code) {
-  add_command(app, code, "boltzmann", "Run a scene of the Boltzmann equation", run_boltzmann_scene);
+  CLI::App* command = add_command(app, code, "boltzmann", "Run a scene of the Boltzmann equation",
+                                  run_boltzmann_scene);
+  command->remove_option(command->get_option("--frames-every"));  // it draws no pictures
 }
 
 }  // namespace clca::cli

@@ -6,10 +6,10 @@
 #include <system_error>
 
 #include "clca/boltzmann/distribution.hpp"
+#include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
 #include "compare/read_runs.hpp"
-#include "run/provenance.hpp"
 
 namespace clca::compare {
 

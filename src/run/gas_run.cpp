@@ -15,7 +15,6 @@
 #include "run/gas_tables.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
-#include "run/provenance.hpp"
 
 namespace clca::run {
 
@@ -104,12 +103,12 @@ void GasRun::warn() {
   }
   constexpr double kPercent = 100;
   const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.until);
-  const std::string bias = std::isfinite(heat) ? fmt::format("{:.0f} %", heat) : "without bound";
+  const std::string bias = std::isfinite(heat) ? fmt::format("by {:.0f} %", heat) : "without bound";
   log_.warning(
-      fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato: expect "
-                  "<v^2> to be too large by time {}, {} for elastic spheres; 0.025 or "
-                  "less is what it was made for",
-                  scene_.place, literal->time_step, scene_.until, bias));
+      fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato, whose bias "
+                  "grows with it: elastic spheres heat {} until time {}; 0.025 or less is "
+                  "what it was made for",
+                  scene_.place, literal->time_step, bias, scene_.until));
 }
 
 void GasRun::run_cases() {
@@ -214,7 +213,7 @@ store::RunSummary GasRun::summary(const std::string& status) const {
   summary.steps = steps_;
   summary.wall_seconds = wall_clock_.seconds();
   summary.step_seconds = wall_clock_.seconds();
-  summary.collisions_per_second = collisions_ / std::max(wall_clock_.seconds(), kLeastSeconds);
+  summary.rate = collisions_ / std::max(wall_clock_.seconds(), kLeastSeconds);
   summary.state_hash = hash_.value();
   summary.stages = stages_;
   return summary;

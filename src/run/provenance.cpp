@@ -1,4 +1,4 @@
-#include "run/provenance.hpp"
+// Which program made a run.
 
 #include "clca/run/run.hpp"
 

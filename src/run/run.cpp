@@ -11,7 +11,6 @@
 #include "run/log.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
-#include "run/provenance.hpp"
 #include "run/records.hpp"
 #include "run/stage.hpp"
 
@@ -185,7 +184,7 @@ store::RunSummary Run::summary(const std::string& status) const {
   summary.steps = automaton_.state().step;
   summary.wall_seconds = wall_clock_.seconds();
   summary.step_seconds = step_clock_.seconds();
-  summary.particle_updates_per_second = rate();
+  summary.rate = rate();
   summary.state_hash = automaton::hash(automaton_.state());
   summary.stages = stages_;
   return summary;

@@ -10,7 +10,8 @@ namespace clca::scene {
 namespace {
 
 constexpr double kMotionBytes = 6 * sizeof(double);
-constexpr double kScratchBytes = 8;
+// While the initial state is drawn: velocities and spins by themselves.
+constexpr double kScratchBytes = 6 * sizeof(double);
 // Kept for each gas of the ensemble until the end, and as the text of a table.
 constexpr double kRowBytes = 256;
 constexpr double kRowTextBytes = 512;

@@ -79,23 +79,21 @@ StageSummary stage(const Json& object) {
 
 RunSummary summary_of(const Json& object) {
   const Json& build = field(object, "build", &Json::is_object);
-  RunSummary summary = {
-      .kind = text(object, "kind"),
-      .version = text(object, "clca"),
-      .scene = text(object, "scene"),
-      .seed = count(object, "seed"),
-      .threads = static_cast<int>(count(object, "threads")),
-      .status = text(object, "status"),
-      .particles = count(object, "particles"),
-      .steps = count(object, "steps"),
-      .wall_seconds = number(object, "wall_seconds"),
-      .step_seconds = number(object, "step_seconds"),
-      .particle_updates_per_second = number(object, "particle_updates_per_second"),
-      .collisions_per_second = number(object, "collisions_per_second"),
-      .state_hash = hash(object, "state_hash"),
-      .compiler = text(build, "compiler"),
-      .build_type = text(build, "type"),
-      .stages = {}};
+  RunSummary summary = {.kind = text(object, "kind"),
+                        .version = text(object, "clca"),
+                        .scene = text(object, "scene"),
+                        .seed = count(object, "seed"),
+                        .threads = static_cast<int>(count(object, "threads")),
+                        .status = text(object, "status"),
+                        .particles = count(object, "particles"),
+                        .steps = count(object, "steps"),
+                        .wall_seconds = number(object, "wall_seconds"),
+                        .step_seconds = number(object, "step_seconds"),
+                        .rate = number(object, rate_key(text(object, "kind"))),
+                        .state_hash = hash(object, "state_hash"),
+                        .compiler = text(build, "compiler"),
+                        .build_type = text(build, "type"),
+                        .stages = {}};
   for (const Json& one : field(object, "stages", &Json::is_array)) {
     summary.stages.push_back(stage(one));
   }

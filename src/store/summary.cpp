@@ -33,6 +33,10 @@ Json to_object(const StageSummary& stage) {
 
 }  // namespace
 
+const char* rate_key(std::string_view kind) {
+  return kind == "boltzmann" ? "collisions_per_second" : "particle_updates_per_second";
+}
+
 std::string to_json(const RunSummary& summary) {
   Json stages = Json::array();
   for (const StageSummary& stage : summary.stages) {
@@ -48,8 +52,7 @@ std::string to_json(const RunSummary& summary) {
                        {"steps", summary.steps},
                        {"wall_seconds", summary.wall_seconds},
                        {"step_seconds", summary.step_seconds},
-                       {"particle_updates_per_second", summary.particle_updates_per_second},
-                       {"collisions_per_second", summary.collisions_per_second},
+                       {rate_key(summary.kind), summary.rate},
                        {"state_hash", fmt::format("{:016x}", summary.state_hash)},
                        {"build", {{"compiler", summary.compiler}, {"type", summary.build_type}}},
                        {"stages", std::move(stages)}};

@@ -74,6 +74,9 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
+/// A summary with version, compiler and build type filled in.
+store::RunSummary provenance();
+
 /// Version of the program, as in CMakeLists.txt.
 std::string version();
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,14 +32,17 @@ struct RunSummary {
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
   double wall_seconds = 0;
-  double step_seconds = 0;                 ///< of wall_seconds, in steps of the automaton
-  double particle_updates_per_second = 0;  ///< of the automaton
-  double collisions_per_second = 0;        ///< of the Boltzmann equation; pairs
+  double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
+  double rate = 0;          ///< see rate_key
   std::uint64_t state_hash = 0;
   std::string compiler;
   std::string build_type;
   std::vector<StageSummary> stages;
 };
+
+/// What run.json calls the rate of a kind of run: particle-updates of the automaton, collisions (of
+/// pairs) of the Boltzmann equation, both per second.
+const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
 

@@ -87,7 +87,7 @@ RunSummary full_summary() {
       .steps = 500,
       .wall_seconds = 0.5,
       .step_seconds = 0.25,
-      .particle_updates_per_second = 1e6,
+      .rate = 1e6,
       .state_hash = 0xabc,
       .compiler = "GNU 12",
       .build_type = "Release",
