@@ -18,7 +18,7 @@ namespace {
 /// So that a group lies in the second-level cache of a core.
 constexpr Eigen::Index kGroupSize = 8192;
 constexpr double kCollisionsPerStep = 4;  // of a particle
-constexpr double kShearPerStep = 0.1;
+constexpr double kShearPerStep = 0.05;
 
 /// What one thread works with.
 struct Workbench {
