@@ -42,9 +42,10 @@ TEST_P(ExactScheme, AgreesWithTheReferenceTables) {
                                std::sqrt(rough.particles / double{kParticles});
       const double tolerance =
           4 * std::hypot(deviation / std::sqrt(double{kRuns}), expected.standard_error);
-      EXPECT_NEAR(testing::statistics(all[i].at(quantity)).mean - floor_of(quantity, kParticles),
-                  expected.value - floor_of(quantity, expected.particles), tolerance)
-          << quantity << " at time " << times[i];
+      testing::expect_near(
+          fmt::format("{} at time {}", quantity, times[i]),
+          testing::statistics(all[i].at(quantity)).mean - floor_of(quantity, kParticles),
+          expected.value - floor_of(quantity, expected.particles), tolerance);
     }
   }
 }
@@ -68,9 +69,9 @@ TEST(ExactScheme, CumulantsAndCorrelationsAgreeToo) {
     for (const std::string quantity : {"Ttr", "Trot", "ncoll", "a2t", "a2r", "crel", "ori"}) {
       const auto expected = best.at(1, 0.5, times[i], quantity);
       const double deviation = expected.standard_error * std::sqrt(expected.runs);
-      EXPECT_NEAR(all[i].at(quantity).front(), expected.value,
-                  4 * std::hypot(deviation, expected.standard_error))
-          << quantity << " at time " << times[i];
+      testing::expect_near(fmt::format("{} at time {}", quantity, times[i]),
+                           all[i].at(quantity).front(), expected.value,
+                           4 * std::hypot(deviation, expected.standard_error));
     }
   }
 }

@@ -34,7 +34,8 @@ inline std::vector<GasResult> results(const GasCase& one, const std::vector<doub
     boltzmann::Gas gas = boltzmann::make_gas(one.beginning, seed);
     const boltzmann::Moments start = boltzmann::moments(gas.motions);
     for (std::size_t i = 0; i < times.size(); ++i) {
-      boltzmann::advance(gas, one.process, seed, times[i], 2);
+      // One thread each, as the tests run side by side.
+      boltzmann::advance(gas, one.process, seed, times[i], 1);
       const auto moments = boltzmann::moments(gas.motions);
       const auto shares = boltzmann::energy_shares(gas.motions, moments, bins);
       GasResult& result = all[i];
@@ -45,11 +46,43 @@ inline std::vector<GasResult> results(const GasCase& one, const std::vector<doub
       result["a2r"].push_back(moments.a2_rotational);
       result["crel"].push_back(moments.correlation);
       result["ori"].push_back(moments.alignment);
+      result["Pxx"].push_back(moments.p_xx);
+      result["Pyy"].push_back(moments.p_yy);
+      result["Pxy"].push_back(moments.p_xy);
       result["DHt_q20"].push_back(boltzmann::hellinger_distance(shares.translational, reference));
       result["DHr_q20"].push_back(boltzmann::hellinger_distance(shares.rotational, reference));
     }
   }
   return all;
+}
+
+/// What each member came to, averaged over the times from `first` on.
+inline std::vector<double> late_means(const std::vector<GasResult>& all, std::size_t first,
+                                      const std::string& quantity) {
+  std::vector<double> means(all.front().at(quantity).size(), 0);
+  for (std::size_t i = first; i < all.size(); ++i) {
+    for (std::size_t member = 0; member < means.size(); ++member) {
+      means[member] += all[i].at(quantity)[member] / static_cast<double>(all.size() - first);
+    }
+  }
+  return means;
+}
+
+/// Expects `measured` within `tolerance` of `expected` and leaves both in the report of the tests.
+inline void expect_near(const std::string& what, double measured, double expected,
+                        double tolerance) {
+  EXPECT_NEAR(measured, expected, tolerance) << what;
+  ::testing::Test::RecordProperty(
+      what, fmt::format("{:.6g}, expected {:.6g}, off by {:+.2f} of the tolerance {:.2g}", measured,
+                        expected, (measured - expected) / tolerance, tolerance));
+}
+
+/// The same for the mean of an ensemble: within 4 standard errors, and `systematic`.
+inline void expect_mean(const std::string& what, const std::vector<double>& values, double expected,
+                        double expected_error = 0, double systematic = 0) {
+  const Statistics measured = statistics(values);
+  expect_near(what, measured.mean, expected,
+              4 * std::hypot(measured.standard_error, expected_error) + systematic);
 }
 
 /// One line of a reference table.
