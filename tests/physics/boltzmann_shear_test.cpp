@@ -25,20 +25,26 @@ double relaxed(double restitution, double shear_rate) {
   return 20 / (1 - restitution * restitution) * mild_rate(restitution) / shear_rate;
 }
 
+/// `every` after `begin`, again and again up to `end`.
+std::vector<double> regular_times(double begin, double end, double every) {
+  std::vector<double> times(static_cast<std::size_t>((end - begin) / every));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    times[i] = begin + static_cast<double>(i + 1) * every;
+  }
+  return times;
+}
+
 struct Flow {
-  double restitution;
-  double shear_rate;
-  double every;  ///< time from look to look, and the longest step
+  double restitution = 1;
+  double shear_rate = 1;
+  double every = 1;  ///< time from look to look, and the longest step
   std::uint64_t particles = 5000;
 };
 
 /// Each quantity in the steady state, a mean over time for every member of an ensemble.
 testing::GasResult steady(const Flow& flow) {
-  std::vector<double> times;
-  const double end = 2 * relaxed(flow.restitution, flow.shear_rate);
-  for (double time = flow.every; time < end; time += flow.every) {
-    times.push_back(time);
-  }
+  const std::vector<double> times =
+      regular_times(0, 2 * relaxed(flow.restitution, flow.shear_rate), flow.every);
   const auto all = testing::results({.beginning = {.particles = flow.particles, .energy_ratio = 0},
                                      .process = sheared(flow.restitution, flow.shear_rate),
                                      .members = 8},
@@ -98,7 +104,7 @@ TEST(ShearFlow, HeatsAsMuchAsCollisionsCoolOnceItIsSteady) {
       boltzmann::Gas gas = boltzmann::make_gas({.particles = 5000, .energy_ratio = 0}, seed);
       double heating = 0;
       double cooling = 0;
-      for (double time = begin; time < 3 * begin; time += 1) {
+      for (const double time : regular_times(begin, 3 * begin, 1)) {
         boltzmann::advance(gas, sheared(restitution, rate), seed, time, 1);
         const auto moments = boltzmann::moments(gas.motions);
         heating += -2.0 / 3 * rate * moments.p_xy * moments.translational;
