@@ -75,7 +75,11 @@ Temperatures closure(const Law& law, const Temperatures& begin, double duration)
   Temperatures present = begin;
   for (double left = duration; left > 0;) {
     const double step = std::min(left, kCollisionsPerStep / maxwellian_rate(present.translational));
-    present = runge_kutta(law, present, step);
+    const Temperatures next = runge_kutta(law, present, step);
+    if (next == present) {
+      break;  // for ever: without losses the times may be long
+    }
+    present = next;
     left -= step;
   }
   return present;

@@ -10,6 +10,8 @@ namespace clca::boltzmann {
 struct Temperatures {
   double translational = 1;
   double rotational = 1;
+
+  bool operator==(const Temperatures&) const = default;
 };
 
 /// Collision rate of a particle in a Maxwellian gas, (4 / sqrt(pi)) sqrt(T).

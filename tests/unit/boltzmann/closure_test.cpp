@@ -215,5 +215,11 @@ TEST(ShearFlow, RefusesWhatIsNeverSteady) {
   EXPECT_THROW(shear_flow(NAN, 1), std::invalid_argument);
 }
 
+TEST(Closure, IsSoonDoneWithLongTimesWhereNothingIsLost) {
+  const Law lossless = {.restitution = 1, .friction = kNoSlidingLimit, .roughness = 1};
+  const Temperatures end = closure(lossless, {.translational = 1, .rotational = 0.5}, 1e9);
+  EXPECT_NEAR(end.translational, end.rotational / 2.5, 1e-9);
+}
+
 }  // namespace
 }  // namespace clca::boltzmann
