@@ -83,6 +83,12 @@ Components direction(double u, double turns) {
 }
 
 struct UnitSample {
+  // Empty, with room for so many.
+  explicit UnitSample(std::uint64_t particles) {
+    velocities.reserve(particles);
+    spins.reserve(particles);
+  }
+
   TripleList velocities;
   TripleList spins;  // of the same length in the mean as the velocities
 };
@@ -106,9 +112,7 @@ void standardise(TripleList& vectors) {
 
 UnitSample normal_sample(const Beginning& beginning, std::uint64_t seed) {
   const CubePoints points(beginning, beginning.particles, seed);
-  UnitSample sample;
-  sample.velocities.reserve(beginning.particles);
-  sample.spins.reserve(beginning.particles);
+  UnitSample sample(beginning.particles);
   for (std::uint64_t particle = 0; particle < beginning.particles; ++particle) {
     const CubePoint u = points(particle);
     const auto [v_x, v_y] = two_normals(u[0], u[1]);
@@ -155,9 +159,7 @@ UnitSample equal_sample(const Beginning& beginning, std::uint64_t seed) {
   const std::uint64_t count =
       beginning.exact_moments ? (beginning.particles + 1) / 2 : beginning.particles;
   const CubePoints points(beginning, count, seed);
-  UnitSample sample;
-  sample.velocities.reserve(count);
-  sample.spins.reserve(count);
+  UnitSample sample(count);
   for (std::uint64_t number = 0; number < count; ++number) {
     const CubePoint u = points(number);
     sample.velocities.push_back(direction(u[0], u[1]));

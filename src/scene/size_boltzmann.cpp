@@ -10,8 +10,8 @@ namespace clca::scene {
 namespace {
 
 constexpr double kMotionBytes = 6 * sizeof(double);
-// While the initial state is drawn: velocities and spins by themselves.
-constexpr double kScratchBytes = 6 * sizeof(double);
+constexpr double kScratchBytes = 8;
+constexpr double kOrderBytes = 16;
 // Kept for each gas of the ensemble until the end, and as the text of a table.
 constexpr double kRowBytes = 256;
 constexpr double kRowTextBytes = 512;
@@ -40,10 +40,13 @@ double table_bytes(const BoltzmannScene& scene) {
 double bytes_of(const BoltzmannScene& scene, int threads) {
   const auto members = static_cast<double>(
       std::min(scene.ensemble, static_cast<std::uint64_t>(std::max(1, threads))));
-  // Sorted, or changed from one step to the next as a whole: there is a second copy.
-  const bool twice = scene.quasi || std::holds_alternative<boltzmann::OgawaKato>(scene.scheme);
-  const double gas = (kMotionBytes + kScratchBytes) * static_cast<double>(scene.particles);
-  return members * gas * (twice ? 2 : 1) + table_bytes(scene);
+  // There are two copies: at first the sample that a gas is made from, with the literal scheme the
+  // state before a step.
+  double per_particle = 2 * kMotionBytes + kScratchBytes;
+  if (scene.quasi && std::holds_alternative<boltzmann::OgawaKato>(scene.scheme)) {
+    per_particle += kMotionBytes + kOrderBytes;  // it is sorted
+  }
+  return members * per_particle * static_cast<double>(scene.particles) + table_bytes(scene);
 }
 
 }  // namespace clca::scene
