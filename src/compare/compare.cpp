@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kKind = "comparison";
+
 bool is_of_automaton(const Distribution& distribution) {
   return distribution.name.starts_with("automaton");
 }
@@ -66,7 +68,7 @@ double from_chi_square(const Distribution& one) {
 /// So that figures can be drawn of the folder as of that of a run.
 store::RunSummary summary(const Comparison& comparison) {
   store::RunSummary summary = run::provenance();
-  summary.kind = "comparison";
+  summary.kind = kKind;
   summary.scene = comparison.title;
   summary.status = "done";
   store::StageSummary stage = {.name = comparison.stage, .steps = 0, .ended = "", .measures = {}};
@@ -75,6 +77,19 @@ store::RunSummary summary(const Comparison& comparison) {
   }
   summary.stages.push_back(stage);
   return summary;
+}
+
+/// A run in the folder would lose its run.json.
+void refuse_run(const fs::path& folder) {
+  if (!fs::exists(folder / "run.json")) {
+    return;
+  }
+  const std::string kind = store::read_summary(folder / "run.json").kind;
+  if (kind != kKind) {
+    throw CompareError(
+        fmt::format("{}: there is a run of kind {} in it; write the comparison elsewhere",
+                    folder.string(), kind));
+  }
 }
 
 }  // namespace
@@ -125,6 +140,7 @@ void write(const Comparison& comparison, const fs::path& folder) {
     throw store::StoreError(
         fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
   }
+  refuse_run(folder);
   store::write_whole(folder / "comparison.csv", comparison_csv(comparison));
   store::write_whole(folder / "distances.csv", distances_csv(comparison));
   store::write_whole(folder / "run.json", store::to_json(summary(comparison)));

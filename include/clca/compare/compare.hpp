@@ -56,7 +56,8 @@ std::vector<Distance> distances(const Comparison& comparison);
 
 /// Writes comparison.csv (quantile_lower, quantile_upper, a column per distribution, reference) and
 /// distances.csv (name, distance, floor, samples) into `folder`, made if need be, and a run.json of
-/// kind "comparison" that lets figures be drawn. Throws store::StoreError.
+/// kind "comparison" that lets figures be drawn. Throws store::StoreError, and
+/// CompareError where a run of another kind lies there.
 void write(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace clca::compare

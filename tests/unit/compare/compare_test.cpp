@@ -87,6 +87,13 @@ TEST_F(Compare, PutsBothRunsIntoOneTableByQuantile) {
   EXPECT_DOUBLE_EQ(last("reference"), 0.05);
 }
 
+TEST_F(Compare, ReplacesAnotherComparisonButNoRun) {
+  write(compared(), out());
+  EXPECT_NO_THROW(write(compared(), out()));
+  EXPECT_THROW(write(compared(), automaton()), CompareError);
+  EXPECT_EQ(store::read_summary(automaton() / "run.json").kind, "automaton");
+}
+
 TEST_F(Compare, TellsTheDistancesFromChiSquareAndOfOneRunFromTheOther) {
   const std::vector<Distance> all = distances(compared());
   std::vector<std::string> names;
