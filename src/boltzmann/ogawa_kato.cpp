@@ -13,7 +13,8 @@
 namespace clca::boltzmann {
 namespace {
 
-constexpr std::uint32_t kStepShift = 1;  // 0 is that of the beginning
+constexpr std::uint32_t kStepShift = 1;          // 0 is that of the beginning
+constexpr std::uint64_t kFewestPerThread = 256;  // with fewer, threads would only wait
 
 Triple<double> velocity(const Motions& motions, Place place) {
   return {motions(0, place), motions(1, place), motions(2, place)};
@@ -161,6 +162,8 @@ void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::
   }
   const auto particles = static_cast<std::uint64_t>(gas.particles());
   const StepEnds steps(scheme.time_step, time);
+  const int useful = static_cast<int>(
+      std::min(static_cast<std::uint64_t>(threads), 1 + particles / kFewestPerThread));
   std::optional<LatticeRule> rule;
   if (scheme.quasi) {
     rule.emplace(particles);
@@ -174,10 +177,10 @@ void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::
       before = sorted_by_speed(gas.motions);
       rule->shift(seed, {.step = static_cast<std::uint32_t>(gas.step), .group = kStepShift});
       gas.participations +=
-          take(step, LatticeDraws(*rule, draws), scheme.partners, threads, gas.motions);
+          take(step, LatticeDraws(*rule, draws), scheme.partners, useful, gas.motions);
     } else {
       before.swap(gas.motions);
-      gas.participations += take(step, draws, scheme.partners, threads, gas.motions);
+      gas.participations += take(step, draws, scheme.partners, useful, gas.motions);
     }
     gas.time = end;
     ++gas.step;
