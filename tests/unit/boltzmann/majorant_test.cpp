@@ -49,6 +49,21 @@ TEST(MajorantScheme, ArrivesAtTheTimeAskedFor) {
   }
 }
 
+// By the viscosity of elastic spheres, (5 sqrt(pi) / 16) sqrt(T), the temperature grows as dT/dt =
+// (2/3) (viscosity) (shear rate)^2. Long steps would give up to 74 % more. The work that is done on
+// so many particles scatters by 3 %; the theory is a first approximation, 2 % too small.
+TEST(MajorantScheme, HeatsElasticSpheresInSlowShearAsTheirViscositySays) {
+  constexpr double kShearRate = 0.05;
+  constexpr double kTime = 60;
+  Gas gas = make_gas({.particles = 20'000, .energy_ratio = 0}, 3);
+  const Law elastic = {.restitution = 1, .friction = 0, .roughness = 0};
+  advance(gas, {.law = elastic, .scheme = Majorant{}, .shear_rate = kShearRate}, 3, kTime, 1);
+  const double speed =
+      1 + kShearRate * kShearRate * kTime * 5 * std::sqrt(std::numbers::pi) / (3 * 16);
+  const double heating = gas.motions.topRows(3).square().sum() / (3 * 20'000) - 1;
+  EXPECT_NEAR(heating / (speed * speed - 1), 1, 0.12);
+}
+
 TEST(MajorantScheme, KeepsTheEnergyOfElasticSmoothSpheresTo1e10) {
   Gas gas = make_gas({.particles = 20'000}, 2);
   const double before = energy(gas);
