@@ -64,9 +64,10 @@ class Actions {
  public:
   Actions(const fs::path& folder, const Aside& out, const Aside& err) {
     ::posix_spawn_file_actions_init(&actions_);
-    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     ::posix_spawn_file_actions_adddup2(&actions_, out.number(), STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions_, err.number(), STDERR_FILENO);
+    // Last: where this program has no standard input, `out` is 0 itself.
+    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     ::posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
   }
   ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
