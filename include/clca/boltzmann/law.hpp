@@ -3,7 +3,7 @@
 //
 // Ogawa & Kato 1982, eqs. 1 to 26, with two misprints put right: A of (19) is eta K mu (1 +
 // epsilon), and C4 of (26) has a factor 1/2. Written for one pair in Eigen vectors, and by the
-// schemes for many pairs at once (boltzmann/lanes.hpp).
+// schemes for many pairs at once (boltzmann/solid_collision.hpp).
 
 #include <Eigen/Core>
 

@@ -1,7 +1,6 @@
 #pragma once
 // How a gas is carried through time.
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <limits>
