@@ -8,13 +8,6 @@ namespace clca::run {
 
 namespace {
 
-boltzmann::Process process_of(const scene::BoltzmannScene& scene, double restitution) {
-  return {
-      .law = {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness},
-      .scheme = scene.scheme,
-      .shear_rate = scene.shear_rate};
-}
-
 class Observer {
  public:
   explicit Observer(const scene::BoltzmannScene& scene)
@@ -46,26 +39,35 @@ class Observer {
 }  // namespace
 
 std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
-  std::vector<GasTime> times;
-  const auto rows = static_cast<std::uint64_t>(std::floor(scene.until / scene.series_every));
-  for (std::uint64_t row = 0; row <= rows; ++row) {
-    times.push_back({static_cast<double>(row) * scene.series_every, true, false});
-  }
-  times.push_back({scene.until, true, false});
+  struct Candidate {
+    GasTime time;
+    bool is_said;  // by the scene; a multiple may miss it by rounding
+  };
+  std::vector<Candidate> all = {{{scene.until, true, false}, true}};
   for (const double time : scene.histograms) {
-    times.push_back({time, false, true});
+    all.push_back({{time, false, true}, true});
   }
-  std::sort(times.begin(), times.end(),
-            [](const GasTime& a, const GasTime& b) { return a.time < b.time; });
-  std::vector<GasTime> merged;
-  for (const GasTime& time : times) {
-    if (merged.empty() || merged.back().time < time.time) {
-      merged.push_back({time.time, false, false});
+  for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
+    all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.time.time < b.time.time; });
+  constexpr double kRounding = 1e-9;
+  std::vector<GasTime> times;
+  for (const Candidate& next : all) {
+    if (times.empty() || next.time.time - times.back().time > kRounding * scene.series_every) {
+      times.push_back(next.time);
+      continue;
     }
-    merged.back().in_series |= time.in_series;
-    merged.back().in_histograms |= time.in_histograms;
+    times.back().time = next.is_said ? next.time.time : times.back().time;
+    times.back().in_series |= next.time.in_series;
+    times.back().in_histograms |= next.time.in_histograms;
   }
-  return merged;
+  return times;
+}
+
+boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
+  return {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness};
 }
 
 boltzmann::Bins bins_of(const scene::BoltzmannScene& scene) {
@@ -102,7 +104,8 @@ std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool
 GasMember run_member(const scene::BoltzmannScene& scene, double restitution, std::uint64_t seed,
                      int threads, const boltzmann::KeepsOn& keeps_on) {
   const Observer observe(scene);
-  const boltzmann::Process process = process_of(scene, restitution);
+  const boltzmann::Process process = {
+      .law = law_of(scene, restitution), .scheme = scene.scheme, .shear_rate = scene.shear_rate};
   boltzmann::Gas gas = boltzmann::make_gas({.particles = scene.particles,
                                             .initial = scene.initial,
                                             .energy_ratio = scene.energy_ratio,

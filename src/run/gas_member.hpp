@@ -25,6 +25,8 @@ struct GasTime {
 /// Times of the series (from 0, the end included) and of the histograms, ascending, each once.
 std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene);
 
+boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution);
+
 boltzmann::Bins bins_of(const scene::BoltzmannScene& scene);
 
 /// Over that at time 0; NaN where there was none.

@@ -192,7 +192,7 @@ void GasRun::finish_case(const GasCase& one) {
     hash_.add(member.hash);
   }
   steps_ += steps;
-  complete_ = one.observations() == gas_times(scene_).size();
+  complete_ = one.at(gas_times(scene_).size() - 1).size() == one.members.size();
   const std::string ended = complete_ ? "time" : "interrupted";
   stages_.push_back({.name = case_name(one.restitution),
                      .steps = steps,

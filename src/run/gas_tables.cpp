@@ -48,8 +48,8 @@ struct NamedEstimate {
 /// The columns of series.csv at one time, over the ensemble.
 std::vector<NamedEstimate> series_estimates(const GasCase& one, std::size_t place, bool sheared) {
   std::vector<std::vector<GasColumn>> members;
-  for (const GasMember& member : one.members) {
-    members.push_back(member.observations[place].columns(member.observations.front(), sheared));
+  for (const GasMember* member : one.at(place)) {
+    members.push_back(member->observations[place].columns(member->observations.front(), sheared));
   }
   std::vector<NamedEstimate> estimates;
   for (std::size_t column = 0; column < members.front().size(); ++column) {
@@ -94,8 +94,8 @@ void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, cons
   const std::vector<double> reference = boltzmann::chi_square_shares(bins, kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
-    for (const GasMember& member : one.members) {
-      values.push_back((member.observations[place].shares.*kind)[bin]);
+    for (const GasMember* member : one.at(place)) {
+      values.push_back((member->observations[place].shares.*kind)[bin]);
     }
     const bool open = std::isinf(bins.upper(bin));
     Row row = begin_row(scene, one.restitution);
@@ -126,10 +126,6 @@ std::string histogram_csv(const scene::BoltzmannScene& scene, const std::vector<
   return table.to_csv();
 }
 
-boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
-  return {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness};
-}
-
 /// Temperatures by the closed forms, relative to time 0, at the times of the series.
 std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
   std::vector<std::string> columns = begin_columns(scene);
@@ -140,8 +136,11 @@ std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<Ga
       continue;
     }
     const boltzmann::Law law = law_of(scene, one.restitution);
-    const boltzmann::Temperatures start = {
-        1, one.members.front().observations.front().moments.rotational};
+    std::vector<double> spins;
+    for (const GasMember* member : one.at(0)) {
+      spins.push_back(member->observations.front().moments.rotational);
+    }
+    const boltzmann::Temperatures start = {1, estimate(spins).mean};
     boltzmann::Temperatures now = start;
     double since = 0;
     for (const GasTime& time : gas_times(scene)) {
@@ -180,11 +179,21 @@ std::string steady_csv(const scene::BoltzmannScene& scene, const std::vector<Gas
 }  // namespace
 
 std::size_t GasCase::observations() const {
-  std::size_t least = std::numeric_limits<std::size_t>::max();
+  std::size_t most = 0;
   for (const GasMember& member : members) {
-    least = std::min(least, member.observations.size());
+    most = std::max(most, member.observations.size());
   }
-  return members.empty() ? 0 : least;
+  return most;
+}
+
+std::vector<const GasMember*> GasCase::at(std::size_t place) const {
+  std::vector<const GasMember*> those;
+  for (const GasMember& member : members) {
+    if (place < member.observations.size()) {
+      those.push_back(&member);
+    }
+  }
+  return those;
 }
 
 Estimate estimate(const std::vector<double>& values) {
@@ -198,7 +207,8 @@ Estimate estimate(const std::vector<double>& values) {
   for (const double value : values) {
     squares += (value - mean) * (value - mean);
   }
-  return {mean, values.size() > 1 ? std::sqrt(squares / (count * (count - 1))) : 0};
+  return {mean, values.size() > 1 ? std::sqrt(squares / (count * (count - 1)))
+                                  : std::numeric_limits<double>::quiet_NaN()};
 }
 
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
@@ -230,6 +240,7 @@ std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene
     return measures;
   }
   measures.emplace_back("time", gas_times(scene)[reached - 1].time);
+  measures.emplace_back("gases", static_cast<double>(one.at(reached - 1).size()));
   for (const NamedEstimate& entry : series_estimates(one, reached - 1, scene.shear_rate > 0)) {
     measures.emplace_back(entry.name, entry.value.mean);
     if (scene.ensemble > 1) {

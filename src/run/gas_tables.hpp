@@ -11,16 +11,19 @@
 
 namespace clca::run {
 
-/// All members of the ensemble for one restitution. Where the run was stopped, what all of them
-/// have come to counts.
+/// The ensemble for one restitution. Where the run was stopped, the means are over those members
+/// that have come so far.
 struct GasCase {
   double restitution = 1;
   std::vector<GasMember> members;
 
+  /// Of the member that has come farthest.
   std::size_t observations() const;
+  /// The members that have come to that observation.
+  std::vector<const GasMember*> at(std::size_t place) const;
 };
 
-/// Mean over an ensemble; no error for a single run.
+/// Mean over an ensemble; the error of a single run is NaN.
 struct Estimate {
   double mean = 0;
   double standard_error = 0;

@@ -135,8 +135,8 @@ TEST_F(GasCommand, LongStepsOfThePrintedSchemeAreWarnedOfWithPlaceAndHeat) {
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err,
               MatchesRegex("warning: printed.yaml:2:1: a time step of 0.1 is too long for the "
-                           "scheme ogawa-kato: expect some 46 % of heat from nowhere until time "
-                           "15; 0.025 or less is what it was made for\n"));
+                           "scheme ogawa-kato, whose bias grows with it: elastic spheres heat by "
+                           "46 % until time 15; 0.025 or less is what it was made for\n"));
 }
 
 TEST_F(GasCommand, CheckPrintsAGasThatRunsToTheSameState) {

@@ -73,6 +73,15 @@ TEST_F(GasRunTest, ASeriesHasARowForEachTimeAndTheEnd) {
   EXPECT_GT(series.numbers("collisions").back(), 2);
 }
 
+TEST_F(GasRunTest, MultiplesThatMissATimeOfTheSceneByRoundingAreThatTime) {
+  // 17 * 0.1 is beyond 1.7, and 3 * 0.1 beyond 0.3.
+  run_gas({"boltzmann.until=1.7", "output.series.every=0.1", "output.histograms=[0.3, 1.7]"});
+  const std::vector<double> times = table("series").numbers("time");
+  ASSERT_EQ(times.size(), 18U);
+  EXPECT_EQ(times[3], 0.3);
+  EXPECT_EQ(times.back(), 1.7);
+}
+
 TEST_F(GasRunTest, AListOfRestitutionsHasAColumnOfItsOwnEvenWithOneEntry) {
   run_gas({"boltzmann.restitution=[0.5, 1]", "boltzmann.until=0.5", "output.histograms=[0.5]"});
   EXPECT_THAT(table("series").numbers("restitution"), ElementsAre(0.5, 0.5, 1, 1));
@@ -251,6 +260,24 @@ TEST_F(GasRunTest, StoppedOnItsWayItLeavesWholeTablesOfWhatWasDone) {
   EXPECT_EQ(read["stages"][1]["measures"]["time"], series.numbers("time").back());
   EXPECT_EQ(table("histogram-0").rows(), 2U * 20U);
   EXPECT_EQ(table("histogram-2000").rows(), 20U) << "of the first alone";
+}
+
+TEST_F(GasRunTest, AnEnsembleThatIsStoppedLeavesWhatItsMembersHaveComeTo) {
+  std::atomic<int> stop = 0;
+  const RunEvents events = {.gas_progress = [&](const GasProgress& progress) {
+    stop = progress.gases_done == 1 ? 2 : 0;
+  }};
+  run_gas({"boltzmann.ensemble=3", "boltzmann.particles=20000", "boltzmann.until=2000",
+           "output.histograms=[0]"},
+          events, &stop);
+  EXPECT_EQ(json()["status"], "interrupted");
+  EXPECT_EQ(json()["stages"][0]["measures"]["time"], 2000);
+  EXPECT_EQ(json()["stages"][0]["measures"]["gases"], 1);
+  const store::ReadTable series = table("series");
+  EXPECT_GT(series.numbers("t_tr").front(), 0.9);
+  EXPECT_EQ(series.numbers("time").back(), 2000);
+  EXPECT_FALSE(std::isnan(series.numbers("t_tr_se").front()));
+  EXPECT_TRUE(std::isnan(series.numbers("t_tr_se").back())) << "of one gas nothing is known";
 }
 
 TEST_F(GasRunTest, RunAgainIntoItsFolderItClearsTheHistogramsOfTheFirst) {
