@@ -42,6 +42,9 @@ class Walk {
 /// neighbours do not stay together.
 class Grouping {
  public:
+  /// Particles of a run.
+  static constexpr Eigen::Index kRun = 32;
+
   /// Groups of about `group_size` particles.
   Grouping(Eigen::Index particles, Eigen::Index group_size);
 
@@ -53,8 +56,6 @@ class Grouping {
                std::vector<Eigen::Index>& then) const;
 
  private:
-  static constexpr Eigen::Index kRun = 8;
-
   Eigen::Index particles_;
   Eigen::Index groups_;
   Walk runs_;

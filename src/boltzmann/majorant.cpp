@@ -69,7 +69,10 @@ double Stepper::duration(double longest) const {
   const double collisions = shear_rate_ > 0 ? kCollisionsPerShearedStep : kCollisionsPerStep;
   const double by_collisions = rate > 0 ? collisions / rate : longest;
   const double by_shear = shear_rate_ > 0 ? kShearPerStep / shear_rate_ : longest;
-  return std::min({longest, by_collisions, by_shear});
+  // Of equal steps to the end, so that none is short: each costs a walk through all particles.
+  constexpr double kOver = 0.25;  // by which a step may be too long
+  const double steps = std::ceil(longest / std::min(by_collisions, by_shear) - kOver);
+  return steps > 1 ? longest / steps : longest;
 }
 
 Outcome Stepper::work(Eigen::Index number, double duration, Workbench& bench) {

@@ -9,6 +9,8 @@
 namespace clca::boltzmann {
 namespace {
 
+constexpr Eigen::Index kRun = Grouping::kRun;
+
 std::vector<Eigen::Index> counting(Eigen::Index count) {
   std::vector<Eigen::Index> numbers(static_cast<std::size_t>(count));
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -40,9 +42,9 @@ TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
 }
 
 TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
-  constexpr Eigen::Index kParticles = 8 * 40;
+  constexpr Eigen::Index kParticles = kRun * 40;
   constexpr int kSteps = 20'000;
-  Grouping grouping(kParticles, 80);  // 4 groups of 10 runs each
+  Grouping grouping(kParticles, 10 * kRun);  // 4 groups of 10 runs each
   std::map<std::pair<Eigen::Index, Eigen::Index>, int> together;
   std::vector<Eigen::Index> now;
   std::vector<Eigen::Index> then;
@@ -50,8 +52,8 @@ TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
     grouping.shuffle(1, static_cast<std::uint64_t>(step));
     for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
       grouping.members(group, now, then);
-      for (std::size_t i = 0; i < now.size(); i += 8) {
-        for (std::size_t j = 0; j < i; j += 8) {
+      for (std::size_t i = 0; i < now.size(); i += kRun) {
+        for (std::size_t j = 0; j < i; j += kRun) {
           ++together[{std::min(now[i], now[j]), std::max(now[i], now[j])}];
         }
       }
@@ -75,7 +77,7 @@ TEST(Grouping, MovesParticlesAboutWithinTheirGroup) {
   grouping.members(0, now, then);
   std::size_t neighbours = 0;
   for (std::size_t i = 1; i < then.size(); ++i) {
-    neighbours += then[i] / 8 == then[i - 1] / 8 ? 1 : 0;
+    neighbours += then[i] / kRun == then[i - 1] / kRun ? 1 : 0;
   }
   EXPECT_LT(neighbours, then.size() / 100);
 }
