@@ -73,7 +73,7 @@ void write_whole(const std::filesystem::path& path, std::string_view text) {
   write_whole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path) {
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
@@ -91,6 +91,10 @@ std::vector<std::uint8_t> read_whole(const std::filesystem::path& path) {
     }
     if (count == 0) {
       return bytes;
+    }
+    if (static_cast<double>(bytes.size()) + static_cast<double>(count) > most_bytes) {
+      throw StoreError(
+          fmt::format("cannot read {}: it needs more memory than the limit", path.string()));
     }
     bytes.insert(bytes.end(), block.begin(), block.begin() + count);
   }

@@ -16,9 +16,8 @@ namespace clca::store {
 /// Numbers that a dataset may hold.
 template <class T>
 concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t> ||
-                 std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
-                 std::same_as<T, std::int32_t> || std::same_as<T, float> ||
-                 std::same_as<T, double>;
+    std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
+    std::same_as<T, std::int32_t> || std::same_as<T, float> || std::same_as<T, double>;
 
 /// What a file is for, and the version of its layout, from 1.
 struct FileKind {
@@ -76,6 +75,7 @@ class SealedReader {
 
  private:
   class File;
+  std::filesystem::path path_;
   std::unique_ptr<File> file_;
 };
 

@@ -21,7 +21,7 @@ class StoreError : public std::runtime_error {
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-/// All bytes of a file. Throws StoreError.
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path);
+/// All bytes of a file. Throws StoreError, also for one of more than `most_bytes`.
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes = 1e18);
 
 }  // namespace clca::store

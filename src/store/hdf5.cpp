@@ -1,0 +1,18 @@
+#include "store/hdf5.hpp"
+
+namespace clca::store::hdf5 {
+
+namespace {
+
+std::recursive_mutex& one_at_a_time() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+}  // namespace
+
+Session::Session() : lock_(one_at_a_time()) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // of this thread
+}
+
+}  // namespace clca::store::hdf5

@@ -1,0 +1,29 @@
+#pragma once
+// What HDF5 calls the numbers of a dataset.
+
+#include "store/hdf5.hpp"
+#include "store/sealed_file.hpp"
+
+namespace clca::store {
+
+/// In the order of bytes of the machine; HDF5 notes which that is.
+template <Number T>
+hid_t number_type() {
+  if constexpr (std::same_as<T, std::uint8_t>) {
+    return H5T_NATIVE_UINT8;
+  } else if constexpr (std::same_as<T, std::uint16_t>) {
+    return H5T_NATIVE_UINT16;
+  } else if constexpr (std::same_as<T, std::uint32_t>) {
+    return H5T_NATIVE_UINT32;
+  } else if constexpr (std::same_as<T, std::uint64_t>) {
+    return H5T_NATIVE_UINT64;
+  } else if constexpr (std::same_as<T, std::int32_t>) {
+    return H5T_NATIVE_INT32;
+  } else if constexpr (std::same_as<T, float>) {
+    return H5T_NATIVE_FLOAT;
+  } else {
+    return H5T_NATIVE_DOUBLE;
+  }
+}
+
+}  // namespace clca::store
