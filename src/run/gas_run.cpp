@@ -11,7 +11,7 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
-#include "random/word_hash.hpp"
+#include "clca/random/word_hash.hpp"
 #include "run/gas_tables.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "random/word_hash.hpp"
+#include "clca/random/word_hash.hpp"
 
 namespace clca::store {
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "clca/fields/fields.hpp"
 #include "clca/lattice/direction.hpp"
 
 namespace clca::automaton {
@@ -78,6 +79,14 @@ struct Travel {
   std::optional<std::uint64_t> stalled_since = {};
 
   bool operator==(const Travel&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("active", &Travel::active), field("offset", &Travel::offset),
+                           field("clock", &Travel::clock), field("phase", &Travel::phase),
+                           field("waited", &Travel::waited), field("cycles", &Travel::cycles),
+                           field("stalls", &Travel::stalls),
+                           field("stalled_since", &Travel::stalled_since));
+  }
 };
 
 /// Least and greatest offset that the motion can reach, in sites.

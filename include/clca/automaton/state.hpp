@@ -1,5 +1,6 @@
 #pragma once
-// The state of a run: a value that can be copied, compared and hashed.
+// The state of a run: a value that can be copied, compared, hashed, saved and loaded. The lists of
+// fields name what a run changes; all else follows from the scene.
 
 #include <cstdint>
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "clca/automaton/motion.hpp"
 #include "clca/automaton/rules.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
@@ -35,6 +37,12 @@ struct Particle {
 
   lattice::Site site() const { return {column, row}; }
   bool operator==(const Particle&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("column", &Particle::column), field("row", &Particle::row),
+                           field("kind", &Particle::kind), field("previous", &Particle::previous),
+                           field("present", &Particle::present));
+  }
 };
 
 /// Takes part where sites have two occupants: a particle id, or the code of a wall.
@@ -67,6 +75,10 @@ struct Wall {
   lattice::Axial shift() const;
   bool lets_overlap() const { return motion && passive == Passive::overlap; }
   bool operator==(const Wall&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("present", &Wall::present), field("travel", &Wall::travel));
+  }
 };
 
 /// An overlap that a push has left: `pusher`, a particle or a wall, came onto `pushed`. The push
@@ -78,6 +90,11 @@ struct Push {
   lattice::Direction direction = lattice::Direction::down;
 
   bool operator==(const Push&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("pushed", &Push::pushed), field("pusher", &Push::pusher),
+                           field("source", &Push::source), field("direction", &Push::direction));
+  }
 };
 
 /// Emits particles while it is open.
@@ -92,6 +109,11 @@ struct Source {
 
   bool exhausted() const { return emitted >= count; }
   bool operator==(const Source&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("credit", &Source::credit), field("emitted", &Source::emitted),
+                           field("open", &Source::open));
+  }
 };
 
 /// Removes and counts every particle that lies wholly inside.
@@ -101,6 +123,10 @@ struct Outlet {
   std::uint64_t sites = 0;
 
   bool operator==(const Outlet&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("particles", &Outlet::particles), field("sites", &Outlet::sites));
+  }
 };
 
 struct State {
@@ -120,6 +146,13 @@ struct State {
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("seed", &State::seed), field("step", &State::step),
+                           field("particles", &State::particles), field("origins", &State::origins),
+                           field("walls", &State::walls), field("sources", &State::sources),
+                           field("outlets", &State::outlets), field("pushes", &State::pushes));
+  }
 };
 
 /// Centre of mass in lattice spacings.
@@ -136,5 +169,10 @@ bool may_overlap(const State& state);
 
 /// 64 bits over everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
+
+/// Throws std::invalid_argument, with the reason, unless the state is one that a run which began as
+/// `beginning` may come to: what fields() lists is in range. Whether particles have room is for
+/// Occupancy to say.
+void check_reachable(const State& state, const State& beginning);
 
 }  // namespace clca::automaton

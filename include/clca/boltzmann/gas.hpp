@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "clca/fields/fields.hpp"
+
 namespace clca::boltzmann {
 
 /// One column per particle: velocity in rows 0 to 2, spin in rows 3 to 5. Column-major, so that a
@@ -26,6 +28,13 @@ struct Gas {
   Eigen::Index particles() const { return motions.cols(); }
   double collisions_per_particle() const {
     return static_cast<double>(participations) / static_cast<double>(particles());
+  }
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("time", &Gas::time), field("step", &Gas::step),
+                           field("participations", &Gas::participations),
+                           field("thermal_speed", &Gas::thermal_speed),
+                           field("motions", &Gas::motions));
   }
 };
 

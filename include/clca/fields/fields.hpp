@@ -72,21 +72,4 @@ concept DynamicArray = requires {
   requires T::SizeAtCompileTime == Eigen::Dynamic;
 };
 
-/// Calls visit(name, part) for each part of a value that always has the same ones.
-template <Listed T, class Visit>
-void for_each_part(T& value, Visit visit) {
-  std::apply([&](const auto&... one) { (visit(one.name, value.*(one.member)), ...); },
-             std::remove_const_t<T>::fields());
-}
-template <class First, class Second, class Visit>
-void for_each_part(std::pair<First, Second>& value, Visit visit) {
-  visit("first", value.first);
-  visit("second", value.second);
-}
-template <class First, class Second, class Visit>
-void for_each_part(const std::pair<First, Second>& value, Visit visit) {
-  visit("first", value.first);
-  visit("second", value.second);
-}
-
 }  // namespace clca::fields

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "clca/fields/fields.hpp"
 #include "clca/lattice/direction.hpp"
 
 namespace clca::lattice {
@@ -18,6 +19,10 @@ struct Site {
   int row = 0;
 
   constexpr auto operator<=>(const Site&) const = default;
+  static constexpr auto fields() {
+    return std::make_tuple(fields::field("column", &Site::column),
+                           fields::field("row", &Site::row));
+  }
 };
 
 constexpr bool is_odd(int column) {
