@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clca/automaton/state.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::store {
@@ -24,7 +25,10 @@ class TrajectoryWriter {
     std::uint64_t parts = 0;
     std::uint64_t frames = 0;
 
-    static constexpr auto fields();
+    static constexpr auto fields() {
+      return std::make_tuple(fields::field("parts", &Written::parts),
+                             fields::field("frames", &Written::frames));
+    }
   };
 
   /// Keeps the first `kept.parts` parts of the run folder and removes later ones, so that a run
@@ -58,18 +62,21 @@ class Trajectory {
   };
 
   /// `fixed`: a state of the scene as it begins (run::initial_state), for all that no run changes.
-  /// Throws StoreError for a folder without a trajectory, for files that are not whole or not of
-  /// this scene, and where a part would need more than `most_bytes` of memory.
-  Trajectory(const std::filesystem::path& run_folder, automaton::State fixed, double most_bytes);
+  /// Takes the list of parts now: of a run that goes on, open it again for later frames. Throws
+  /// StoreError for a folder without a trajectory, for files that are not whole or not of this
+  /// scene, and where a part or the state of a frame would need more than `most_bytes` of memory.
+  Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
+             automaton::State fixed, double most_bytes);
   ~Trajectory();
   Trajectory(const Trajectory&) = delete;
   Trajectory& operator=(const Trajectory&) = delete;
 
   const std::vector<Frame>& frames() const;
-  /// The state of a frame as it was: particles with their last moves, origins, walls, pushes,
-  /// sources and outlets apart, of which only what is needed to draw is kept. Particles that had
-  /// left are there without being present. Fast when frames are asked for in order. Throws
-  /// StoreError.
+  /// The state of a frame: step, particles that are present, with their last moves and origins,
+  /// pushes, and of the walls whether they are present and where. All else is as in `fixed`: travel
+  /// but for its offset, sources, outlets. Of particles that have left there is no more than that
+  /// they are not present. An Automaton can be made of it. Fast when frames are asked for in order;
+  /// not for several threads at once. Throws StoreError, also for what no run can have written.
   automaton::State state(std::size_t frame) const;
 
  private:

@@ -1,0 +1,36 @@
+#pragma once
+// Refuses parts of a trajectory that no run has written.
+
+#include <filesystem>
+#include <string>
+
+#include "clca/automaton/state.hpp"
+#include "store/trajectory_part.hpp"
+
+namespace clca::store {
+
+/// What is known before a part is read.
+struct PartContext {
+  std::filesystem::path path;
+  Extents before;                ///< of the parts before
+  std::uint64_t step = 0;        ///< of the last frame before
+  std::uint32_t stage = 0;       ///< likewise
+  std::uint32_t entered = 0;     ///< likewise
+  std::size_t stages = 0;        ///< of the scene
+  std::size_t most_entered = 0;  ///< particles whose state fits into memory
+};
+
+/// Throws StoreError: `cannot read FILE: frame of step STEP: REASON`. So do all of these.
+[[noreturn]] void refuse_frame(const PartContext& context, std::uint64_t step,
+                               const std::string& reason);
+void check_frames(const PartContext& context, const PartFrames& frames);
+/// After check_frames.
+void check_origins(const PartContext& context, const PartFrames& frames, const PartOrigins& origins,
+                   const lattice::Lattice& lattice);
+/// After check_frames. `fixed`: a state of the scene.
+void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
+                const automaton::State& fixed);
+/// That particles, walls and pushes of a frame go together: an Automaton can go on with them.
+void check_state(const PartContext& context, const automaton::State& state);
+
+}  // namespace clca::store

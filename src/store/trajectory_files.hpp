@@ -1,0 +1,25 @@
+#pragma once
+// The files of a trajectory in a run folder.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace clca::store {
+
+inline constexpr const char* kTrajectoryFolder = "trajectory";
+inline constexpr const char* kTrajectoryIndex = "trajectory.h5";
+
+/// `part-000012.h5`.
+std::string part_name(std::uint64_t number);
+
+/// The parts of a run folder, in order. Throws StoreError when there is none or one is missing
+/// between others.
+std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder);
+
+/// Removes parts from the number `kept` on, the last one first, and what a killed run has left
+/// beside them; the index as well where no part is kept. Throws StoreError.
+void remove_parts(const std::filesystem::path& run_folder, std::uint64_t kept);
+
+}  // namespace clca::store

@@ -1,0 +1,112 @@
+#include "store/trajectory_index.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "clca/store/file.hpp"
+#include "store/hdf5.hpp"
+#include "store/number_types.hpp"
+#include "store/trajectory_files.hpp"
+
+namespace clca::store {
+
+using hdf5::check;
+using hdf5::Handle;
+
+namespace {
+
+using Dimensions = std::vector<hsize_t>;
+
+Handle space_of(const Dimensions& size) {
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
+          "extent"};
+}
+
+Handle properties(hid_t of) {
+  return {H5Pcreate(of), H5Pclose, "properties"};
+}
+
+/// Relative names, so that a run folder may be moved.
+std::string source_file(std::size_t part) {
+  return fmt::format("{}/{}", kTrajectoryFolder, part_name(part));
+}
+
+Dimensions shape_of(const Column& column, std::uint64_t rows) {
+  Dimensions shape = {rows};
+  shape.insert(shape.end(), column.row.begin(), column.row.end());
+  return shape;
+}
+
+/// As SealedWriter lays it out.
+Dimensions shape_in_part(const Column& column, std::uint64_t rows) {
+  return column.width() == 1 ? Dimensions{rows} : Dimensions{rows, column.width()};
+}
+
+/// Maps the rows of each part, one after the other, into a dataset of all rows.
+void map_parts(const Handle& creation, const Handle& whole, const Column& column,
+               const std::vector<Extents>& parts) {
+  Dimensions start(1 + column.row.size(), 0);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::uint64_t rows = parts[part].along(column.axis);
+    if (rows == 0) {
+      continue;
+    }
+    const Dimensions block = shape_of(column, rows);
+    const Dimensions once(block.size(), 1);
+    check(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, start.data(), nullptr, once.data(),
+                              block.data()),
+          "rows of a part");
+    const Handle source = space_of(shape_in_part(column, rows));
+    check(H5Pset_virtual(creation.id(), whole.id(), source_file(part).c_str(), column.path,
+                         source.id()),
+          "virtual dataset");
+    start.front() += rows;
+  }
+}
+
+void add_dataset(const Handle& file, const Column& column, hid_t type,
+                 const std::vector<Extents>& parts) {
+  std::uint64_t rows = 0;
+  for (const Extents& part : parts) {
+    rows += part.along(column.axis);
+  }
+  const Handle whole = space_of(shape_of(column, rows));
+  const Handle creation = properties(H5P_DATASET_CREATE);
+  map_parts(creation, whole, column, parts);
+  const Handle links = properties(H5P_LINK_CREATE);
+  check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
+  const Handle dataset(
+      H5Dcreate2(file.id(), column.path, type, whole.id(), links.id(), creation.id(), H5P_DEFAULT),
+      H5Dclose, "dataset");
+}
+
+std::vector<std::uint8_t> image_of(const Handle& file) {
+  check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "flush");
+  const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+  check(size < 0 ? -1 : 0, "size of the file");
+  std::vector<std::uint8_t> image(static_cast<std::size_t>(size));
+  check(H5Fget_file_image(file.id(), image.data(), image.size()) < 0 ? -1 : 0, "file");
+  return image;
+}
+
+}  // namespace
+
+void write_index(const std::filesystem::path& run_folder, const std::vector<Extents>& parts,
+                 std::size_t walls) {
+  constexpr std::size_t kGrowth = 1U << 16U;
+  const hdf5::Session session;
+  const Handle access = properties(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
+  const Handle file(H5Fcreate("clca", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "file");
+  const TrajectoryPart none;
+  for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
+    add_dataset(file, column, number_type<T>(), parts);
+  });
+  check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
+                           H5P_DEFAULT),
+        "link");
+  write_whole(run_folder / kTrajectoryIndex, image_of(file));
+}
+
+}  // namespace clca::store

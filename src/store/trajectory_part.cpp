@@ -1,0 +1,126 @@
+#include "store/trajectory_part.hpp"
+
+#include <functional>
+#include <numeric>
+
+namespace clca::store {
+
+namespace {
+
+std::uint64_t sum_of(const std::vector<std::uint32_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void add_site_row(std::vector<std::int32_t>& rows, lattice::Site site) {
+  rows.push_back(site.column);
+  rows.push_back(site.row);
+}
+
+void add_point_row(std::vector<double>& rows, const Eigen::Vector2d& point) {
+  rows.push_back(point.x());
+  rows.push_back(point.y());
+}
+
+}  // namespace
+
+std::uint64_t Extents::along(Axis axis) const {
+  switch (axis) {
+    case Axis::frames:
+      return frames;
+    case Axis::particles:
+      return particles;
+    case Axis::origins:
+      return origins;
+    case Axis::pushes:
+      break;
+  }
+  return pushes;
+}
+
+std::size_t Column::width() const {
+  return std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
+}
+
+Extents& Extents::operator+=(const Extents& other) {
+  frames += other.frames;
+  particles += other.particles;
+  origins += other.origins;
+  pushes += other.pushes;
+  return *this;
+}
+
+void RowRanges::add(std::uint64_t first_row, std::size_t rows) {
+  first.push_back(first_row);
+  count.push_back(static_cast<std::uint32_t>(rows));
+}
+
+RowSpan RowRanges::rows_of(std::size_t frame) const {
+  const auto start = static_cast<std::size_t>(first[frame] - first.front());
+  return {start, start + count[frame]};
+}
+
+Extents PartFrames::extents() const {
+  return {.frames = step.size(),
+          .particles = sum_of(particles.count),
+          .origins = sum_of(origins.count),
+          .pushes = sum_of(pushes.count)};
+}
+
+void TrajectoryPart::add(const automaton::State& state, std::size_t stage, std::size_t first_origin,
+                         const Extents& before) {
+  Extents first = before;
+  first += extents();
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    const automaton::Particle& particle = state.particles[id];
+    if (!particle.present) {
+      continue;
+    }
+    rows.id.push_back(static_cast<std::uint32_t>(id));
+    add_site_row(rows.site, particle.site());
+    rows.kind.push_back(particle.kind);
+    rows.move.push_back(particle.previous);
+    derived.species.push_back(state.kinds[particle.kind].species);
+    add_point_row(derived.position, automaton::centre(state, particle));
+    if (id >= first_origin) {
+      origins.id.push_back(static_cast<std::uint32_t>(id));
+      add_site_row(origins.site, state.origins[id]);
+    }
+  }
+  for (const automaton::Push& push : state.pushes) {
+    rows.pushed.push_back(push.pushed);
+    rows.pusher.push_back(push.pusher);
+    rows.push_source.push_back(push.source);
+    rows.push_direction.push_back(static_cast<std::uint8_t>(push.direction));
+  }
+  for (const automaton::Wall& wall : state.walls) {
+    rows.wall_present.push_back(wall.present ? 1 : 0);
+    rows.wall_offset.push_back(wall.travel.offset);
+    add_point_row(derived.wall_position, lattice::position(wall.shift()));
+  }
+  frames.step.push_back(state.step);
+  frames.stage.push_back(static_cast<std::uint32_t>(stage));
+  frames.entered.push_back(static_cast<std::uint32_t>(state.particles.size()));
+  Extents end = before;
+  end += extents();
+  frames.particles.add(first.particles, end.particles - first.particles);
+  frames.origins.add(first.origins, end.origins - first.origins);
+  frames.pushes.add(first.pushes, end.pushes - first.pushes);
+}
+
+Extents TrajectoryPart::extents() const {
+  return {.frames = frames.step.size(),
+          .particles = rows.id.size(),
+          .origins = origins.id.size(),
+          .pushes = rows.pushed.size()};
+}
+
+std::size_t TrajectoryPart::bytes() const {
+  std::size_t sum = 0;
+  // Walls or not: what is not written is empty.
+  for_each_column(*this, 1, [&sum](const Column&, const auto& values) {
+    sum += values.size() * sizeof(values.front());
+  });
+  return sum;
+}
+
+}  // namespace clca::store

@@ -1,0 +1,160 @@
+#pragma once
+// A part of a trajectory in memory: the datasets of docs/trajectory.md.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "store/sealed_file.hpp"
+
+namespace clca::store {
+
+inline constexpr FileKind kTrajectoryKind{.name = "trajectory", .version = 1};
+
+/// What the rows of a dataset are.
+enum class Axis : std::uint8_t { frames, particles, origins, pushes };
+
+struct Extents {
+  std::uint64_t frames = 0;
+  std::uint64_t particles = 0;
+  std::uint64_t origins = 0;
+  std::uint64_t pushes = 0;
+
+  std::uint64_t along(Axis axis) const;
+  Extents& operator+=(const Extents& other);
+  bool operator==(const Extents&) const = default;
+};
+
+/// A dataset: its path, what its rows are and the shape of a row (none: one number). A part has
+/// all numbers of a row beside each other.
+struct Column {
+  const char* path;
+  Axis axis;
+  std::vector<std::size_t> row = {};
+
+  /// Numbers in a row.
+  std::size_t width() const;
+};
+
+/// Rows of one frame within its part.
+struct RowSpan {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// Rows of each frame: first ones, counted over all parts, and numbers of rows.
+struct RowRanges {
+  std::vector<std::uint64_t> first;
+  std::vector<std::uint32_t> count;
+
+  void add(std::uint64_t first_row, std::size_t rows);
+  RowSpan rows_of(std::size_t frame) const;
+};
+
+/// One entry a frame.
+struct PartFrames {
+  std::vector<std::uint64_t> step;
+  std::vector<std::uint32_t> stage;
+  std::vector<std::uint32_t> entered;  ///< particles so far, whether still present or not
+  RowRanges particles;
+  RowRanges origins;
+  RowRanges pushes;
+
+  /// As the counts have it.
+  Extents extents() const;
+};
+
+/// Of the particles that are new since the frame before; of all in the first frame of a stage.
+struct PartOrigins {
+  std::vector<std::uint32_t> id;
+  std::vector<std::int32_t> site;  ///< column, row
+};
+
+struct PartRows {
+  std::vector<std::uint32_t> id;
+  std::vector<std::int32_t> site;  ///< column, row
+  std::vector<std::uint16_t> kind;
+  std::vector<std::uint8_t> move;
+  std::vector<std::uint32_t> pushed;
+  std::vector<std::int32_t> pusher;
+  std::vector<std::uint32_t> push_source;
+  std::vector<std::uint8_t> push_direction;
+  std::vector<std::uint8_t> wall_present;  ///< frames x walls
+  std::vector<std::int32_t> wall_offset;   ///< frames x walls, sites along the motion
+};
+
+/// What follows from the rest and the scene, for the convenience of other readers.
+struct PartDerived {
+  std::vector<std::uint16_t> species;
+  std::vector<double> position;       ///< x, y of the centre of mass
+  std::vector<double> wall_position;  ///< frames x (walls x 2): x, y from home
+};
+
+struct TrajectoryPart {
+  PartFrames frames;
+  PartOrigins origins;
+  PartRows rows;
+  PartDerived derived;
+
+  /// Adds a frame. `before`: extents of the parts before. Origins are those of the particles with
+  /// ids from `first_origin` on.
+  void add(const automaton::State& state, std::size_t stage, std::size_t first_origin,
+           const Extents& before);
+  Extents extents() const;
+  std::size_t bytes() const;
+};
+
+/// Calls visit(column, vector) for each dataset.
+template <class Frames, class Visit>
+void for_each_frames_column(Frames& frames, Visit visit) {
+  visit(Column{"frames/step", Axis::frames}, frames.step);
+  visit(Column{"frames/stage", Axis::frames}, frames.stage);
+  visit(Column{"frames/entered", Axis::frames}, frames.entered);
+  visit(Column{"frames/first", Axis::frames}, frames.particles.first);
+  visit(Column{"frames/particles", Axis::frames}, frames.particles.count);
+  visit(Column{"frames/first_origin", Axis::frames}, frames.origins.first);
+  visit(Column{"frames/origins", Axis::frames}, frames.origins.count);
+  visit(Column{"frames/first_push", Axis::frames}, frames.pushes.first);
+  visit(Column{"frames/pushes", Axis::frames}, frames.pushes.count);
+}
+
+template <class Origins, class Visit>
+void for_each_origins_column(Origins& origins, Visit visit) {
+  visit(Column{"origins/id", Axis::origins}, origins.id);
+  visit(Column{"origins/site", Axis::origins, {2}}, origins.site);
+}
+
+template <class Rows, class Visit>
+void for_each_rows_column(Rows& rows, std::size_t walls, Visit visit) {
+  visit(Column{"particles/id", Axis::particles}, rows.id);
+  visit(Column{"particles/site", Axis::particles, {2}}, rows.site);
+  visit(Column{"particles/kind", Axis::particles}, rows.kind);
+  visit(Column{"particles/move", Axis::particles}, rows.move);
+  visit(Column{"pushes/pushed", Axis::pushes}, rows.pushed);
+  visit(Column{"pushes/pusher", Axis::pushes}, rows.pusher);
+  visit(Column{"pushes/source", Axis::pushes}, rows.push_source);
+  visit(Column{"pushes/direction", Axis::pushes}, rows.push_direction);
+  if (walls > 0) {
+    visit(Column{"walls/present", Axis::frames, {walls}}, rows.wall_present);
+    visit(Column{"walls/offset", Axis::frames, {walls}}, rows.wall_offset);
+  }
+}
+
+template <class Derived, class Visit>
+void for_each_derived_column(Derived& derived, std::size_t walls, Visit visit) {
+  visit(Column{"particles/species", Axis::particles}, derived.species);
+  visit(Column{"particles/position", Axis::particles, {2}}, derived.position);
+  if (walls > 0) {
+    visit(Column{"walls/position", Axis::frames, {walls, 2}}, derived.wall_position);
+  }
+}
+
+template <class Part, class Visit>
+void for_each_column(Part& part, std::size_t walls, Visit visit) {
+  for_each_frames_column(part.frames, visit);
+  for_each_origins_column(part.origins, visit);
+  for_each_rows_column(part.rows, walls, visit);
+  for_each_derived_column(part.derived, walls, visit);
+}
+
+}  // namespace clca::store

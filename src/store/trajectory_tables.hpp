@@ -1,0 +1,46 @@
+#pragma once
+// What does not change in a trajectory: group `scene` of each part.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "clca/scene/scene.hpp"
+#include "store/sealed_file.hpp"
+
+namespace clca::store {
+
+/// Sets of sites, one after the other.
+struct SiteSets {
+  std::vector<std::uint64_t> first;
+  std::vector<std::uint32_t> size;
+  std::vector<std::int32_t> sites;  ///< two numbers each
+
+  void begin();
+  void add(int one, int other);
+  bool operator==(const SiteSets&) const = default;
+};
+
+struct SceneTables {
+  std::string name;
+  std::vector<std::uint64_t> seed;
+  std::vector<std::uint32_t> lattice;  ///< columns, rows, 1 if periodic
+  std::vector<std::string> species;
+  std::vector<std::string> stages;
+  std::vector<std::uint16_t> kind_species;
+  std::vector<double> kind_centre;  ///< x, y from the reference site
+  SiteSets kind_sites;              ///< axial x, q from the reference site
+  std::vector<std::string> walls;
+  SiteSets wall_sites;  ///< column, row at home
+
+  SceneTables() = default;
+  SceneTables(const scene::Scene& scene, const automaton::State& state);
+  explicit SceneTables(const SealedReader& file);
+
+  void write(SealedWriter& file) const;
+  /// What differs, in words; nothing where they are of the same scene.
+  std::string difference(const SceneTables& other) const;
+};
+
+}  // namespace clca::store

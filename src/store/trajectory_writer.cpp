@@ -1,0 +1,150 @@
+// Frames into parts, parts into the index.
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+#include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
+#include "store/trajectory_files.hpp"
+#include "store/trajectory_index.hpp"
+#include "store/trajectory_part.hpp"
+#include "store/trajectory_tables.hpp"
+
+namespace clca::store {
+
+namespace {
+
+/// Of what is not yet compressed: large enough that parts are few, small enough that little is in
+/// memory and readers see what there is soon.
+constexpr std::size_t kPartBytes = std::size_t{16} << 20U;
+
+void make_trajectory_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw StoreError(
+        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  }
+}
+
+/// Room for the file itself and `most_frames` of columns by frame.
+double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t most_frames) {
+  constexpr double kOthers = 1U << 24U;
+  constexpr double kBytesPerFrame = 256;
+  std::error_code error;
+  const auto size = std::filesystem::file_size(part, error);
+  return (error ? 0 : 4 * static_cast<double>(size)) +
+         kBytesPerFrame * static_cast<double>(most_frames) + kOthers;
+}
+
+}  // namespace
+
+class TrajectoryWriter::Impl {
+ public:
+  Impl(std::filesystem::path run_folder, SceneTables tables, std::size_t walls, const Written& kept)
+      : run_folder_(std::move(run_folder)), tables_(std::move(tables)), walls_(walls) {
+    make_trajectory_folder(run_folder_ / kTrajectoryFolder);
+    if (kept.parts > 0) {
+      take_up(kept);
+      write_index(run_folder_, parts_, walls_);
+    }
+    remove_parts(run_folder_, kept.parts);
+  }
+
+  void add(const automaton::State& state, std::size_t stage, bool stage_begins) {
+    if (state.walls.size() != walls_) {
+      throw std::invalid_argument("a trajectory of another scene");
+    }
+    part_.add(state, stage, stage_begins ? 0 : entered_, written_);
+    entered_ = state.particles.size();
+    if (part_.bytes() >= kPartBytes) {
+      flush();
+    }
+  }
+
+  void flush() {
+    if (part_.frames.step.empty()) {
+      return;
+    }
+    SealedWriter file(kTrajectoryKind);
+    tables_.write(file);
+    for_each_column(part_, walls_,
+                    [&file]<class T>(const Column& column, const std::vector<T>& values) {
+                      file.add<T>(column.path, values, column.width());
+                    });
+    write_whole(run_folder_ / kTrajectoryFolder / part_name(parts_.size()), file.seal());
+    count(part_.extents());
+    part_ = {};
+    write_index(run_folder_, parts_, walls_);
+  }
+
+  Written written() const { return {.parts = parts_.size(), .frames = written_.frames}; }
+
+ private:
+  void count(const Extents& part) {
+    parts_.push_back(part);
+    written_ += part;
+  }
+
+  /// Learns how much the kept parts hold.
+  void take_up(const Written& kept) {
+    const std::vector<std::filesystem::path> parts = find_parts(run_folder_);
+    if (parts.size() < kept.parts) {
+      throw StoreError(
+          fmt::format("cannot read {}: missing, though the run had written it",
+                      (run_folder_ / kTrajectoryFolder / part_name(parts.size())).string()));
+    }
+    for (std::size_t part = 0; part < kept.parts; ++part) {
+      const SealedReader file(parts[part], kTrajectoryKind,
+                              bytes_to_look_at(parts[part], kept.frames));
+      const std::string difference = tables_.difference(SceneTables(file));
+      if (!difference.empty()) {
+        file.refuse("of another scene: " + difference);
+      }
+      PartFrames frames;
+      for_each_frames_column(frames,
+                             [&file]<class T>(const Column& column, std::vector<T>& values) {
+                               values = file.read<T>(column.path);
+                             });
+      count(frames.extents());
+      if (frames.entered.empty()) {
+        file.refuse("no frames");
+      }
+      entered_ = frames.entered.back();
+    }
+    if (written_.frames != kept.frames) {
+      throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
+                                   (run_folder_ / kTrajectoryFolder).string(), written_.frames,
+                                   kept.frames));
+    }
+  }
+
+  std::filesystem::path run_folder_;
+  SceneTables tables_;
+  std::size_t walls_;
+  std::vector<Extents> parts_;
+  Extents written_;
+  std::size_t entered_ = 0;  // particles that had entered in the last frame
+  TrajectoryPart part_;      // not yet written
+};
+
+TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& run_folder,
+                                   const scene::Scene& scene, const automaton::State& state,
+                                   const Written& kept)
+    : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), state.walls.size(),
+                                   kept)) {}
+TrajectoryWriter::~TrajectoryWriter() = default;
+
+void TrajectoryWriter::add(const automaton::State& state, std::size_t stage, bool stage_begins) {
+  impl_->add(state, stage, stage_begins);
+}
+void TrajectoryWriter::flush() {
+  impl_->flush();
+}
+TrajectoryWriter::Written TrajectoryWriter::written() const {
+  return impl_->written();
+}
+
+}  // namespace clca::store
