@@ -52,6 +52,9 @@ inline void check(herr_t result, const char* what) {
   }
 }
 
+/// For a file in memory: HDF5 takes two of one name for the same file.
+std::string name_in_memory();
+
 /// To be held while HDF5 is at work: one thread at a time, and no word of errors on the terminal.
 class Session {
  public:

@@ -22,7 +22,8 @@ Handle open_image(std::vector<std::uint8_t>& content) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
   check(H5Pset_file_image(access.id(), content.data(), content.size()), "image");
-  return {H5Fopen("clca", H5F_ACC_RDONLY, access.id()), H5Fclose, "it is no HDF5 file"};
+  return {H5Fopen(hdf5::name_in_memory().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose,
+          "it is no HDF5 file"};
 }
 
 /// Rows and columns; plain lists have one column.

@@ -27,7 +27,8 @@ Handle access_in_memory() {
 
 Handle create_file() {
   const Handle access = access_in_memory();
-  return {H5Fcreate("clca", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "file"};
+  return {H5Fcreate(hdf5::name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()),
+          H5Fclose, "file"};
 }
 
 /// Groups on the way are made.

@@ -63,6 +63,17 @@ TEST_F(SealedFileTest, WhatIsAddedIsRead) {
   EXPECT_FALSE(reader.has("group/other/numbers"));
 }
 
+TEST_F(SealedFileTest, SeveralFilesAreOpenAtOnce) {
+  SealedWriter one(kKind);
+  one.add<std::uint8_t>("value", std::vector<std::uint8_t>{1});
+  SealedWriter two(kKind);
+  two.add<std::uint8_t>("value", std::vector<std::uint8_t>{2});
+  const SealedReader first(put(one.seal()), kKind, kMuch);
+  const SealedReader second(put(two.seal()), kKind, kMuch);
+  EXPECT_THAT(first.read<std::uint8_t>("value"), ElementsAre(1));
+  EXPECT_THAT(second.read<std::uint8_t>("value"), ElementsAre(2));
+}
+
 TEST_F(SealedFileTest, EqualContentsAreEqualBytes) {
   EXPECT_EQ(example(), example());
 }
