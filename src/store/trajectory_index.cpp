@@ -98,7 +98,9 @@ void write_index(const std::filesystem::path& run_folder, const std::vector<Exte
   const hdf5::Session session;
   const Handle access = properties(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
-  const Handle file(H5Fcreate("clca", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "file");
+  const Handle file(
+      H5Fcreate(hdf5::name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
+      "file");
   const TrajectoryPart none;
   for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
     add_dataset(file, column, number_type<T>(), parts);
