@@ -43,6 +43,7 @@ inline constexpr int kMostPixels = 65'536;
 inline constexpr int kMostLayers = 256;
 inline constexpr int kMostSupersampling = 4;
 inline constexpr double kLargestCell = 1000;
+inline constexpr double kLongestWait = 1e9;  ///< seconds
 
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kFewestInGas = 2;

@@ -34,22 +34,24 @@ inline constexpr std::array<std::string_view, 8> kStageKeys = {
     "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
 inline constexpr std::array<std::string_view, 2> kFillKeys = {"region", "counts"};
 inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
-inline constexpr std::array<std::string_view, 4> kOutputKeys = {"frames", "series", "fields",
-                                                                "contacts"};
+inline constexpr std::array<std::string_view, 5> kOutputKeys = {"frames", "series", "fields",
+                                                                "contacts", "checkpoint"};
 inline constexpr std::array<std::string_view, 10> kFramesKeys = {
     "every", "width",   "height",        "color_by", "layers",
     "view",  "drawing", "supersampling", "caption",  "overlay"};
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 1> kContactsKeys = {"every"};
+inline constexpr std::array<std::string_view, 2> kCheckpointKeys = {"every", "seconds"};
+inline constexpr std::array<std::string_view, 1> kGasCheckpointKeys = {"seconds"};
 
 inline constexpr std::array<std::string_view, 5> kBoltzmannSceneKeys = {"clca", "title", "seed",
                                                                         "boltzmann", "output"};
 inline constexpr std::array<std::string_view, 14> kBoltzmannKeys = {
     "particles",    "initial", "exact_moments", "sampling", "restitution", "friction", "roughness",
     "energy_ratio", "scheme",  "time_step",     "partners", "shear_rate",  "until",    "ensemble"};
-inline constexpr std::array<std::string_view, 3> kBoltzmannOutputKeys = {"series", "histograms",
-                                                                         "bins"};
+inline constexpr std::array<std::string_view, 4> kBoltzmannOutputKeys = {"series", "histograms",
+                                                                         "bins", "checkpoint"};
 inline constexpr std::array<std::string_view, 2> kUniformBinsKeys = {"width", "end"};
 
 /// A word of the format and what it stands for.

@@ -77,6 +77,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   scene.stages = read_stages(fields.at("stages"), scene);
   check_history(scene, fields.at("stages"));
   read_into(scene.measures, fields, "measure", read_measures);
+  scene.output.checkpoint = kDefaultCheckpoints;
   read_into(scene.output, fields, "output", read_output, scene);
   check_use(scene, root);
   return scene;

@@ -64,6 +64,14 @@ BinsSpec read_bins(const Value& value, const std::string& path) {
   return QuantileBins{*count};
 }
 
+std::optional<Checkpoints> read_checkpoint(const Value& value, const std::string& path) {
+  if (is_none(&value)) {
+    return std::nullopt;
+  }
+  const KeyedMap fields(value, path, kGasCheckpointKeys);
+  return Checkpoints{.every = {}, .seconds = fields.positive("seconds", kLongestWait)};
+}
+
 /// `every` is null where it is left to its default.
 void check_rows(const Value* every, const Value& block, const BoltzmannScene& scene) {
   if (scene.until <= kMostRows * scene.series_every) {
@@ -81,6 +89,7 @@ void check_rows(const Value* every, const Value& block, const BoltzmannScene& sc
 
 void read_boltzmann_output(const Value* output, const Value& block, BoltzmannScene& scene) {
   scene.histograms = {0, scene.until};
+  scene.checkpoint = kDefaultCheckpoints;
   const Value* every = nullptr;
   if (output != nullptr) {
     const KeyedMap fields(*output, "output", kBoltzmannOutputKeys);
@@ -94,6 +103,9 @@ void read_boltzmann_output(const Value* output, const Value& block, BoltzmannSce
     }
     if (const Value* bins = fields.find("bins")) {
       scene.bins = read_bins(*bins, fields.path("bins"));
+    }
+    if (const Value* checkpoint = fields.find("checkpoint")) {
+      scene.checkpoint = read_checkpoint(*checkpoint, fields.path("checkpoint"));
     }
   }
   check_rows(every, block, scene);

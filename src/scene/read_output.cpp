@@ -12,10 +12,6 @@ namespace clca::scene {
 
 namespace {
 
-bool is_none(const Value* value) {
-  return value == nullptr || (value->is(Value::Kind::scalar) && value->text == "none");
-}
-
 void check_map_or_none(const Value& value, const std::string& path) {
   if (!value.is(Value::Kind::map)) {
     fail(value.place, fmt::format("{}: expected a map or none, found {}", path, found(value)));
@@ -105,7 +101,27 @@ Contacts read_contacts(const Value& value, const std::string& path, const Scene&
   return contacts;
 }
 
+Checkpoints read_steps_and_seconds(const Value& value, const std::string& path) {
+  check_map_or_none(value, path);
+  const KeyedMap fields(value, path, kCheckpointKeys);
+  Checkpoints checkpoints;
+  if (fields.find("every") != nullptr) {
+    checkpoints.every = fields.count("every", 1, kMostSteps);
+  }
+  if (fields.find("seconds") != nullptr) {
+    checkpoints.seconds = fields.positive("seconds", kLongestWait);
+  }
+  if (!checkpoints.every && !checkpoints.seconds) {
+    fail(value.place, fmt::format("{}: expected every (steps), seconds or both", path));
+  }
+  return checkpoints;
+}
+
 }  // namespace
+
+bool is_none(const Value* value) {
+  return value == nullptr || (value->is(Value::Kind::scalar) && value->text == "none");
+}
 
 std::vector<Measure> read_measures(const Value& value) {
   std::vector<Measure> measures;
@@ -133,6 +149,13 @@ Output read_output(const Value& value, const Scene& scene) {
   }
   if (const Value* contacts = fields.find("contacts"); !is_none(contacts)) {
     output.contacts = read_contacts(*contacts, fields.path("contacts"), scene);
+  }
+  output.checkpoint = kDefaultCheckpoints;
+  if (const Value* checkpoint = fields.find("checkpoint")) {
+    output.checkpoint =
+        is_none(checkpoint)
+            ? std::nullopt
+            : std::optional(read_steps_and_seconds(*checkpoint, fields.path("checkpoint")));
   }
   return output;
 }

@@ -28,4 +28,18 @@ std::string point(const Eigen::Vector2d& place) {
   return fmt::format("[{}, {}]", place.x(), place.y());
 }
 
+std::string checkpoint_text(const std::optional<Checkpoints>& checkpoints) {
+  if (!checkpoints) {
+    return "none";
+  }
+  std::vector<std::string> parts;
+  if (checkpoints->every) {
+    parts.push_back(fmt::format("every: {}", *checkpoints->every));
+  }
+  if (checkpoints->seconds) {
+    parts.push_back(fmt::format("seconds: {}", *checkpoints->seconds));
+  }
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
 }  // namespace clca::scene

@@ -1,6 +1,7 @@
 #pragma once
 // Values as the text of a scene.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,5 +36,8 @@ template <class Items, class Text>
 std::string list(const Items& items, Text text) {
   return enclosed('[', items, ']', text);
 }
+
+/// As the value of `output.checkpoint`.
+std::string checkpoint_text(const std::optional<Checkpoints>& checkpoints);
 
 }  // namespace clca::scene

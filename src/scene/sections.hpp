@@ -50,6 +50,8 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
 
 std::vector<Measure> read_measures(const Value& value);
 Output read_output(const Value& value, const Scene& scene);
+/// True where a part of the output is left out, or said to be `none`.
+bool is_none(const Value* value);
 
 /// The block `boltzmann`, into the scene.
 void read_boltzmann(const Value& value, BoltzmannScene& scene);

@@ -9,42 +9,12 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
-#include <utility>
+
+#include "store/descriptor.hpp"
 
 namespace clca::store {
 
 namespace {
-
-/// Closes a file descriptor at the end of a scope.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) {
-      ::close(number_);
-    }
-  }
-  int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-  /// Reports what writing has left to report (a full disk, a quota).
-  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
-
-bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-  }
-  return true;
-}
 
 bool write_and_rename(const std::filesystem::path& aside, const std::filesystem::path& path,
                       std::span<const std::uint8_t> bytes) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -39,9 +40,10 @@ bool is_figure(const fs::path& file) {
   return file.extension() == ".png";
 }
 
-bool is_table(const fs::path& file) {
-  constexpr std::array<std::string_view, 7> kWhole = {
-      "series.csv", "cycles.csv", "fields.csv", "closure.csv", "run.json", "scene.yaml", "log.txt"};
+bool is_file_of_run(const fs::path& file) {
+  constexpr std::array<std::string_view, 9> kWhole = {
+      "series.csv", "cycles.csv", "fields.csv",    "closure.csv",           "run.json",
+      "scene.yaml", "log.txt",    "checkpoint.h5", "checkpoint-previous.h5"};
   constexpr std::array<std::string_view, 8> kOfStages = {"profile-",   "convection-", "contacts-",
                                                          "forces-",    "loads-",      "walls-",
                                                          "histogram-", "fluctuation-"};
@@ -52,8 +54,18 @@ bool is_table(const fs::path& file) {
                       [&](std::string_view start) { return name.starts_with(start); }));
 }
 
+/// The step in the name of a frame.
+std::uint64_t step_of(const fs::path& frame) {
+  const std::string stem = frame.stem().string();
+  const char* digits = stem.data() + stem.rfind('-') + 1;
+  std::uint64_t step = 0;
+  std::from_chars(digits, stem.data() + stem.size(), step);
+  return step;
+}
+
 /// Nothing where there is no such folder.
-void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {
+template <class Matches>
+void remove_matching(const fs::path& folder, Matches matches) {
   std::error_code unknown;
   if (!fs::exists(folder, unknown)) {
     return;
@@ -71,16 +83,39 @@ void remove_matching(const fs::path& folder, bool (*matches)(const fs::path&)) {
   }
 }
 
+/// The folder, which is there now.
+fs::path made(fs::path path) {
+  checked("make the folder", path,
+          [&](std::error_code& error) { fs::create_directories(path, error); });
+  return path;
+}
+
 }  // namespace
 
-RunFolder::RunFolder(fs::path path) : path_(std::move(path)) {
-  checked("make the folder", path_,
-          [&](std::error_code& error) { fs::create_directories(path_, error); });
+RunFolder::RunFolder(fs::path path) : path_(made(std::move(path))), lock_(path_) {}
+
+RunFolder RunFolder::for_new_run(fs::path path) {
+  RunFolder folder(std::move(path));
+  folder.clear();
+  return folder;
+}
+
+RunFolder RunFolder::for_resumed_run(fs::path path) {
+  return RunFolder(std::move(path));
+}
+
+void RunFolder::clear() const {
   if (fs::exists(summary())) {
     remove_matching(frames(), is_frame);
     remove_matching(path_ / "plots", is_figure);
-    remove_matching(path_, is_table);
+    remove_matching(path_, is_file_of_run);
   }
+}
+
+void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) const {
+  remove_matching(frames(), [&](const fs::path& file) {
+    return is_frame(file) && (!last_step || step_of(file) > *last_step);
+  });
 }
 
 void RunFolder::make_frames() const {

@@ -64,6 +64,9 @@ class SealedReader {
   /// Version of the layout that the file has: at most that of the kind.
   std::uint32_t version() const;
   bool has(const std::string& path) const;
+  /// Whether there is a dataset of such numbers.
+  template <Number T>
+  bool holds(const std::string& path) const;
   /// A dataset with rows of `columns` numbers.
   template <Number T>
   std::vector<T> read(const std::string& path, std::size_t columns = 1) const;

@@ -103,6 +103,17 @@ bool SealedReader::has(const std::string& path) const {
 }
 
 template <Number T>
+bool SealedReader::holds(const std::string& path) const {
+  const hdf5::Session session;
+  if (!file_->has(path)) {
+    return false;
+  }
+  const Handle dataset = file_->dataset(path);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose, "type");
+  return H5Tequal(type.id(), number_type<T>()) > 0;
+}
+
+template <Number T>
 std::vector<T> SealedReader::read(const std::string& path, std::size_t columns) const {
   const hdf5::Session session;
   try {
@@ -163,6 +174,13 @@ std::vector<std::string> SealedReader::read_texts(const std::string& path) const
 void SealedReader::refuse(const std::string& reason) const {
   throw StoreError(fmt::format("cannot read {}: {}", path_.string(), reason));
 }
+
+template bool SealedReader::holds<std::uint8_t>(const std::string&) const;
+template bool SealedReader::holds<std::uint16_t>(const std::string&) const;
+template bool SealedReader::holds<std::uint32_t>(const std::string&) const;
+template bool SealedReader::holds<std::uint64_t>(const std::string&) const;
+template bool SealedReader::holds<std::int32_t>(const std::string&) const;
+template bool SealedReader::holds<double>(const std::string&) const;
 
 template std::vector<std::uint8_t> SealedReader::read(const std::string&, std::size_t) const;
 template std::vector<std::uint16_t> SealedReader::read(const std::string&, std::size_t) const;

@@ -3,12 +3,14 @@
 // velocities in the units of boltzmann/gas.hpp.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "clca/boltzmann/gas.hpp"
 #include "clca/boltzmann/scheme.hpp"
+#include "clca/scene/output.hpp"
 
 namespace clca::scene {
 
@@ -46,6 +48,7 @@ struct BoltzmannScene {
   double series_every = 0.5;
   std::vector<double> histograms;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
+  std::optional<Checkpoints> checkpoint;
   std::string place;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 
   /// Equal when they say the same, under whatever file name and wherever in it.

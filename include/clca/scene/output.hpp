@@ -63,11 +63,23 @@ struct Contacts {
   bool operator==(const Contacts&) const = default;
 };
 
+/// When a run saves what it needs to go on, besides at its end and where it is stopped.
+struct Checkpoints {
+  std::optional<std::uint64_t> every;  ///< steps; a gas counts none
+  std::optional<double> seconds;       ///< by the clock
+
+  bool operator==(const Checkpoints&) const = default;
+};
+
+/// Where a scene says nothing of them.
+inline constexpr Checkpoints kDefaultCheckpoints = {.every = {}, .seconds = 60};
+
 struct Output {
   std::optional<Frames> frames;
   std::optional<Series> series;
   std::optional<Fields> fields;
   std::optional<Contacts> contacts;
+  std::optional<Checkpoints> checkpoint;
 
   bool operator==(const Output&) const = default;
 };

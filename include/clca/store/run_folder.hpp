@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "clca/store/folder_lock.hpp"
 
 namespace clca::store {
 
@@ -11,16 +14,22 @@ namespace clca::store {
 std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
                                  std::uint64_t step);
 
+/// Whose folder it is as long as this object lives: nobody else writes to it meanwhile.
 class RunFolder {
  public:
-  /// Makes the folder if need be. Where a run.json says that a run has been here before, clears
-  /// what it has left: its pictures, tables, figures, scene.yaml, run.json and log.txt. Other files
-  /// stay. Throws StoreError.
-  explicit RunFolder(std::filesystem::path path);
+  /// For a new run. Makes the folder if need be. Where a run.json says that a run has been here
+  /// before, clears what it has left: its pictures, tables, figures, checkpoints, scene.yaml,
+  /// run.json and log.txt. Other files stay. Throws StoreError, also when another run is at work in
+  /// the folder.
+  static RunFolder for_new_run(std::filesystem::path path);
+  /// For a run that goes on: clears nothing. Throws StoreError likewise.
+  static RunFolder for_resumed_run(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
   /// Makes the folder of pictures if need be. Throws StoreError.
   void make_frames() const;
+  /// Removes the pictures of steps after `last_step`; all of them where it is none.
+  void remove_frames_after(std::optional<std::uint64_t> last_step) const;
   std::filesystem::path frame(const std::string& scene, std::uint64_t step) const {
     return frame_path(path_, scene, step);
   }
@@ -36,9 +45,12 @@ class RunFolder {
   }
 
  private:
+  explicit RunFolder(std::filesystem::path path);
+  void clear() const;
   std::filesystem::path frames() const { return path_ / "frames"; }
 
   std::filesystem::path path_;
+  FolderLock lock_;
 };
 
 }  // namespace clca::store

@@ -1,0 +1,29 @@
+#pragma once
+// Text files that grow while a run goes on.
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace clca::store {
+
+/// A file that text is added to. What a run had added after its last checkpoint is cut off when it
+/// goes on from there.
+class GrowingFile {
+ public:
+  /// Keeps the first `kept` bytes of the file. Made only when something is added. Throws StoreError
+  /// for a file that has less.
+  GrowingFile(std::filesystem::path path, std::uint64_t kept);
+
+  /// Throws StoreError.
+  void append(std::string_view text);
+  /// Has it on the disk. Throws StoreError.
+  void sync() const;
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::filesystem::path path_;
+  std::uint64_t bytes_;
+};
+
+}  // namespace clca::store

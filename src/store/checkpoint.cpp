@@ -1,0 +1,99 @@
+#include "clca/store/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "clca/store/file.hpp"
+#include "store/sealed_file.hpp"
+
+namespace clca::store {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr FileKind kCheckpointKind = {"checkpoint", 1};
+constexpr const char* kList = "fields";
+constexpr const char* kFields = "run/";
+
+fs::path newest(const fs::path& run_folder) {
+  return run_folder / "checkpoint.h5";
+}
+fs::path one_before(const fs::path& run_folder) {
+  return run_folder / "checkpoint-previous.h5";
+}
+
+template <class... Numbers>
+fields::Column read_column(const SealedReader& reader, const std::string& path,
+                           std::type_identity<std::variant<std::vector<Numbers>...>> /*kinds*/) {
+  fields::Column column;
+  const bool known =
+      ((reader.holds<Numbers>(path) && (column = reader.read<Numbers>(path), true)) || ...);
+  if (!known) {
+    reader.refuse(path + " holds other numbers");
+  }
+  return column;
+}
+
+Checkpoint read(const fs::path& file, double most_bytes) {
+  const SealedReader reader(file, kCheckpointKind, most_bytes);
+  Checkpoint checkpoint = {.kind = reader.read_text("kind"),
+                           .scene_name = reader.read_text("scene_name"),
+                           .scene = reader.read_text("scene"),
+                           .summary = reader.read_text("summary"),
+                           .fields = {}};
+  for (const std::string& path : reader.read_texts(kList)) {
+    checkpoint.fields[path] =
+        read_column(reader, kFields + path, std::type_identity<fields::Column>());
+  }
+  return checkpoint;
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) {
+  SealedWriter writer(kCheckpointKind);
+  writer.add_text("kind", checkpoint.kind);
+  writer.add_text("scene_name", checkpoint.scene_name);
+  writer.add_text("scene", checkpoint.scene);
+  writer.add_text("summary", checkpoint.summary);
+  std::vector<std::string> paths;
+  for (const auto& [path, column] : checkpoint.fields) {
+    paths.push_back(path);
+    std::visit(
+        [&]<class T>(const std::vector<T>& values) {
+          writer.add<T>(kFields + path, std::span<const T>(values));
+        },
+        column);
+  }
+  writer.add_texts(kList, paths);
+  const fs::path next = run_folder / "checkpoint-next.h5";
+  write_whole(next, writer.seal());
+  std::error_code none_yet;
+  fs::rename(newest(run_folder), one_before(run_folder), none_yet);
+  std::error_code error;
+  fs::rename(next, newest(run_folder), error);
+  if (error) {
+    throw StoreError(
+        fmt::format("cannot write {}: {}", newest(run_folder).string(), error.message()));
+  }
+}
+
+FoundCheckpoint read_checkpoint(const fs::path& run_folder, double most_bytes) {
+  if (!fs::exists(newest(run_folder)) && !fs::exists(one_before(run_folder))) {
+    throw StoreError(fmt::format("cannot go on in {}: it has no checkpoint", run_folder.string()));
+  }
+  try {
+    return {read(newest(run_folder), most_bytes), ""};
+  } catch (const StoreError& first) {
+    try {
+      return {read(one_before(run_folder), most_bytes),
+              fmt::format("{}; going on from {}", first.what(), one_before(run_folder).string())};
+    } catch (const StoreError&) {
+      throw first;
+    }
+  }
+}
+
+}  // namespace clca::store
