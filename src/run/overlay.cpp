@@ -34,11 +34,10 @@ render::ForceLine line_of(const automaton::State& state, const measure::Contact&
   return {.from = from, .to = to, .strength = sites};
 }
 
-Drawn forces(const automaton::Automaton& automaton) {
+Drawn forces(const View& view) {
   std::vector<render::ForceLine> lines;
-  for (const measure::Contact& contact :
-       measure::contacts(automaton.state(), automaton.occupancy())) {
-    lines.push_back(line_of(automaton.state(), contact));
+  for (const measure::Contact& contact : measure::contacts(view.state, view.occupancy)) {
+    lines.push_back(line_of(view.state, contact));
   }
   return {render::force_network(lines, kStrongest),
           {render::force_key(kStrongest, fmt::format("{:g} overlapped sites", kStrongest))}};
@@ -73,24 +72,22 @@ Drawn arrows(const CycleRecord& cycles) {
 
 }  // namespace
 
-Drawn overlay_of(scene::Overlay overlay, const automaton::Automaton& automaton,
-                 const Records& records) {
+Drawn overlay_of(scene::Overlay overlay, const View& view) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return forces(automaton);
+      return forces(view);
     case scene::Overlay::arrows:
-      return arrows(records.cycles());
+      return view.cycles != nullptr ? arrows(*view.cycles) : Drawn();
     case scene::Overlay::none:
       break;
   }
   return {};
 }
 
-render::Coloring color_by_index(const automaton::Automaton& automaton) {
-  const automaton::State& state = automaton.state();
-  const auto index = measure::force_indices(state.particles.size(),
-                                            measure::contacts(state, automaton.occupancy()));
-  return render::color_by_force(state, index, kHighestIndex);
+render::Coloring color_by_index(const View& view) {
+  const auto index = measure::force_indices(view.state.particles.size(),
+                                            measure::contacts(view.state, view.occupancy));
+  return render::color_by_force(view.state, index, kHighestIndex);
 }
 
 }  // namespace clca::run

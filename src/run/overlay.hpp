@@ -3,11 +3,10 @@
 
 #include <vector>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/overlays.hpp"
 #include "clca/scene/scene.hpp"
-#include "run/records.hpp"
+#include "run/frame_painter.hpp"
 
 namespace clca::run {
 
@@ -17,10 +16,9 @@ struct Drawn {
 };
 
 /// The force network of the present overlaps, or the mean displacement per cycle in this stage.
-Drawn overlay_of(scene::Overlay overlay, const automaton::Automaton& automaton,
-                 const Records& records);
+Drawn overlay_of(scene::Overlay overlay, const View& view);
 
 /// Particles by the sites that they share with others.
-render::Coloring color_by_index(const automaton::Automaton& automaton);
+render::Coloring color_by_index(const View& view);
 
 }  // namespace clca::run

@@ -1,18 +1,25 @@
 #pragma once
 // Draws the frames that a scene asks for.
 
-#include <memory>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/render/coloring.hpp"
-#include "clca/render/painter.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
+#include "run/frame_painter.hpp"
 #include "run/frame_writer.hpp"
 #include "run/records.hpp"
 
 namespace clca::run {
+
+/// What the pictures so far leave to those that come.
+struct PictureHistory {
+  std::string stage;
+  double displacement_scale = 1;           ///< see displacement_scale()
+  std::optional<std::uint64_t> last_step;  ///< that was drawn
+};
 
 class Pictures {
  public:
@@ -27,16 +34,14 @@ class Pictures {
   /// Waits until all pictures are written.
   void finish() { writer_.finish(); }
 
- private:
-  render::Coloring coloring(const automaton::Automaton& automaton) const;
+  /// What a checkpoint keeps, and a run that goes on puts back.
+  PictureHistory& history() { return history_; }
 
+ private:
   const scene::Scene& scene_;
-  const scene::Frames& frames_;
-  render::Painter painter_;
+  FramePainter painter_;
   FrameWriter writer_;
-  std::string stage_;
-  double displacement_scale_ = 1;  // lattice spacings
-  std::optional<std::uint64_t> last_step_;
+  PictureHistory history_;
 };
 
 }  // namespace clca::run

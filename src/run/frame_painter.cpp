@@ -1,0 +1,106 @@
+#include "run/frame_painter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "clca/run/run.hpp"
+#include "run/overlay.hpp"
+
+namespace clca::run {
+
+namespace {
+
+render::Drawing drawing_of(scene::Drawing drawing) {
+  switch (drawing) {
+    case scene::Drawing::polygons:
+      return render::Drawing::polygons;
+    case scene::Drawing::lookup:
+      return render::Drawing::lookup;
+    case scene::Drawing::automatic:
+      break;
+  }
+  return render::Drawing::automatic;
+}
+
+render::Painter make_painter(const scene::Scene& scene, const automaton::State& state) {
+  const scene::Frames& frames = *scene.output.frames;
+  const render::Style style = {.width = frames.width,
+                               .height = frames.height,
+                               .supersampling = frames.supersampling,
+                               .drawing = drawing_of(frames.drawing),
+                               .view = frames.view.value_or(render::whole_box(state.lattice)),
+                               .annotations = frames.caption};
+  try {
+    return {style, state.lattice, state.kinds};
+  } catch (const render::RenderError& error) {
+    throw ScenePlaceError(fmt::format("{}: error: {}", frames.place, error.what()));
+  }
+}
+
+std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
+  std::vector<render::NamedColor> colors;
+  for (std::size_t number = 0; number < scene.species.size(); ++number) {
+    const scene::Species& species = scene.species[number];
+    const render::Rgb color =
+        species.color ? render::Rgb{species.color->red, species.color->green, species.color->blue}
+                      : render::palette_color(number);
+    colors.push_back({species.name, color});
+  }
+  return colors;
+}
+
+}  // namespace
+
+double displacement_scale(const automaton::State& state) {
+  double highest = 2;
+  for (const lattice::Site origin : state.origins) {
+    highest = std::max(highest, lattice::position(origin).y());
+  }
+  return highest / 2;
+}
+
+render::PngText scene_text(const scene::Scene& scene) {
+  return {{"Title", scene.title},
+          {"Software", fmt::format("clca {}", version())},
+          {"Scene", scene.name},
+          {"Seed", fmt::format("{}", scene.seed)}};
+}
+
+FramePainter::FramePainter(const scene::Scene& scene, const automaton::State& state)
+    : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state)) {}
+
+Picture FramePainter::draw(const View& view, const std::string& stage, double scale) {
+  const std::uint64_t step = view.state.step;
+  const render::Caption caption = {.title = scene_.title,
+                                   .detail = fmt::format("{}, step {}", stage, step)};
+  render::Coloring colors = coloring(view, scale);
+  const Drawn drawn = overlay_of(frames_.overlay, view);
+  colors.legend.lines = drawn.keys;
+  render::PngText text = scene_text(scene_);
+  text["Stage"] = stage;
+  text["Step"] = fmt::format("{}", step);
+  return {painter_.draw(view.state, view.occupancy, colors, caption, drawn.overlay),
+          std::move(text)};
+}
+
+render::Coloring FramePainter::coloring(const View& view, double scale) const {
+  switch (frames_.color_by) {
+    case scene::ColorBy::stage_layer:
+      return render::color_by_layer(view.state, frames_.layers);
+    case scene::ColorBy::displacement:
+      return render::color_by_displacement(view.state, scale);
+    case scene::ColorBy::speed:
+      return render::color_by_speed(view.state);
+    case scene::ColorBy::id:
+      return render::color_by_id(view.state);
+    case scene::ColorBy::force:
+      return color_by_index(view);
+    case scene::ColorBy::species:
+      break;
+  }
+  return render::color_by_species(view.state, species_colors(scene_));
+}
+
+}  // namespace clca::run
