@@ -8,6 +8,7 @@ class App;
 namespace clca::cli {
 
 void add_run_command(CLI::App& app, int& code);
+void add_resume_command(CLI::App& app, int& code);
 void add_boltzmann_command(CLI::App& app, int& code);
 void add_sweep_command(CLI::App& app, int& code);
 void add_check_command(CLI::App& app, int& code);

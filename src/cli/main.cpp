@@ -37,10 +37,11 @@ int run_program(int argc, char** argv) {
   });
   app.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
-      "130 or 143 interrupted, with what was done so far written whole.");
+      "124, 130 or 143 interrupted by --time-limit or a signal, to be gone on with by resume.");
 
   int code = 0;
   clca::cli::add_run_command(app, code);
+  clca::cli::add_resume_command(app, code);
   clca::cli::add_boltzmann_command(app, code);
   clca::cli::add_sweep_command(app, code);
   clca::cli::add_check_command(app, code);

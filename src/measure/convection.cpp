@@ -23,6 +23,10 @@ double cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 Convection::Convection(const lattice::Lattice& lattice, double cell)
     : grid_(lattice, cell), cells_(grid_.size()) {}
 
+bool Convection::precedes(const automaton::State& now) const {
+  return cells_.size() == grid_.size() && (!begin_ || begin_->snapshot.precedes(now));
+}
+
 void Convection::begin_cycle(const automaton::State& state) {
   begin_.emplace(Begin{Snapshot(state), kInfinity, -kInfinity});
   for_each_site(state, [&](lattice::Site site) {

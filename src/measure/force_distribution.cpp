@@ -102,6 +102,17 @@ void ForceAverage::add(const std::vector<Contact>& contacts) {
   }
 }
 
+bool ForceAverage::precedes(const automaton::State& now) const {
+  return std::all_of(sums_.begin(), sums_.end(), [&](const auto& one) {
+    const auto [first, second] = one.first;
+    const bool known =
+        automaton::is_particle(second)
+            ? static_cast<std::size_t>(second) < now.particles.size()
+            : automaton::is_wall(second) && automaton::wall_number(second) < now.walls.size();
+    return known && first < now.particles.size();
+  });
+}
+
 std::vector<ForceAverage::Mean> ForceAverage::means() const {
   std::vector<Mean> means;
   means.reserve(sums_.size());

@@ -1,5 +1,6 @@
 #include "clca/measure/snapshot.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace clca::measure {
@@ -23,6 +24,15 @@ Snapshot::Snapshot(const automaton::State& state)
       centres_[id] = automaton::centre(state, state.particles[id]);
     }
   }
+}
+
+bool Snapshot::precedes(const automaton::State& now) const {
+  const auto in_reach = [](const std::optional<Eigen::Vector2d>& centre) {
+    constexpr double kFarthest = 1e9;
+    return !centre || (std::abs(centre->x()) < kFarthest && std::abs(centre->y()) < kFarthest);
+  };
+  return step_ <= now.step && centres_.size() <= now.particles.size() &&
+         std::all_of(centres_.begin(), centres_.end(), in_reach);
 }
 
 std::vector<Journey> Snapshot::journeys(const automaton::State& now) const {

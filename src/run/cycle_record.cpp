@@ -23,6 +23,15 @@ CycleRecord::CycleRecord(double cell)
 
 void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
                               const automaton::State& state) {
+  resume_stage(scene, stage, state);
+  if (convection_) {
+    convection_->begin_cycle(state);
+    add_row(state);
+  }
+}
+
+void CycleRecord::resume_stage(const scene::Scene& scene, const scene::Stage& stage,
+                               const automaton::State& state) {
   stage_ = stage.name;
   cycles_ = 0;
   at_start_.clear();
@@ -35,9 +44,11 @@ void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& sta
   });
   if (cyclic) {
     convection_.emplace(state.lattice, cell_);
-    convection_->begin_cycle(state);
-    add_row(state);
   }
+}
+
+bool CycleRecord::precedes(const automaton::State& now) const {
+  return at_start_.size() == now.walls.size() && (!convection_ || convection_->precedes(now));
 }
 
 void CycleRecord::after_step(const automaton::State& state) {
@@ -71,7 +82,6 @@ std::uint64_t CycleRecord::completed(const automaton::State& state) const {
 }
 
 void CycleRecord::add_row(const automaton::State& state) {
-  is_empty_ = false;
   const std::vector<double> profile = measure::surface_profile(state);
   table_.add_row({stage_, cycles_, state.step, measure::mean_height(profile),
                   value_or_nan(measure::repose_angle(profile).mean()),

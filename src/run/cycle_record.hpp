@@ -21,6 +21,9 @@ class CycleRecord {
 
   void begin_stage(const scene::Scene& scene, const scene::Stage& stage,
                    const automaton::State& state);
+  /// Makes ready for a stage that goes on; what fields() lists has still to be loaded.
+  void resume_stage(const scene::Scene& scene, const scene::Stage& stage,
+                    const automaton::State& state);
   /// Call after each step.
   void after_step(const automaton::State& state);
 
@@ -30,10 +33,18 @@ class CycleRecord {
   /// Null when no wall goes to and fro in this stage.
   const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
   double cell() const { return cell_; }
-  bool is_empty() const { return is_empty_; }
-  std::string to_csv() const { return table_.to_csv(); }
+  store::Table& table() { return table_; }
   /// Columns x, y, dx, dy (mean displacement per cycle, lattice spacings), weight (sites).
   std::string convection_csv() const;
+
+  /// False where this was not recorded in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("cycles", &CycleRecord::cycles_),
+                           field("at_start", &CycleRecord::at_start_),
+                           field("convection", &CycleRecord::convection_));
+  }
 
  private:
   std::uint64_t completed(const automaton::State& state) const;
@@ -45,7 +56,6 @@ class CycleRecord {
   std::vector<automaton::Travel> at_start_;  // by wall
   std::optional<measure::Convection> convection_;
   store::Table table_;
-  bool is_empty_ = true;
 };
 
 }  // namespace clca::run

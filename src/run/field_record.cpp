@@ -17,6 +17,11 @@ void FieldRecord::begin_stage(const std::string& stage, const automaton::State& 
   steps_ = 0;
 }
 
+bool FieldRecord::precedes(const automaton::State& now) const {
+  return window_ && window_->precedes(now) && window_begin_ <= now.step &&
+         fluctuations_.has_all_bins();
+}
+
 void FieldRecord::after_step(const automaton::State& state) {
   if (state.step - window_begin_ >= fields_.every) {
     end_window(state);

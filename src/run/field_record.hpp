@@ -18,6 +18,7 @@ class FieldRecord {
  public:
   explicit FieldRecord(const scene::Fields& fields);
 
+  /// Also of a stage that goes on; what fields() lists has then still to be loaded.
   void begin_stage(const std::string& stage, const automaton::State& state);
   /// Call after each step: ends a window when it is due.
   void after_step(const automaton::State& state);
@@ -26,12 +27,23 @@ class FieldRecord {
 
   /// Mean over the windows of the stage, weighted by their steps.
   double fluctuation_energy() const;
-  std::string to_csv() const { return table_.to_csv(); }
+  store::Table& table() { return table_; }
 
   /// Of the whole windows of the stage; a last one cut short is not like them.
   const measure::Fluctuations& fluctuations() const { return fluctuations_; }
   /// Columns lower, upper (of the energy X; none for the last bin), share, share_local, reference.
   std::string fluctuation_csv() const;
+
+  /// False where this was not recorded in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("window", &FieldRecord::window_),
+                           field("fluctuations", &FieldRecord::fluctuations_),
+                           field("window_begin", &FieldRecord::window_begin_),
+                           field("fluctuation_steps", &FieldRecord::fluctuation_steps_),
+                           field("steps", &FieldRecord::steps_));
+  }
 
  private:
   void end_window(const automaton::State& state);

@@ -32,6 +32,12 @@ class ForceRecord {
   std::string contacts_csv(const scene::Scene& scene,
                            const std::vector<measure::Contact>& contacts) const;
 
+  /// False where this was not recorded in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const { return average_.precedes(now); }
+  static constexpr auto fields() {
+    return std::make_tuple(fields::field("average", &ForceRecord::average_));
+  }
+
  private:
   std::optional<scene::Contacts> sampling_;
   measure::ForceAverage average_;

@@ -1,5 +1,7 @@
 // Runs a scene of the Boltzmann equation: an ensemble of gases for each restitution.
 
+#include "run/gas_run.hpp"
+
 #include <fmt/format.h>
 #include <omp.h>
 
@@ -8,10 +10,10 @@
 #include <cmath>
 #include <exception>
 
+#include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
-#include "clca/random/word_hash.hpp"
 #include "run/gas_tables.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
@@ -32,8 +34,8 @@ class GasRun {
       : scene_(scene),
         options_(options),
         events_(events),
-        folder_(options.folder),
-        log_(folder_.log(), events) {}
+        folder_(store::RunFolder::for_new_run(options.folder)),
+        log_(folder_.log(), 0, events) {}
 
   store::RunSummary execute();
 
@@ -224,6 +226,11 @@ store::RunSummary GasRun::summary(const std::string& status) const {
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
   return GasRun(scene, options, events).execute();
+}
+
+store::RunSummary resume_gas(SavedRun& /*saved*/, const RunOptions& /*options*/,
+                             const RunEvents& /*events*/) {
+  throw store::StoreError("not yet");
 }
 
 }  // namespace clca::run

@@ -4,14 +4,16 @@
 #include <spdlog/sinks/basic_file_sink.h>
 
 #include "clca/store/file.hpp"
+#include "clca/store/growing_file.hpp"
 
 namespace clca::run {
 
 namespace {
 
-spdlog::logger open_logger(const std::filesystem::path& file) {
+spdlog::logger open_logger(const std::filesystem::path& file, std::uint64_t kept) {
+  store::GrowingFile(file, kept);
   try {
-    return {"clca", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string(), true)};
+    return {"clca", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string())};
   } catch (const spdlog::spdlog_ex& error) {
     throw store::StoreError(fmt::format("cannot write {}: {}", file.string(), error.what()));
   }
@@ -19,12 +21,18 @@ spdlog::logger open_logger(const std::filesystem::path& file) {
 
 }  // namespace
 
-Log::Log(const std::filesystem::path& file, const RunEvents& events)
-    : logger_(open_logger(file)), events_(events) {
+Log::Log(const std::filesystem::path& file, std::uint64_t kept, const RunEvents& events)
+    : file_(file), logger_(open_logger(file, kept)), events_(events) {
   logger_.set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
   logger_.flush_on(spdlog::level::info);
   // A log that cannot be written (a full disk) must not stop what can be.
   logger_.set_error_handler([](const std::string&) {});
+}
+
+std::uint64_t Log::bytes() const {
+  std::error_code unknown;
+  const std::uintmax_t bytes = std::filesystem::file_size(file_, unknown);
+  return unknown ? 0 : bytes;
 }
 
 void Log::info(const std::string& line) {

@@ -3,6 +3,7 @@
 
 #include <spdlog/logger.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -12,14 +13,19 @@ namespace clca::run {
 
 class Log {
  public:
-  /// Throws store::StoreError when the file cannot be opened.
-  Log(const std::filesystem::path& file, const RunEvents& events);
+  /// Keeps the first `kept` bytes of the file. Throws store::StoreError when it cannot be opened or
+  /// has less.
+  Log(const std::filesystem::path& file, std::uint64_t kept, const RunEvents& events);
+
+  /// Bytes of the lines so far, all of which are in the file.
+  std::uint64_t bytes() const;
 
   void info(const std::string& line);
   void warning(const std::string& line);
   void error(const std::string& line);
 
  private:
+  std::filesystem::path file_;
   spdlog::logger logger_;
   const RunEvents& events_;
 };

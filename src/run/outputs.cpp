@@ -8,6 +8,12 @@
 
 namespace clca::run {
 
+namespace {
+
+constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at once
+
+}  // namespace
+
 Outputs::Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only)
     : scene_(scene), last_picture_only_(last_picture_only) {
   if (scene.output.frames) {
@@ -18,12 +24,64 @@ Outputs::Outputs(const scene::Scene& scene, const automaton::State& state, bool 
   }
 }
 
+void Outputs::Growing::take(store::Table& table, std::size_t least) {
+  if (table.waiting() > 0 && table.waiting() >= least) {
+    const std::string header = file.bytes() == 0 ? table.header() : "";
+    file.append(header + table.take());
+  }
+}
+
 void Outputs::open(const store::RunFolder& folder) {
+  reopen(folder, {.last_picture_only = last_picture_only_});
+}
+
+void Outputs::reopen(const store::RunFolder& folder, const OutputHistory& history) {
   folder_ = &folder;
+  last_picture_only_ = history.last_picture_only;
+  series_file_.emplace(Growing{{folder.table("series"), history.series_bytes}});
+  cycles_file_.emplace(Growing{{folder.table("cycles"), history.cycles_bytes}});
+  fields_file_.emplace(Growing{{folder.table("fields"), history.fields_bytes}});
+  folder.remove_frames_after(history.pictures.last_step);
+  if (series_) {
+    series_->last_step() = history.series_step;
+  }
   if (pictures_) {
+    pictures_->history() = history.pictures;
     folder.make_frames();
   }
   store::write_whole(folder.scene(), scene::to_yaml(scene_));
+}
+
+OutputHistory Outputs::settle(Records& records) {
+  write_rows(records, 0);
+  OutputHistory history = {.series_bytes = series_file_->file.bytes(),
+                           .cycles_bytes = cycles_file_->file.bytes(),
+                           .fields_bytes = fields_file_->file.bytes(),
+                           .last_picture_only = last_picture_only_};
+  if (series_) {
+    history.series_step = series_->last_step();
+  }
+  if (pictures_) {
+    pictures_->finish();
+    history.pictures = pictures_->history();
+  }
+  return history;
+}
+
+void Outputs::sync() const {
+  for (const auto* growing : {&series_file_, &cycles_file_, &fields_file_}) {
+    (*growing)->file.sync();
+  }
+}
+
+void Outputs::write_rows(Records& records, std::size_t least) {
+  if (series_) {
+    series_file_->take(series_->table(), least);
+  }
+  cycles_file_->take(records.cycle_rows(), least);
+  if (store::Table* rows = records.field_rows()) {
+    fields_file_->take(*rows, least);
+  }
 }
 
 void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
@@ -40,24 +98,25 @@ void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton&
 }
 
 void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
-                         const Records& records, std::uint64_t steps_in_stage, std::size_t moving) {
+                         Records& records, std::uint64_t steps_in_stage, std::size_t moving) {
   if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(automaton, records, *folder_);
   }
   if (series_) {
     series_->add(stage.name, automaton, moving, false);
   }
+  write_rows(records, kBlock);
 }
 
 void Outputs::end_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                        const Records& records, std::size_t moving, const StageHistory& history) {
+                        Records& records, std::size_t moving, const StageHistory& history) {
   if (pictures_ && (!last_picture_only_ || &stage == &scene_.stages.back())) {
     pictures_->draw(automaton, records, *folder_);
   }
   if (series_) {
     series_->add(stage.name, automaton, moving, true);
-    store::write_whole(folder_->table("series"), series_->to_csv());
   }
+  write_rows(records, 0);
   write_tables(stage, automaton, records, history);
 }
 
@@ -70,17 +129,11 @@ void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton
   if (wants(scene::Measure::profile)) {
     write("profile", profile_table(history.profile_at_start, measure::surface_profile(state)));
   }
-  if (!records.cycles().is_empty()) {
-    store::write_whole(folder_->table("cycles"), records.cycles().to_csv());
-  }
   if (wants(scene::Measure::convection) && records.cycles().convection() != nullptr) {
     write("convection", records.cycles().convection_csv());
   }
-  if (records.fields()) {
-    store::write_whole(folder_->table("fields"), records.fields()->to_csv());
-    if (records.fields()->fluctuations().samples() > 0) {
-      write("fluctuation", records.fields()->fluctuation_csv());
-    }
+  if (records.fields() && records.fields()->fluctuations().samples() > 0) {
+    write("fluctuation", records.fields()->fluctuation_csv());
   }
   if (wants(scene::Measure::force) && records.forces()) {
     const auto contacts = measure::contacts(state, automaton.occupancy());

@@ -1,10 +1,12 @@
 #pragma once
-// Everything that a run writes but its summary: pictures, tables, the resolved scene.
+// Everything that a run writes but its summary and its checkpoints: pictures, tables, the resolved
+// scene.
 
 #include <optional>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/store/growing_file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/pictures.hpp"
 #include "run/records.hpp"
@@ -13,6 +15,26 @@
 
 namespace clca::run {
 
+/// How far what a run writes step by step has come.
+struct OutputHistory {
+  std::uint64_t series_bytes = 0;
+  std::uint64_t cycles_bytes = 0;
+  std::uint64_t fields_bytes = 0;
+  std::optional<std::uint64_t> series_step = {};  ///< of the last row
+  PictureHistory pictures = {};
+  bool last_picture_only = false;
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("series_bytes", &OutputHistory::series_bytes),
+                           field("cycles_bytes", &OutputHistory::cycles_bytes),
+                           field("fields_bytes", &OutputHistory::fields_bytes),
+                           field("series_step", &OutputHistory::series_step),
+                           field("pictures", &OutputHistory::pictures),
+                           field("last_picture_only", &OutputHistory::last_picture_only));
+  }
+};
+
 class Outputs {
  public:
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
@@ -20,19 +42,34 @@ class Outputs {
 
   /// From here on files go to `folder`, which must outlive this object.
   void open(const store::RunFolder& folder);
+  /// The same for a run that goes on: what came after `history` is removed.
+  void reopen(const store::RunFolder& folder, const OutputHistory& history);
   void begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                    const Records& records);
   void after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
-                  const Records& records, std::uint64_t steps_in_stage, std::size_t moving);
+                  Records& records, std::uint64_t steps_in_stage, std::size_t moving);
   /// The last picture of the stage, its tables, and those of the run so far.
-  void end_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                 const Records& records, std::size_t moving, const StageHistory& history);
+  void end_stage(const scene::Stage& stage, const automaton::Automaton& automaton, Records& records,
+                 std::size_t moving, const StageHistory& history);
+  /// Writes all that is waiting and tells how far it has come.
+  OutputHistory settle(Records& records);
+  /// Has the tables that grow on the disk. May be called from another thread than the rest.
+  void sync() const;
   /// Waits until all is written.
   void finish();
 
  private:
+  /// A table that grows row by row.
+  struct Growing {
+    store::GrowingFile file;
+
+    /// Writes the rows that have come, when there are `least` bytes of them.
+    void take(store::Table& table, std::size_t least);
+  };
+
   void write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
                     const Records& records, const StageHistory& history);
+  void write_rows(Records& records, std::size_t least);
   bool wants(scene::Measure measure) const;
 
   const scene::Scene& scene_;
@@ -40,6 +77,9 @@ class Outputs {
   const store::RunFolder* folder_ = nullptr;
   std::optional<Pictures> pictures_;
   std::optional<SeriesTable> series_;
+  std::optional<Growing> series_file_;
+  std::optional<Growing> cycles_file_;
+  std::optional<Growing> fields_file_;
 };
 
 }  // namespace clca::run

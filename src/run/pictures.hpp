@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_painter.hpp"
@@ -19,6 +20,13 @@ struct PictureHistory {
   std::string stage;
   double displacement_scale = 1;           ///< see displacement_scale()
   std::optional<std::uint64_t> last_step;  ///< that was drawn
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("stage", &PictureHistory::stage),
+                           field("displacement_scale", &PictureHistory::displacement_scale),
+                           field("last_step", &PictureHistory::last_step));
+  }
 };
 
 class Pictures {

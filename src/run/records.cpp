@@ -4,6 +4,23 @@
 
 namespace clca::run {
 
+namespace {
+
+constexpr const char* kCycles = "records/cycles";
+constexpr const char* kFields = "records/fields";
+constexpr const char* kForces = "records/forces";
+
+template <class Record>
+void load(const char* path, const fields::Columns& columns, double most_bytes, Record& record,
+          const automaton::State& now) {
+  fields::decode(path, columns, most_bytes, record);
+  if (!record.precedes(now)) {
+    throw fields::Mismatch(std::string(path) + " is not of this run");
+  }
+}
+
+}  // namespace
+
 Records::Records(const scene::Scene& scene)
     : scene_(scene), cycles_(scene.output.fields.value_or(scene::Fields{}).cell) {
   if (scene.output.fields) {
@@ -31,6 +48,30 @@ void Records::after_step(const automaton::Automaton& automaton, std::uint64_t st
   }
   if (forces_) {
     forces_->after_step(automaton, steps_in_stage);
+  }
+}
+
+void Records::save(fields::Columns& columns) const {
+  fields::encode(kCycles, cycles_, columns);
+  if (fields_) {
+    fields::encode(kFields, *fields_, columns);
+  }
+  if (forces_) {
+    fields::encode(kForces, *forces_, columns);
+  }
+}
+
+void Records::resume_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
+                           const fields::Columns& columns, double most_bytes) {
+  const automaton::State& now = automaton.state();
+  cycles_.resume_stage(scene_, stage, now);
+  load(kCycles, columns, most_bytes, cycles_, now);
+  if (fields_) {
+    fields_->begin_stage(stage.name, now);
+    load(kFields, columns, most_bytes, *fields_, now);
+  }
+  if (forces_) {
+    load(kForces, columns, most_bytes, *forces_, now);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/fields/columns.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/cycle_record.hpp"
 #include "run/field_record.hpp"
@@ -21,8 +22,17 @@ class Records {
 
   const CycleRecord& cycles() const { return cycles_; }
   const std::optional<FieldRecord>& fields() const { return fields_; }
+  /// The rows of cycles.csv and, where there is one, fields.csv that came since they were taken.
+  store::Table& cycle_rows() { return cycles_.table(); }
+  store::Table* field_rows() { return fields_ ? &fields_->table() : nullptr; }
   /// None where no wall lets overlap.
   const std::optional<ForceRecord>& forces() const { return forces_; }
+
+  void save(fields::Columns& columns) const;
+  /// Goes on with a stage. Throws fields::Mismatch for what no run can have recorded that has come
+  /// to the state of `automaton`.
+  void resume_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
+                    const fields::Columns& columns, double most_bytes);
 
  private:
   const scene::Scene& scene_;

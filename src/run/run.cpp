@@ -3,15 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 
 #include "clca/measure/profile.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "run/force_measures.hpp"
+#include "run/gas_run.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
 #include "run/records.hpp"
+#include "run/saved.hpp"
+#include "run/saver.hpp"
 #include "run/stage.hpp"
 
 namespace clca::run {
@@ -21,26 +28,49 @@ namespace {
 class Run {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events)
-      : scene_(scene),
-        options_(options),
-        events_(events),
-        automaton_(initial_state(scene), {.threads = options.threads}),
-        outputs_(scene, automaton_.state(), options.last_picture_only),
-        records_(scene) {
+      : Run(scene, options, events, initial_state(scene)) {
     prepare_stage(automaton_, scene, scene.stages.front());
-    folder_.emplace(options.folder);
-    log_.emplace(folder_->log(), events);
+    folder_.emplace(store::RunFolder::for_new_run(options.folder));
+    log_.emplace(folder_->log(), 0, events);
+  }
+
+  /// Goes on with `saved`, which `parts` are of.
+  Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
+      SavedRun& saved, SavedParts parts)
+      : Run(scene, options, events, std::move(parts.state)) {
+    folder_.emplace(std::move(saved.folder));
+    course_ = parts.course;
+    history_ = std::move(parts.history);
+    stages_ = std::move(parts.stages);
+    records_.resume_stage(stage(), automaton_, saved.checkpoint.fields, saved.most_bytes);
+    log_.emplace(folder_->log(), course_.log_bytes, events);
+    outputs_.reopen(*folder_, parts.outputs);
+    in_stage_ = true;
   }
 
   store::RunSummary execute();
 
  private:
+  Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
+      automaton::State state)
+      : scene_(scene),
+        options_(options),
+        events_(events),
+        automaton_(std::move(state), {.threads = options.threads}),
+        outputs_(scene, automaton_.state(), options.last_picture_only),
+        records_(scene),
+        saver_(scene.output.checkpoint) {}
+
   void run_stages();
-  void run_stage(const scene::Stage& stage, std::size_t number);
+  void begin_stage();
+  void run_stage();
   /// Steps until the stage ends; returns why.
-  StageEnd run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history);
-  void show_progress(const scene::Stage& stage, std::size_t number, double moving_share,
-                     std::optional<double> seconds_left);
+  StageEnd run_steps();
+  void step();
+  void end_stage(StageEnd end);
+  /// Writes a checkpoint of the run between two steps.
+  void save();
+  void show_progress(double moving_share, std::optional<double> seconds_left);
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
     store::write_whole(folder_->summary(), store::to_json(summary(status)));
@@ -55,13 +85,19 @@ class Run {
     }
   }
 
-  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
-  double rate() const { return step_clock_.seconds() > 0 ? updates_ / step_clock_.seconds() : 0; }
+  bool stop_asked() const {
+    return (options_.stop != nullptr && options_.stop->load() != 0) ||
+           (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
+  }
+  const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
+  double wall_seconds() const { return course_.wall_seconds + wall_clock_.seconds(); }
+  double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
+  double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
   const scene::Scene& scene_;
   const RunOptions& options_;
   const RunEvents& events_;
-  WallClock wall_clock_;
+  WallClock wall_clock_;  // since this run began or went on
   Stopwatch step_clock_;
   automaton::Automaton automaton_;
   Outputs outputs_;
@@ -69,10 +105,12 @@ class Run {
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
   std::optional<Log> log_;
   Ticker ticker_{std::chrono::milliseconds(100)};
-  double updates_ = 0;      // particles x steps
-  std::size_t moving_ = 0;  // in the last step
+  RunCourse course_;
+  StageHistory history_;
+  bool in_stage_ = false;  // one that goes on
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
+  Saver saver_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 store::RunSummary Run::execute() {
@@ -90,81 +128,125 @@ store::RunSummary Run::execute() {
 }
 
 void Run::run_stages() {
-  outputs_.open(*folder_);
+  if (!in_stage_) {
+    outputs_.open(*folder_);
+  }
   if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
     log_->warning(render::font_problem());
   }
-  for (std::size_t i = 0; i < scene_.stages.size() && !interrupted_; ++i) {
-    if (i > 0) {
-      prepare_stage(automaton_, scene_, scene_.stages[i]);
-    }
-    run_stage(scene_.stages[i], i + 1);
+  while (course_.stage < scene_.stages.size() && !interrupted_) {
+    run_stage();
+    ++course_.stage;
   }
   outputs_.finish();
+  saver_.finish();
 }
 
-void Run::run_stage(const scene::Stage& stage, std::size_t number) {
-  StageHistory history = {.profile_at_start = measure::surface_profile(automaton_.state()),
-                          .particles_at_start = automaton::present_count(automaton_.state()),
-                          .steps = 0,
-                          .cycles = 0,
-                          .emitted = 0,
-                          .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
-  records_.begin_stage(stage, automaton_);
-  outputs_.begin_stage(stage, automaton_, records_);
-  const StageEnd end = run_steps(stage, number, history);
-  history.settled = end == StageEnd::settled || end == StageEnd::stalled;
+void Run::begin_stage() {
+  if (course_.stage > 0) {
+    prepare_stage(automaton_, scene_, stage());
+  }
+  history_ = {.profile_at_start = measure::surface_profile(automaton_.state()),
+              .particles_at_start = automaton::present_count(automaton_.state()),
+              .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
+  records_.begin_stage(stage(), automaton_);
+  outputs_.begin_stage(stage(), automaton_, records_);
+}
+
+void Run::run_stage() {
+  if (!std::exchange(in_stage_, false)) {
+    begin_stage();
+  }
+  const StageEnd end = run_steps();
   interrupted_ = end == StageEnd::interrupted;
+  const bool last = course_.stage + 1 == scene_.stages.size();
+  if (interrupted_ || (last && scene_.output.checkpoint)) {
+    save();
+  }
+  end_stage(end);
+}
+
+StageEnd Run::run_steps() {
+  Forecast forecast;
+  double most_moving = 0;
+  while (true) {
+    if (const auto ended = stage_end(stage(), automaton_.state(), history_)) {
+      return *ended;
+    }
+    if (stop_asked()) {
+      return StageEnd::interrupted;
+    }
+    step();
+    const auto particles = static_cast<double>(automaton_.state().particles.size());
+    const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
+    most_moving = std::max(most_moving, moving_share);
+    if (ticker_.due()) {
+      forecast.update(done_share(stage(), history_, moving_share, most_moving));
+      show_progress(moving_share, forecast.seconds_left());
+    }
+    if (saver_.due(automaton_.state().step)) {
+      save();
+    }
+  }
+}
+
+void Run::step() {
+  step_clock_.start();
+  const automaton::StepReport report = automaton_.step();
+  step_clock_.stop();
+  ++history_.steps;
+  history_.resting = report.settled;
+  history_.emitted += report.emitted;
+  history_.outflow.add(measure::discharge(automaton_.state()));
+  course_.moving = report.moved;
+  course_.updates += static_cast<double>(automaton_.state().particles.size());
+  records_.after_step(automaton_, history_.steps);
+  history_.cycles = records_.cycles().cycles();
+  outputs_.after_step(stage(), automaton_, records_, history_.steps, report.moved);
+}
+
+void Run::end_stage(StageEnd end) {
+  history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
   records_.end_stage(automaton_);
-  outputs_.end_stage(stage, automaton_, records_, moving_, history);
-  stages_.push_back({.name = stage.name,
-                     .steps = history.steps,
+  outputs_.end_stage(stage(), automaton_, records_, course_.moving, history_);
+  stages_.push_back({.name = stage().name,
+                     .steps = history_.steps,
                      .ended = to_text(end),
-                     .measures = stage_measures(scene_, automaton_, history, records_)});
-  log_->info(fmt::format("stage {}: {} steps, ended: {}", stage.name, history.steps, to_text(end)));
-  for (const std::string& line : stall_lines(scene_, automaton_, history.profile_at_start)) {
+                     .measures = stage_measures(scene_, automaton_, history_, records_)});
+  log_->info(
+      fmt::format("stage {}: {} steps, ended: {}", stage().name, history_.steps, to_text(end)));
+  for (const std::string& line : stall_lines(scene_, automaton_, history_.profile_at_start)) {
     log_->info(line);
   }
   if (end == StageEnd::bound) {
     log_->warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
-                              stage.name, stage.max_steps));
+                              stage().name, stage().max_steps));
   }
 }
 
-StageEnd Run::run_steps(const scene::Stage& stage, std::size_t number, StageHistory& history) {
-  Forecast forecast;
-  double most_moving = 0;
-  while (!stop_asked()) {
-    step_clock_.start();
-    const automaton::StepReport report = automaton_.step();
-    step_clock_.stop();
-    ++history.steps;
-    moving_ = report.moved;
-    history.emitted += report.emitted;
-    history.outflow.add(measure::discharge(automaton_.state()));
-    const auto particles = static_cast<double>(automaton_.state().particles.size());
-    updates_ += particles;
-    records_.after_step(automaton_, history.steps);
-    history.cycles = records_.cycles().cycles();
-    outputs_.after_step(stage, automaton_, records_, history.steps, report.moved);
-    if (const auto ended = stage_end(stage, automaton_.state(), report, history)) {
-      return *ended;
-    }
-    const double moving_share = static_cast<double>(report.moved) / std::max(1.0, particles);
-    most_moving = std::max(most_moving, moving_share);
-    if (ticker_.due()) {
-      forecast.update(done_share(stage, history, moving_share, most_moving));
-      show_progress(stage, number, moving_share, forecast.seconds_left());
-    }
-  }
-  return StageEnd::interrupted;
+void Run::save() {
+  const OutputHistory outputs = outputs_.settle(records_);
+  RunCourse course = course_;
+  course.wall_seconds = wall_seconds();
+  course.step_seconds = step_seconds();
+  course.log_bytes = log_->bytes();
+  store::Checkpoint checkpoint = {.kind = "automaton",
+                                  .scene_name = scene_.name,
+                                  .scene = scene::to_yaml(scene_),
+                                  .summary = store::to_json(summary("running")),
+                                  .fields = {}};
+  fields::encode(kSavedState, automaton_.state(), checkpoint.fields);
+  fields::encode(kSavedCourse, course, checkpoint.fields);
+  fields::encode(kSavedHistory, history_, checkpoint.fields);
+  fields::encode(kSavedOutputs, outputs, checkpoint.fields);
+  records_.save(checkpoint.fields);
+  saver_.save(folder_->path(), std::move(checkpoint), [this] { outputs_.sync(); });
 }
 
-void Run::show_progress(const scene::Stage& stage, std::size_t number, double moving_share,
-                        std::optional<double> seconds_left) {
+void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
   if (events_.progress) {
-    events_.progress({.stage = stage.name,
-                      .stage_number = number,
+    events_.progress({.stage = stage().name,
+                      .stage_number = course_.stage + 1,
                       .stage_count = scene_.stages.size(),
                       .step = automaton_.state().step,
                       .particles = automaton_.state().particles.size(),
@@ -182,12 +264,25 @@ store::RunSummary Run::summary(const std::string& status) const {
   summary.status = status;
   summary.particles = automaton_.state().particles.size();
   summary.steps = automaton_.state().step;
-  summary.wall_seconds = wall_clock_.seconds();
-  summary.step_seconds = step_clock_.seconds();
+  summary.wall_seconds = wall_seconds();
+  summary.step_seconds = step_seconds();
   summary.rate = rate();
   summary.state_hash = automaton::hash(automaton_.state());
   summary.stages = stages_;
   return summary;
+}
+
+/// Throws store::StoreError for a checkpoint that no run of the scene has saved.
+std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& options,
+                                 const RunEvents& events, SavedRun& saved) {
+  const std::filesystem::path folder = saved.folder.path();
+  try {
+    return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
+  } catch (const fields::Mismatch& error) {
+    throw not_of_this_run(folder, error.what());
+  } catch (const std::invalid_argument& error) {
+    throw not_of_this_run(folder, error.what());
+  }
 }
 
 }  // namespace
@@ -195,6 +290,17 @@ store::RunSummary Run::summary(const std::string& status) const {
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
   return Run(scene, options, events).execute();
+}
+
+store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {
+  if (!saved.warning.empty() && events.warning) {
+    events.warning(saved.warning);
+  }
+  if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
+    return resume_gas(saved, options, events);
+  }
+  const auto& scene = std::get<scene::Scene>(saved.scene);
+  return resumed_run(scene, options, events, saved)->execute();
 }
 
 }  // namespace clca::run

@@ -20,7 +20,9 @@ class SeriesTable {
   /// Takes a row when the interval says so, or `always`.
   void add(const std::string& stage, const automaton::Automaton& automaton, std::size_t moving,
            bool always);
-  std::string to_csv() const { return table_.to_csv(); }
+  store::Table& table() { return table_; }
+  /// The last step that has a row.
+  std::optional<std::uint64_t>& last_step() { return last_step_; }
 
  private:
   std::uint64_t every_;

@@ -96,8 +96,10 @@ std::string to_text(StageEnd end) {
 }
 
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::State& state,
-                                  const automaton::StepReport& report,
                                   const StageHistory& history) {
+  if (history.steps == 0) {
+    return std::nullopt;
+  }
   if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
     return history.steps >= until->steps ? std::optional(StageEnd::steps) : std::nullopt;
   }
@@ -109,7 +111,7 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::St
   if (cycles != nullptr && history.cycles >= cycles->cycles) {
     return StageEnd::cycles;
   }
-  if (report.settled) {
+  if (history.resting) {
     return has_stalled(state) ? StageEnd::stalled : StageEnd::settled;
   }
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;

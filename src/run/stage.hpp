@@ -32,9 +32,9 @@ enum class StageEnd : std::uint8_t {
 /// As written in run.json.
 std::string to_text(StageEnd end);
 
-/// Why the stage ends after the step that gave `report`; nothing: it goes on.
+/// Why the stage ends after the steps it has taken; nothing: it goes on.
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::State& state,
-                                  const automaton::StepReport& report, const StageHistory& history);
+                                  const StageHistory& history);
 
 /// How much of the stage is done, in [0, 1], guessed from the share of particles that move: from
 /// `most_moving` at its height down to nobody.

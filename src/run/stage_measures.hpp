@@ -18,11 +18,21 @@ struct StageHistory {
   std::uint64_t steps = 0;
   std::uint64_t cycles = 0;  ///< of the walls that go to and fro
   std::size_t emitted = 0;
-  measure::Outflow outflow;
-  bool settled = false;  ///< or stalled: how it ended
+  measure::Outflow outflow = measure::Outflow({});
+  bool resting = false;  ///< the last step has settled
+  bool settled = false;  ///< or stalled: how the stage ended
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(
+        field("profile_at_start", &StageHistory::profile_at_start),
+        field("particles_at_start", &StageHistory::particles_at_start),
+        field("steps", &StageHistory::steps), field("cycles", &StageHistory::cycles),
+        field("emitted", &StageHistory::emitted), field("outflow", &StageHistory::outflow),
+        field("resting", &StageHistory::resting));
+  }
 };
 
 std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene,

@@ -11,7 +11,8 @@ auto content(const BoltzmannScene& scene) {
   return std::tie(scene.title, scene.seed, scene.particles, scene.initial, scene.exact_moments,
                   scene.quasi, scene.restitutions, scene.lists_restitutions, scene.friction,
                   scene.roughness, scene.energy_ratio, scene.scheme, scene.shear_rate, scene.until,
-                  scene.ensemble, scene.series_every, scene.histograms, scene.bins, scene.checkpoint);
+                  scene.ensemble, scene.series_every, scene.histograms, scene.bins,
+                  scene.checkpoint);
 }
 
 }  // namespace

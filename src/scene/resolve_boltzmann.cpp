@@ -53,10 +53,11 @@ std::string to_yaml(const BoltzmannScene& scene) {
   text += scheme_lines(scene);
   text += fmt::format("  until: {}\n  ensemble: {}\n", scene.until, scene.ensemble);
   return text +
-         fmt::format("\noutput:\n  series: {{every: {}}}\n  histograms: {}\n  bins: {}\n  checkpoint: {}\n",
-                     scene.series_every, list(scene.histograms, number),
-                     std::visit([](const auto& bins) { return bins_text(bins); }, scene.bins),
-                     checkpoint_text(scene.checkpoint));
+         fmt::format(
+             "\noutput:\n  series: {{every: {}}}\n  histograms: {}\n  bins: {}\n  checkpoint: {}\n",
+             scene.series_every, list(scene.histograms, number),
+             std::visit([](const auto& bins) { return bins_text(bins); }, scene.bins),
+             checkpoint_text(scene.checkpoint));
 }
 
 }  // namespace clca::scene

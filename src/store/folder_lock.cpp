@@ -71,8 +71,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "lo
   }
   const std::string holder = fmt::format("{}\n", ::getpid());
   if (::ftruncate(descriptor_, 0) == 0) {  // the number is for people: it may fail
-    [[maybe_unused]] const ssize_t written =
-        ::pwrite(descriptor_, holder.data(), holder.size(), 0);
+    [[maybe_unused]] const ssize_t written = ::pwrite(descriptor_, holder.data(), holder.size(), 0);
   }
 }
 

@@ -28,9 +28,10 @@ GrowingFile::GrowingFile(std::filesystem::path path, std::uint64_t kept)
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path_, error);
   if (kept > 0 && (error || size < kept)) {
-    throw StoreError(fmt::format("cannot go on with {}: it is shorter than when the checkpoint was "
-                                 "made",
-                                 path_.string()));
+    throw StoreError(
+        fmt::format("cannot go on with {}: it is shorter than when the checkpoint was "
+                    "made",
+                    path_.string()));
   }
   if (!error && size > kept) {
     if (kept == 0) {
@@ -57,10 +58,10 @@ void GrowingFile::append(std::string_view text) {
 }
 
 void GrowingFile::sync() const {
-  if (bytes_ == 0) {
+  const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open() && errno == ENOENT) {
     return;
   }
-  const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open() || ::fsync(file.number()) != 0) {
     fail_growing(path_, errno);
   }

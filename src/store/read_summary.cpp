@@ -102,15 +102,19 @@ RunSummary summary_of(const Json& object) {
 
 }  // namespace
 
+RunSummary parse_summary(std::string_view json, const std::string& name) {
+  try {
+    return summary_of(Json::parse(json));
+  } catch (const Json::exception&) {
+    throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", name));
+  } catch (const Unsound& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", name, error.what()));
+  }
+}
+
 RunSummary read_summary(const std::filesystem::path& file) {
   const auto bytes = read_whole(file);
-  try {
-    return summary_of(Json::parse(bytes));
-  } catch (const Json::exception&) {
-    throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", file.string()));
-  } catch (const Unsound& error) {
-    throw StoreError(fmt::format("cannot read {}: {}", file.string(), error.what()));
-  }
+  return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 
 }  // namespace clca::store

@@ -42,12 +42,16 @@ void Table::add_row(std::vector<Cell> cells) {
   }
 }
 
-std::string Table::to_csv() const {
-  std::string header;
+std::string Table::header() const {
+  std::string line;
   for (const std::string& column : columns_) {
-    header += (header.empty() ? "" : ",") + quoted(column);
+    line += (line.empty() ? "" : ",") + quoted(column);
   }
-  return fmt::format("{}\n{}", header, rows_);
+  return line + '\n';
+}
+
+std::string Table::to_csv() const {
+  return header() + rows_;
 }
 
 }  // namespace clca::store

@@ -272,9 +272,15 @@ class Decoder {
     std::vector<T*> items;
     for (std::size_t i = 0; i < values.size(); ++i) {
       require(sizes[i] <= 1, path, "is there more than once");
-      values[i]->reset();
-      if (sizes[i] == 1) {
-        items.push_back(&values[i]->emplace());
+      if (sizes[i] == 0) {
+        values[i]->reset();
+        continue;
+      }
+      if constexpr (std::default_initializable<T>) {
+        items.push_back(*values[i] ? &**values[i] : &values[i]->emplace());
+      } else {
+        require(values[i]->has_value(), path, "has no place here");
+        items.push_back(&**values[i]);
       }
     }
     read_items(path, items);
@@ -351,20 +357,28 @@ class Decoder {
 
 }  // namespace detail
 
-/// All fields of a value.
+/// Adds all fields of a value, whose paths begin with `path`.
+template <Listed T>
+void encode(const std::string& path, const T& value, Columns& columns) {
+  detail::Encoder(columns).add(path, std::vector<const T*>{&value});
+}
 template <Listed T>
 Columns encode(const T& value) {
   Columns columns;
-  detail::Encoder(columns).add("", std::vector<const T*>{&value});
+  encode("", value, columns);
   return columns;
 }
 
 /// Sets all fields of a value from its columns; vectors are resized, so that what else their
-/// elements hold stays. Allocates no more than `most_bytes`. Throws Mismatch; the value is then
-/// good for nothing.
+/// elements hold stays, and so it does in what is optional and there already. Allocates no more
+/// than `most_bytes`. Throws Mismatch; the value is then good for nothing.
+template <Listed T>
+void decode(const std::string& path, const Columns& columns, double most_bytes, T& value) {
+  detail::Decoder(columns, most_bytes).read(path, std::vector<T*>{&value});
+}
 template <Listed T>
 void decode(const Columns& columns, double most_bytes, T& value) {
-  detail::Decoder(columns, most_bytes).read("", std::vector<T*>{&value});
+  decode("", columns, most_bytes, value);
 }
 
 }  // namespace clca::fields

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "clca/fields/fields.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
 
@@ -49,10 +50,19 @@ class Convection {
   /// None before the first cycle has ended and where no particle is inside or at the walls.
   std::optional<Rolls> rolls() const;
 
+  /// False where this did not accumulate in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
+  static constexpr auto fields();
+
  private:
   struct Mean {
     double weight = 0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("weight", &Mean::weight), field("sum", &Mean::sum));
+    }
   };
   /// Sums over one half of the bed, places seen from its middle at the floor of the box.
   struct Moments {
@@ -64,12 +74,24 @@ class Convection {
 
     void add(const Eigen::Vector2d& at, const Journey& journey);
     double rotation() const;
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("weight", &Moments::weight), field("place", &Moments::place),
+                             field("drift", &Moments::drift), field("cross", &Moments::cross),
+                             field("square", &Moments::square));
+    }
   };
   /// What is kept from the begin of a cycle.
   struct Begin {
-    Snapshot snapshot;
-    double left;  // edges of the bed, lattice spacings
-    double right;
+    Snapshot snapshot = {};
+    double left = 0;  // edges of the bed, lattice spacings
+    double right = 0;
+
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("snapshot", &Begin::snapshot), field("left", &Begin::left),
+                             field("right", &Begin::right));
+    }
   };
 
   void add(const Journey& journey, double left, double right);
@@ -82,5 +104,13 @@ class Convection {
   Mean at_walls_;
   std::array<Moments, 2> halves_;  // left, right
 };
+
+constexpr auto Convection::fields() {
+  using fields::field;
+  return std::make_tuple(field("begin", &Convection::begin_), field("cycles", &Convection::cycles_),
+                         field("cells", &Convection::cells_), field("inside", &Convection::inside_),
+                         field("at_walls", &Convection::at_walls_),
+                         field("halves", &Convection::halves_));
+}
 
 }  // namespace clca::measure

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "clca/fields/fields.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
 
@@ -36,6 +37,13 @@ class FieldWindow {
   Fields fields(const automaton::State& now, double cell) const;
   /// What the particles did if the window ends now, as Snapshot::journeys.
   std::vector<Journey> journeys(const automaton::State& now) const { return begin_.journeys(now); }
+
+  /// False where the window did not begin in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const { return begin_.precedes(now); }
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("begin", &FieldWindow::begin_));
+  }
 
  private:
   Snapshot begin_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clca/boltzmann/distribution.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
 
@@ -42,6 +43,16 @@ class Fluctuations {
   double resting_share() const { return of_all(resting_); }
   /// Share of all particles that were left out as sparse.
   double sparse_share() const { return of_all(sparse_); }
+
+  bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("counts", &Fluctuations::counts_),
+                           field("local_counts", &Fluctuations::local_counts_),
+                           field("samples", &Fluctuations::samples_),
+                           field("resting", &Fluctuations::resting_),
+                           field("sparse", &Fluctuations::sparse_));
+  }
 
  private:
   std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "clca/fields/fields.hpp"
 #include "clca/measure/contacts.hpp"
 
 namespace clca::measure {
@@ -59,15 +60,30 @@ class ForceAverage {
   /// All contacts that were there, by `first`, then `second`.
   std::vector<Mean> means() const;
 
+  /// False where some contact is not one of a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
+  static constexpr auto fields();
+
  private:
   struct Sum {
     std::uint64_t sites = 0;
     std::uint64_t samples = 0;
+
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("sites", &Sum::sites), field("samples", &Sum::samples));
+    }
   };
 
   std::uint64_t samples_ = 0;
   std::map<std::pair<std::uint32_t, automaton::Owner>, Sum> sums_;
 };
+
+constexpr auto ForceAverage::fields() {
+  using fields::field;
+  return std::make_tuple(field("samples", &ForceAverage::samples_),
+                         field("sums", &ForceAverage::sums_));
+}
 
 /// The sites of each contact.
 std::vector<double> strengths(const std::vector<Contact>& contacts);

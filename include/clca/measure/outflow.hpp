@@ -6,6 +6,7 @@
 
 #include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
+#include "clca/fields/fields.hpp"
 
 namespace clca::measure {
 
@@ -13,6 +14,12 @@ namespace clca::measure {
 struct Discharge {
   std::uint64_t particles = 0;
   std::uint64_t sites = 0;
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("particles", &Discharge::particles),
+                           field("sites", &Discharge::sites));
+  }
 };
 
 Discharge discharge(const automaton::State& state);
@@ -37,11 +44,18 @@ class Outflow {
   /// left: the steady part. 0 where less than two particles have left.
   double sites_per_step() const;
 
+  static constexpr auto fields();
+
  private:
   /// Sites that had left after so many steps.
   struct Event {
     std::uint64_t step = 0;
     std::uint64_t sites = 0;
+
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("step", &Event::step), field("sites", &Event::sites));
+    }
   };
 
   Discharge begin_;
@@ -49,5 +63,11 @@ class Outflow {
   std::uint64_t steps_ = 0;
   std::vector<Event> events_;  // the steps in which something left
 };
+
+constexpr auto Outflow::fields() {
+  using fields::field;
+  return std::make_tuple(field("begin", &Outflow::begin_), field("last", &Outflow::last_),
+                         field("steps", &Outflow::steps_), field("events", &Outflow::events_));
+}
 
 }  // namespace clca::measure

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clca/automaton/state.hpp"
+#include "clca/fields/fields.hpp"
 
 namespace clca::measure {
 
@@ -20,14 +21,23 @@ struct Journey {
 /// The centres of mass of the particles at one moment.
 class Snapshot {
  public:
+  /// Of an empty box.
+  Snapshot() = default;
   explicit Snapshot(const automaton::State& state);
 
   std::uint64_t step() const { return step_; }
   /// Journeys since then of the particles present at both moments, by id.
   std::vector<Journey> journeys(const automaton::State& now) const;
 
+  /// False where this was not taken in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("step", &Snapshot::step_), field("centres", &Snapshot::centres_));
+  }
+
  private:
-  std::uint64_t step_;
+  std::uint64_t step_ = 0;
   std::vector<std::optional<Eigen::Vector2d>> centres_;  // by id; none of removed particles
 };
 

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "clca/scene/boltzmann.hpp"
-#include "clca/scene/scene.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/store/checkpoint.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 
 namespace clca::run {
@@ -50,8 +51,11 @@ struct GasProgress {
 struct RunOptions {
   std::filesystem::path folder;
   int threads = 1;
-  /// Looked at once a step: when it is not zero the run ends with what it has, written whole.
+  /// Looked at once a step: when it is not zero the run saves itself and ends with what it has,
+  /// written whole.
   const std::atomic<int>* stop = nullptr;
+  /// Seconds by the clock after which the run stops in the same way.
+  std::optional<double> time_limit = {};
   /// Draws no picture but that of the final state, whatever the scene says of `every`.
   bool last_picture_only = false;
 };
@@ -73,6 +77,27 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
 /// As the other, for the Boltzmann equation: an ensemble for each restitution.
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
+
+/// A run that was stopped or killed, or has ended, as it was when it last saved itself. Nobody else
+/// runs in its folder while this is there.
+struct SavedRun {
+  store::RunFolder folder;
+  scene::AnyScene scene;
+  store::Checkpoint checkpoint;
+  double most_bytes = 0;  ///< that loading it may take
+  std::string warning;    ///< one line where the newest checkpoint could not be used
+};
+
+/// Loads what `folder` has saved. With `until`, in the words of a scene, the run goes on as if its
+/// scene had said so from the beginning: that of the last stage (a plain number: steps), or the
+/// time of a gas. Throws store::StoreError where there is nothing to go on from, or no checkpoint
+/// that may be read with `most_bytes` of memory; scene::SceneError for a wrong `until`.
+SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
+                  const std::optional<std::string>& until = {});
+
+/// Goes on to the end that the scene asks for: the same bits as those of a run that was never
+/// stopped. The folder of the options is not used. Throws as run() does.
+store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events = {});
 
 /// A summary with version, compiler and build type filled in.
 store::RunSummary provenance();

@@ -17,7 +17,8 @@ class GrowingFile {
 
   /// Throws StoreError.
   void append(std::string_view text);
-  /// Has it on the disk. Throws StoreError.
+  /// Has it on the disk, if it is there. May be called while another thread appends. Throws
+  /// StoreError.
   void sync() const;
   std::uint64_t bytes() const { return bytes_; }
 

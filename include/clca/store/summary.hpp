@@ -46,6 +46,8 @@ const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
 
+/// From the text of a run.json; `name` stands in messages. Throws StoreError when it is not whole.
+RunSummary parse_summary(std::string_view json, const std::string& name);
 /// Reads a run.json back. Throws StoreError when it cannot be read or is not a whole run.json.
 RunSummary read_summary(const std::filesystem::path& file);
 

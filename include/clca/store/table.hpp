@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,12 @@ class Table {
 
   /// RFC 4180 with a header line; lines end with a line feed.
   std::string to_csv() const;
+
+  /// Bytes of rows that take() would give.
+  std::size_t waiting() const { return rows_.size(); }
+  /// The rows that came since the last call, and forgets them.
+  std::string take() { return std::exchange(rows_, {}); }
+  std::string header() const;
 
  private:
   std::vector<std::string> columns_;

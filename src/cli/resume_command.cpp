@@ -1,0 +1,50 @@
+// clca resume: go on with a run where it last saved itself.
+
+#include <memory>
+#include <variant>
+
+#include "cli/commands.hpp"
+#include "cli/run_options.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct ResumeOptions {
+  std::string folder;
+  std::optional<std::string> until;
+  SceneOptions scene;
+  RunCommonOptions run;
+};
+
+int resume_run(const ResumeOptions& options) {
+  const double limit = memory_limit(options.scene);
+  run::SavedRun saved = run::load_run(options.folder, limit, options.until);
+  if (const auto* automaton = std::get_if<scene::Scene>(&saved.scene)) {
+    check_memory(*automaton, limit);
+  } else {
+    check_memory(std::get<scene::BoltzmannScene>(saved.scene), limit, options.run.threads);
+  }
+  return show_run(options.folder, options.run,
+                  [&](const run::RunOptions& run, const run::RunEvents& events) {
+                    return run::resume(std::move(saved), run, events);
+                  });
+}
+
+}  // namespace
+
+void add_resume_command(CLI::App& app, int& code) {
+  CLI::App* command =
+      app.add_subcommand("resume", "Go on with a run that was stopped, killed or has ended");
+  auto options = std::make_shared<ResumeOptions>();
+  command->add_option("DIR", options->folder, "Folder of the run")->required();
+  command->add_option(
+      "--until", options->until,
+      "Go on to this end in place of the scene's: steps of the last stage, the time "
+      "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
+  add_run_options(*command, options->run);
+  add_memory_limit(*command, options->scene);
+  command->callback([options, &code] { code = resume_run(*options); });
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,64 @@
+#include "cli/run_options.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/exit_code.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/signals.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+std::string totals(const store::RunSummary& summary) {
+  return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} {}/s", summary.status,
+                     summary.particles, summary.steps, summary.wall_seconds, summary.rate,
+                     summary.kind == "boltzmann" ? "collisions" : "particle-updates");
+}
+
+int exit_code_of(const store::RunSummary& summary, int signal) {
+  if (summary.status == "done") {
+    return static_cast<int>(ExitCode::done);
+  }
+  return signal != 0 ? static_cast<int>(ExitCode::signal_base) + signal
+                     : static_cast<int>(ExitCode::time_is_up);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunCommonOptions& options) {
+  command.add_option("--threads", options.threads, "Threads; the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "Save and stop after this time, as in 90, 30min or 2h; resume goes on from there")
+      ->transform(
+          CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}},
+                                CLI::AsNumberWithUnit::CASE_SENSITIVE, "SECONDS"))
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+}
+
+int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it) {
+  ProgressLine line;
+  run::RunEvents events;
+  events.warning = [&](const std::string& text) { line.print("warning: " + text); };
+  if (!options.quiet) {
+    events.progress = [&](const run::Progress& progress) { line.show(progress); };
+    events.gas_progress = [&](const run::GasProgress& progress) { line.show(progress); };
+    events.message = [&](const std::string& text) { line.print(text); };
+  }
+  const std::atomic<int>& stop = catch_stop_signals();
+  const store::RunSummary summary = run_it({.folder = folder,
+                                            .threads = options.threads,
+                                            .stop = &stop,
+                                            .time_limit = options.time_limit},
+                                           events);
+  if (!options.quiet) {
+    fmt::print("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, folder);
+  }
+  return exit_code_of(summary, stop);
+}
+
+}  // namespace clca::cli

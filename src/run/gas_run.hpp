@@ -1,0 +1,11 @@
+#pragma once
+// Runs of the Boltzmann equation that go on.
+
+#include "clca/run/run.hpp"
+
+namespace clca::run {
+
+/// As resume(), for a scene of the Boltzmann equation.
+store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events);
+
+}  // namespace clca::run
