@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "clca/measure/profile.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::run {
@@ -49,7 +48,6 @@ void Outputs::reopen(const store::RunFolder& folder, const OutputHistory& histor
     pictures_->history() = history.pictures;
     folder.make_frames();
   }
-  store::write_whole(folder.scene(), scene::to_yaml(scene_));
 }
 
 OutputHistory Outputs::settle(Records& records) {

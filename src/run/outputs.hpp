@@ -1,6 +1,5 @@
 #pragma once
-// Everything that a run writes but its summary and its checkpoints: pictures, tables, the resolved
-// scene.
+// Everything that a run writes besides its scene, summary and checkpoints: pictures and tables.
 
 #include <optional>
 

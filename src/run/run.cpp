@@ -27,10 +27,11 @@ namespace {
 
 class Run {
  public:
-  Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events)
+  Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
+      std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, initial_state(scene)) {
     prepare_stage(automaton_, scene, scene.stages.front());
-    folder_.emplace(store::RunFolder::for_new_run(options.folder));
+    folder_.emplace(folder ? std::move(*folder) : store::RunFolder::for_new_run(options.folder));
     log_.emplace(folder_->log(), 0, events);
   }
 
@@ -42,7 +43,7 @@ class Run {
     course_ = parts.course;
     history_ = std::move(parts.history);
     stages_ = std::move(parts.stages);
-    records_.resume_stage(stage(), automaton_, saved.checkpoint.fields, saved.most_bytes);
+    records_.resume_stage(stage(), automaton_, saved.checkpoint->fields, saved.most_bytes);
     log_.emplace(folder_->log(), course_.log_bytes, events);
     outputs_.reopen(*folder_, parts.outputs);
     in_stage_ = true;
@@ -114,6 +115,7 @@ class Run {
 };
 
 store::RunSummary Run::execute() {
+  store::write_whole(folder_->scene(), scene::to_yaml(scene_));
   write_summary("running");
   try {
     run_stages();
@@ -300,6 +302,10 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
     return resume_gas(saved, options, events);
   }
   const auto& scene = std::get<scene::Scene>(saved.scene);
+  if (!saved.checkpoint) {
+    saved.folder.clear();
+    return Run(scene, options, events, std::move(saved.folder)).execute();
+  }
   return resumed_run(scene, options, events, saved)->execute();
 }
 

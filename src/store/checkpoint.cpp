@@ -80,16 +80,17 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
   }
 }
 
-FoundCheckpoint read_checkpoint(const fs::path& run_folder, double most_bytes) {
+std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double most_bytes) {
   if (!fs::exists(newest(run_folder)) && !fs::exists(one_before(run_folder))) {
-    throw StoreError(fmt::format("cannot go on in {}: it has no checkpoint", run_folder.string()));
+    return std::nullopt;
   }
   try {
-    return {read(newest(run_folder), most_bytes), ""};
+    return FoundCheckpoint{read(newest(run_folder), most_bytes), ""};
   } catch (const StoreError& first) {
     try {
-      return {read(one_before(run_folder), most_bytes),
-              fmt::format("{}; going on from {}", first.what(), one_before(run_folder).string())};
+      return FoundCheckpoint{
+          read(one_before(run_folder), most_bytes),
+          fmt::format("{}; going on from {}", first.what(), one_before(run_folder).string())};
     } catch (const StoreError&) {
       throw first;
     }

@@ -83,9 +83,9 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 struct SavedRun {
   store::RunFolder folder;
   scene::AnyScene scene;
-  store::Checkpoint checkpoint;
-  double most_bytes = 0;  ///< that loading it may take
-  std::string warning;    ///< one line where the newest checkpoint could not be used
+  std::optional<store::Checkpoint> checkpoint;  ///< none: killed before the first, begins anew
+  double most_bytes = 0;                        ///< that loading it may take
+  std::string warning;  ///< one line where the newest checkpoint could not be used
 };
 
 /// Loads what `folder` has saved. With `until`, in the words of a scene, the run goes on as if its

@@ -2,6 +2,7 @@
 // What a run needs to go on after it was stopped or killed.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "clca/fields/columns.hpp"
@@ -25,8 +26,9 @@ struct FoundCheckpoint {
   std::string warning;  ///< one line where the newest cannot be used and this is the one before
 };
 
-/// The newest that is sound. Throws StoreError where there is none, or none that may be read with
-/// `most_bytes` of memory.
-FoundCheckpoint read_checkpoint(const std::filesystem::path& run_folder, double most_bytes);
+/// The newest that is sound; nothing where there is none at all. Throws StoreError where none that
+/// is there may be read with `most_bytes` of memory.
+std::optional<FoundCheckpoint> read_checkpoint(const std::filesystem::path& run_folder,
+                                               double most_bytes);
 
 }  // namespace clca::store

@@ -25,6 +25,9 @@ class RunFolder {
   /// For a run that goes on: clears nothing. Throws StoreError likewise.
   static RunFolder for_resumed_run(std::filesystem::path path);
 
+  /// Removes what for_new_run() removes.
+  void clear() const;
+
   const std::filesystem::path& path() const { return path_; }
   /// Makes the folder of pictures if need be. Throws StoreError.
   void make_frames() const;
@@ -46,7 +49,6 @@ class RunFolder {
 
  private:
   explicit RunFolder(std::filesystem::path path);
-  void clear() const;
   std::filesystem::path frames() const { return path_ / "frames"; }
 
   std::filesystem::path path_;
