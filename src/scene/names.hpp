@@ -34,14 +34,15 @@ inline constexpr std::array<std::string_view, 8> kStageKeys = {
     "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
 inline constexpr std::array<std::string_view, 2> kFillKeys = {"region", "counts"};
 inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
-inline constexpr std::array<std::string_view, 5> kOutputKeys = {"frames", "series", "fields",
-                                                                "contacts", "checkpoint"};
+inline constexpr std::array<std::string_view, 6> kOutputKeys = {
+    "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
 inline constexpr std::array<std::string_view, 10> kFramesKeys = {
     "every", "width",   "height",        "color_by", "layers",
     "view",  "drawing", "supersampling", "caption",  "overlay"};
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 1> kContactsKeys = {"every"};
+inline constexpr std::array<std::string_view, 1> kTrajectoryKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kCheckpointKeys = {"every", "seconds"};
 inline constexpr std::array<std::string_view, 1> kGasCheckpointKeys = {"seconds"};
 

@@ -101,6 +101,14 @@ Contacts read_contacts(const Value& value, const std::string& path, const Scene&
   return contacts;
 }
 
+TrajectoryOutput read_trajectory(const Value& value, const std::string& path) {
+  check_map_or_none(value, path);
+  const KeyedMap fields(value, path, kTrajectoryKeys);
+  TrajectoryOutput trajectory;
+  trajectory.every = fields.count("every", 1, kMostSteps, trajectory.every);
+  return trajectory;
+}
+
 Checkpoints read_steps_and_seconds(const Value& value, const std::string& path) {
   check_map_or_none(value, path);
   const KeyedMap fields(value, path, kCheckpointKeys);
@@ -149,6 +157,9 @@ Output read_output(const Value& value, const Scene& scene) {
   }
   if (const Value* contacts = fields.find("contacts"); !is_none(contacts)) {
     output.contacts = read_contacts(*contacts, fields.path("contacts"), scene);
+  }
+  if (const Value* trajectory = fields.find("trajectory"); !is_none(trajectory)) {
+    output.trajectory = read_trajectory(*trajectory, fields.path("trajectory"));
   }
   output.checkpoint = kDefaultCheckpoints;
   if (const Value* checkpoint = fields.find("checkpoint")) {

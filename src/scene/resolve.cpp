@@ -135,10 +135,11 @@ std::string output_block(const Output& output) {
   };
   const auto& fields = output.fields;
   return fmt::format(
-      "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  checkpoint: {}\n",
+      "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  trajectory: {}\n"
+      "  checkpoint: {}\n",
       output.frames ? frames_block(*output.frames) : "  frames: none\n", every(output.series),
       fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
-      every(output.contacts), checkpoint_text(output.checkpoint));
+      every(output.contacts), every(output.trajectory), checkpoint_text(output.checkpoint));
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.

@@ -15,7 +15,10 @@ namespace {
 
 constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 120;
 constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
-constexpr double kPixelBytes = 8;                          // colour and depth
+// A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
+constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
+constexpr double kTrajectoryRowBytes = 6 * 45;
+constexpr double kPixelBytes = 8;  // colour and depth
 
 double filled(const Scene& scene) {
   double sum = 0;
@@ -106,6 +109,11 @@ double picture_bytes(const Output& output) {
   return kPixelBytes * frames.width * frames.height * frames.supersampling * frames.supersampling;
 }
 
+/// A part is written once it is large enough: it has one frame too many at the most.
+double trajectory_bytes(const Output& output, double particles) {
+  return output.trajectory ? kTrajectoryPartBytes + kTrajectoryRowBytes * particles : 0;
+}
+
 }  // namespace
 
 Size size_of(const Scene& scene) {
@@ -123,7 +131,8 @@ Size size_of(const Scene& scene) {
   });
   double bytes = automaton::Occupancy::bytes_for(places, overlaps) +
                  automaton::Claims::bytes_for(places) + kParticleBytes * particles +
-                 fill_bytes(scene, lattice) + picture_bytes(scene.output);
+                 fill_bytes(scene, lattice) + picture_bytes(scene.output) +
+                 trajectory_bytes(scene.output, particles);
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }

@@ -63,6 +63,13 @@ struct Contacts {
   bool operator==(const Contacts&) const = default;
 };
 
+/// A frame of the trajectory at the begin of each stage, every so many of its steps, at its end.
+struct TrajectoryOutput {
+  std::uint64_t every = 10;
+
+  bool operator==(const TrajectoryOutput&) const = default;
+};
+
 /// When a run saves what it needs to go on, besides at its end and where it is stopped.
 struct Checkpoints {
   std::optional<std::uint64_t> every;  ///< steps; a gas counts none
@@ -79,6 +86,7 @@ struct Output {
   std::optional<Series> series;
   std::optional<Fields> fields;
   std::optional<Contacts> contacts;
+  std::optional<TrajectoryOutput> trajectory;
   std::optional<Checkpoints> checkpoint;
 
   bool operator==(const Output&) const = default;

@@ -107,9 +107,16 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "'profile'?"},
     {"a measure outside a list", "measure: profile",
      "scene.yaml:11:10: error: measure: expected a list, found 'profile'"},
-    {"output that comes later", "output: {trajectory: {every: 10}}",
-     "scene.yaml:12:10: error: unknown key 'trajectory' in output (allowed: frames, series, "
-     "fields, contacts)"},
+    {"output of an unknown kind", "output: {movie: {every: 10}}",
+     "scene.yaml:12:10: error: unknown key 'movie' in output (allowed: frames, series, "
+     "fields, contacts, trajectory, checkpoint)"},
+    {"a trajectory that is neither a map nor none", "output: {trajectory: 10}",
+     "scene.yaml:12:22: error: output.trajectory: expected a map or none, found '10'"},
+    {"a frame every 0 steps", "output: {trajectory: {every: 0}}",
+     "scene.yaml:12:30: error: output.trajectory.every: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"a trajectory with a folder", "output: {trajectory: {folder: here}}",
+     "scene.yaml:12:23: error: unknown key 'folder' in output.trajectory (allowed: every)"},
     {"frames that are neither a map nor none", "output: {frames: 10}",
      "scene.yaml:12:18: error: output.frames: expected a map or none, found '10'"},
     {"a picture without width", "output: {frames: {width: 0}}",

@@ -185,12 +185,14 @@ TEST(Parse, ReadsMeasuresAndOutput) {
       "output:\n"
       "  frames: {every: 5, width: 640, height: 480, color_by: stage_layer, layers: 4,\n"
       "           view: [-5, 0, 50, 40], drawing: lookup, supersampling: 4, caption: false}\n"
-      "  series: {every: 3}");
+      "  series: {every: 3}\n"
+      "  trajectory: {every: 7}");
   EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
   EXPECT_EQ(scene.output.frames,
             (Frames{5, 640, 480, ColorBy::stage_layer, 4, lattice::Rectangle{-5, 0, 50, 40},
                     Drawing::lookup, 4, false, Overlay::none, ""}));
   EXPECT_EQ(scene.output.series, Series{3});
+  EXPECT_EQ(scene.output.trajectory, TrajectoryOutput{7});
 }
 
 TEST(Parse, TakesNoneForFramesAndSeriesAndNoMeasures) {
@@ -199,7 +201,8 @@ TEST(Parse, TakesNoneForFramesAndSeriesAndNoMeasures) {
   EXPECT_EQ(scene.output, Output());
 }
 
-TEST(Parse, TakesAnEmptyMapForDefaultFrames) {
+TEST(Parse, TakesAnEmptyMapForDefaults) {
+  EXPECT_EQ(scene_with("output: {trajectory: {}}").output.trajectory, TrajectoryOutput{10});
   EXPECT_EQ(scene_with("output: {frames: {}}").output.frames, Frames());
 }
 

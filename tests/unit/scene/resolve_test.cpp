@@ -107,6 +107,7 @@ output:
   series: {every: 1}
   fields: none
   contacts: none
+  trajectory: none
 )");
 }
 
@@ -116,7 +117,8 @@ TEST(Scenes, DifferWhenAnyPartDiffers) {
        {"title: Other", "seed: 2", "box: {width: 100, height: 51}", "rules: {ties: direction}",
         "walls: {left: {box: [0, 0, 1, 50]}, right: {box: [50, 0, 51, 49]}}",
         "walls: {left: {box: [0, 0, 1, 50]}, right: {line: {from: [50, 0], to: [50, 50]}}}",
-        "measure: [repose]", "output: {frames: {every: 11}, series: {every: 1}}"}) {
+        "measure: [repose]", "output: {frames: {every: 11}, series: {every: 1}}",
+        "output: {frames: {every: 10}, series: {every: 1}, trajectory: {every: 10}}"}) {
     EXPECT_NE(scene_with(part), scene) << part;
   }
 }
@@ -147,6 +149,7 @@ TEST(SizeOf, BoundsParticlesThatCannotLeaveByTheSitesOfTheBox) {
 
 TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
   const double least = size_of(scene_with("output: {}")).bytes;
+  EXPECT_GT(size_of(scene_with("output: {trajectory: {}}")).bytes, least + 0x1p24);
   EXPECT_GT(size_of(scene_with("output: {}\nbox: {width: 200, height: 50}")).bytes, least + 2e4);
   EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
                                "1009}}"))

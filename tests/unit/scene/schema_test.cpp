@@ -217,6 +217,7 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/definitions/series", words_of(kSeriesKeys)},
       {"/definitions/fields", words_of(kFieldsKeys)},
       {"/definitions/contacts", words_of(kContactsKeys)},
+      {"/definitions/trajectory", words_of(kTrajectoryKeys)},
   };
   EXPECT_EQ(keys, known_keys);
   const std::string rules = "/definitions/automaton/properties/rules/properties/";
@@ -244,7 +245,7 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
       "rules: {}\n"
       "walls: {plate: {box: [0, 40, 9, 42], motion: {shake: {amplitude: 1}}, passive: overlap}}\n"
       "stages: [{name: first, sources: [spout], move: [plate], max_steps: 9}]\n"
-      "output: {frames: {}, series: {}, fields: {}, contacts: {}}";
+      "output: {frames: {}, series: {}, fields: {}, contacts: {}, trajectory: {}}";
   const nlohmann::json scene =
       json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
   const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {
@@ -263,6 +264,7 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
   compare("/definitions/series", "/output/series");
   compare("/definitions/fields", "/output/fields");
   compare("/definitions/contacts", "/output/contacts");
+  compare("/definitions/trajectory", "/output/trajectory");
 }
 
 TEST(Schema, NamesTheDefaultsOfTheParserForTheBoltzmannEquation) {
