@@ -30,16 +30,21 @@ void Outputs::Growing::take(store::Table& table, std::size_t least) {
   }
 }
 
-void Outputs::open(const store::RunFolder& folder) {
-  reopen(folder, {.last_picture_only = last_picture_only_});
+void Outputs::open(const store::RunFolder& folder, const automaton::State& state) {
+  reopen(folder, state, {.last_picture_only = last_picture_only_});
 }
 
-void Outputs::reopen(const store::RunFolder& folder, const OutputHistory& history) {
+void Outputs::reopen(const store::RunFolder& folder, const automaton::State& state,
+                     const OutputHistory& history) {
   folder_ = &folder;
   last_picture_only_ = history.last_picture_only;
   series_file_.emplace(Growing{{folder.table("series"), history.series_bytes}});
   cycles_file_.emplace(Growing{{folder.table("cycles"), history.cycles_bytes}});
   fields_file_.emplace(Growing{{folder.table("fields"), history.fields_bytes}});
+  if (scene_.output.trajectory) {
+    trajectory_.emplace(folder.path(), scene_, state, history.trajectory);
+    trajectory_step_ = history.trajectory_step;
+  }
   folder.remove_frames_after(history.pictures.last_step);
   if (series_) {
     series_->last_step() = history.series_step;
@@ -62,6 +67,11 @@ OutputHistory Outputs::settle(Records& records) {
   if (pictures_) {
     pictures_->finish();
     history.pictures = pictures_->history();
+  }
+  if (trajectory_) {
+    trajectory_->flush();
+    history.trajectory = trajectory_->written();
+    history.trajectory_step = trajectory_step_;
   }
   return history;
 }
@@ -93,6 +103,15 @@ void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton&
   if (series_) {
     series_->add(stage.name, automaton, 0, true);
   }
+  add_to_trajectory(stage, automaton.state(), true);
+}
+
+void Outputs::add_to_trajectory(const scene::Stage& stage, const automaton::State& state,
+                                bool begins) {
+  if (trajectory_ && (begins || trajectory_step_ != state.step)) {
+    trajectory_->add(state, static_cast<std::size_t>(&stage - scene_.stages.data()), begins);
+    trajectory_step_ = state.step;
+  }
 }
 
 void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
@@ -102,6 +121,9 @@ void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& 
   }
   if (series_) {
     series_->add(stage.name, automaton, moving, false);
+  }
+  if (trajectory_ && steps_in_stage % scene_.output.trajectory->every == 0) {
+    add_to_trajectory(stage, automaton.state(), false);
   }
   write_rows(records, kBlock);
 }
@@ -114,6 +136,7 @@ void Outputs::end_stage(const scene::Stage& stage, const automaton::Automaton& a
   if (series_) {
     series_->add(stage.name, automaton, moving, true);
   }
+  add_to_trajectory(stage, automaton.state(), false);
   write_rows(records, 0);
   write_tables(stage, automaton, records, history);
 }
@@ -149,6 +172,9 @@ bool Outputs::wants(scene::Measure measure) const {
 }
 
 void Outputs::finish() {
+  if (trajectory_) {
+    trajectory_->flush();
+  }
   if (pictures_) {
     pictures_->finish();
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Everything that a run writes besides its scene, summary and checkpoints: pictures and tables.
+// Everything that a run writes besides its scene, summary and checkpoints: pictures, tables, the
+// trajectory.
 
 #include <optional>
 
@@ -7,6 +8,7 @@
 #include "clca/scene/scene.hpp"
 #include "clca/store/growing_file.hpp"
 #include "clca/store/run_folder.hpp"
+#include "clca/store/trajectory.hpp"
 #include "run/pictures.hpp"
 #include "run/records.hpp"
 #include "run/series.hpp"
@@ -21,6 +23,8 @@ struct OutputHistory {
   std::uint64_t fields_bytes = 0;
   std::optional<std::uint64_t> series_step = {};  ///< of the last row
   PictureHistory pictures = {};
+  store::TrajectoryWriter::Written trajectory = {};
+  std::optional<std::uint64_t> trajectory_step = {};  ///< of the last frame
   bool last_picture_only = false;
 
   static constexpr auto fields() {
@@ -30,6 +34,8 @@ struct OutputHistory {
                            field("fields_bytes", &OutputHistory::fields_bytes),
                            field("series_step", &OutputHistory::series_step),
                            field("pictures", &OutputHistory::pictures),
+                           field("trajectory", &OutputHistory::trajectory),
+                           field("trajectory_step", &OutputHistory::trajectory_step),
                            field("last_picture_only", &OutputHistory::last_picture_only));
   }
 };
@@ -39,10 +45,11 @@ class Outputs {
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
   Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only);
 
-  /// From here on files go to `folder`, which must outlive this object.
-  void open(const store::RunFolder& folder);
+  /// From here on files go to `folder`, which must outlive this object; `state` is one of the run.
+  void open(const store::RunFolder& folder, const automaton::State& state);
   /// The same for a run that goes on: what came after `history` is removed.
-  void reopen(const store::RunFolder& folder, const OutputHistory& history);
+  void reopen(const store::RunFolder& folder, const automaton::State& state,
+              const OutputHistory& history);
   void begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                    const Records& records);
   void after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
@@ -69,6 +76,7 @@ class Outputs {
   void write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
                     const Records& records, const StageHistory& history);
   void write_rows(Records& records, std::size_t least);
+  void add_to_trajectory(const scene::Stage& stage, const automaton::State& state, bool begins);
   bool wants(scene::Measure measure) const;
 
   const scene::Scene& scene_;
@@ -76,6 +84,8 @@ class Outputs {
   const store::RunFolder* folder_ = nullptr;
   std::optional<Pictures> pictures_;
   std::optional<SeriesTable> series_;
+  std::optional<store::TrajectoryWriter> trajectory_;
+  std::optional<std::uint64_t> trajectory_step_;
   std::optional<Growing> series_file_;
   std::optional<Growing> cycles_file_;
   std::optional<Growing> fields_file_;

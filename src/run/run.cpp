@@ -45,7 +45,7 @@ class Run {
     stages_ = std::move(parts.stages);
     records_.resume_stage(stage(), automaton_, saved.checkpoint->fields, saved.most_bytes);
     log_.emplace(folder_->log(), course_.log_bytes, events);
-    outputs_.reopen(*folder_, parts.outputs);
+    outputs_.reopen(*folder_, automaton_.state(), parts.outputs);
     in_stage_ = true;
   }
 
@@ -131,7 +131,7 @@ store::RunSummary Run::execute() {
 
 void Run::run_stages() {
   if (!in_stage_) {
-    outputs_.open(*folder_);
+    outputs_.open(*folder_, automaton_.state());
   }
   if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
     log_->warning(render::font_problem());

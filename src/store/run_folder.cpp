@@ -40,10 +40,24 @@ bool is_figure(const fs::path& file) {
   return file.extension() == ".png";
 }
 
+/// Of a trajectory.
+bool is_part(const fs::path& file) {
+  return file.extension() == ".h5";
+}
+
+/// What a process was writing aside when it was killed.
+bool is_leftover(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t part = name.rfind(".part-");
+  return part != std::string::npos && part + 6 < name.size() &&
+         name.find_first_not_of("0123456789", part + 6) == std::string::npos;
+}
+
 bool is_file_of_run(const fs::path& file) {
-  constexpr std::array<std::string_view, 9> kWhole = {
-      "series.csv", "cycles.csv", "fields.csv",    "closure.csv",           "run.json",
-      "scene.yaml", "log.txt",    "checkpoint.h5", "checkpoint-previous.h5"};
+  constexpr std::array<std::string_view, 12> kWhole = {
+      "checkpoint-next.h5", "trajectory.h5", "report.html",   "series.csv",
+      "cycles.csv",         "fields.csv",    "closure.csv",   "run.json",
+      "scene.yaml",         "log.txt",       "checkpoint.h5", "checkpoint-previous.h5"};
   constexpr std::array<std::string_view, 8> kOfStages = {"profile-",   "convection-", "contacts-",
                                                          "forces-",    "loads-",      "walls-",
                                                          "histogram-", "fluctuation-"};
@@ -92,7 +106,11 @@ fs::path made(fs::path path) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path path) : path_(made(std::move(path))), lock_(path_) {}
+RunFolder::RunFolder(fs::path path) : path_(made(std::move(path))), lock_(path_) {
+  for (const fs::path& folder : {path_, frames(), path_ / "plots", path_ / "trajectory"}) {
+    remove_matching(folder, is_leftover);
+  }
+}
 
 RunFolder RunFolder::for_new_run(fs::path path) {
   RunFolder folder(std::move(path));
@@ -108,6 +126,7 @@ void RunFolder::clear() const {
   if (fs::exists(summary())) {
     remove_matching(frames(), is_frame);
     remove_matching(path_ / "plots", is_figure);
+    remove_matching(path_ / "trajectory", is_part);
     remove_matching(path_, is_file_of_run);
   }
 }
