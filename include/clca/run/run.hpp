@@ -49,7 +49,7 @@ struct GasProgress {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;
+  std::filesystem::path folder = {};
   int threads = 1;
   /// Looked at once a step: when it is not zero the run saves itself and ends with what it has,
   /// written whole.

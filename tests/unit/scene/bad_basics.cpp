@@ -115,6 +115,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a frame every 0 steps", "output: {trajectory: {every: 0}}",
      "scene.yaml:12:30: error: output.trajectory.every: expected a whole number from 1 to "
      "1000000000000, found '0'"},
+    {"a checkpoint without a time", "output: {checkpoint: {}}",
+     "scene.yaml:12:22: error: output.checkpoint: expected every (steps), seconds or both"},
+    {"a checkpoint every 0 steps", "output: {checkpoint: {every: 0}}",
+     "scene.yaml:12:30: error: output.checkpoint.every: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"a checkpoint that is neither a map nor none", "output: {checkpoint: yes}",
+     "scene.yaml:12:22: error: output.checkpoint: expected a map or none, found 'yes'"},
     {"a trajectory with a folder", "output: {trajectory: {folder: here}}",
      "scene.yaml:12:23: error: unknown key 'folder' in output.trajectory (allowed: every)"},
     {"frames that are neither a map nor none", "output: {frames: 10}",

@@ -10,7 +10,13 @@ namespace {
 
 constexpr auto kScenes = std::to_array<BadScene>({
     {"pictures of a gas", "output: {frames: {}}",
-     "scene.yaml:5:10: error: unknown key 'frames' in output (allowed: series, histograms, bins)"},
+     "scene.yaml:5:10: error: unknown key 'frames' in output (allowed: series, histograms, bins, "
+     "checkpoint)"},
+    {"a checkpoint every so many steps", "output: {checkpoint: {every: 5}}",
+     "scene.yaml:5:23: error: unknown key 'every' in output.checkpoint (allowed: seconds)"},
+    {"checkpoints without a pause", "output: {checkpoint: {seconds: 0}}",
+     "scene.yaml:5:32: error: output.checkpoint.seconds: expected a number above 0 and up to "
+     "1000000000, found '0'"},
     {"no series", "output: {series: none}",
      "scene.yaml:5:18: error: output.series: expected a map, found 'none'"},
     {"a row at every 0", "output: {series: {every: 0}}",

@@ -43,6 +43,7 @@ TEST(BoltzmannScene, FillsInTheDefaults) {
   expected.restitutions = {0.5};
   expected.friction = 0.3;
   expected.histograms = {0, 15};
+  expected.checkpoint = Checkpoints{.every = {}, .seconds = 60};
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(scene.name, "gas");
   EXPECT_EQ(scene.place, "folder/gas.yaml:2:1");
@@ -180,6 +181,7 @@ output:
   series: {every: 0.5}
   histograms: [0, 15]
   bins: q20
+  checkpoint: {seconds: 60}
 )");
 }
 

@@ -196,13 +196,24 @@ TEST(Parse, ReadsMeasuresAndOutput) {
 }
 
 TEST(Parse, TakesNoneForFramesAndSeriesAndNoMeasures) {
-  const Scene scene = scene_with("measure: []\noutput: {frames: none, series: none}");
+  const Scene scene =
+      scene_with("measure: []\noutput: {frames: none, series: none, checkpoint: none}");
   EXPECT_TRUE(scene.measures.empty());
   EXPECT_EQ(scene.output, Output());
 }
 
 TEST(Parse, TakesAnEmptyMapForDefaults) {
   EXPECT_EQ(scene_with("output: {trajectory: {}}").output.trajectory, TrajectoryOutput{10});
+}
+
+TEST(Parse, SavesEveryMinuteUnlessTheSceneSaysOtherwise) {
+  EXPECT_EQ(scene_with("").output.checkpoint, kDefaultCheckpoints);
+  EXPECT_EQ(scene_with("output: {}").output.checkpoint, kDefaultCheckpoints);
+  EXPECT_EQ(scene_with("output: {checkpoint: none}").output.checkpoint, std::nullopt);
+  EXPECT_EQ(scene_with("output: {checkpoint: {every: 9}}").output.checkpoint,
+            (Checkpoints{.every = 9, .seconds = {}}));
+  EXPECT_EQ(scene_with("output: {checkpoint: {every: 9, seconds: 0.5}}").output.checkpoint,
+            (Checkpoints{.every = 9, .seconds = 0.5}));
   EXPECT_EQ(scene_with("output: {frames: {}}").output.frames, Frames());
 }
 

@@ -34,7 +34,8 @@ constexpr std::string_view kEverything =
     "  - {name: 2, sources: [spout, rain], remove: [right], until: {discharged: 0.3}}\n"
     "  - {name: \"-3\", until: {steps: 9}}\n"
     "measure: []\n"
-    "output: {frames: {view: [-1, -2, 3.5, 4], drawing: lookup, caption: false}, trajectory: {every: 3}}\n";
+    "output: {frames: {view: [-1, -2, 3.5, 4], drawing: lookup, caption: false}, trajectory: "
+    "{every: 3}}\n";
 
 }  // namespace
 
@@ -108,6 +109,7 @@ output:
   fields: none
   contacts: none
   trajectory: none
+  checkpoint: {seconds: 60}
 )");
 }
 

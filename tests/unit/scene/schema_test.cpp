@@ -218,6 +218,8 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/definitions/fields", words_of(kFieldsKeys)},
       {"/definitions/contacts", words_of(kContactsKeys)},
       {"/definitions/trajectory", words_of(kTrajectoryKeys)},
+      {"/definitions/checkpoint", words_of(kCheckpointKeys)},
+      {"/definitions/gas_checkpoint", words_of(kGasCheckpointKeys)},
   };
   EXPECT_EQ(keys, known_keys);
   const std::string rules = "/definitions/automaton/properties/rules/properties/";

@@ -1,0 +1,108 @@
+// The program killed at random moments, and gone on with until it is done: time and again the same
+// as a run that nobody has disturbed. CLCA_KILLS says how many runs; a few where it is not set.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+#include "support/program.hpp"
+#include "support/run_folders.hpp"
+#include "support/runs.hpp"
+
+namespace clca {
+namespace {
+
+namespace fs = std::filesystem;
+
+int rounds() {
+  constexpr int kFew = 4;
+  const char* text = std::getenv("CLCA_KILLS");
+  return text != nullptr ? std::atoi(text) : kFew;
+}
+
+constexpr const char* kScene = R"(clca: 1
+title: Everything that a run has to remember
+seed: 11
+box: {width: 60, height: 90}
+species:
+  small: {shape: {hexagon: 1}}
+  large: {shape: {hexagon: 2}}
+walls:
+  plate: {box: [20, 70, 40, 72], motion: {direction: down, period: 2, distance: 50}, passive: overlap}
+  floor: {box: [0, 0, 60, 2], motion: {direction: up, shake: {amplitude: 3, wait: 4}}, passive: rigid}
+sources:
+  spout: {at: [30, 85], species: {small: 1}, rate: 0.2, count: 60}
+outlets:
+  drain: {region: [50, 2, 60, 12]}
+stages:
+  - name: packing
+    fill: {region: [0, 2, 50, 60], counts: {small: 120, large: 20}}
+    until: {steps: 80}
+  - name: shaking
+    move: [floor]
+    sources: [spout]
+    until: {cycles: 12}
+  - name: pressing
+    move: [plate]
+    until: {steps: 120}
+output:
+  frames: {every: 20, width: 192, height: 256, color_by: displacement}
+  series: {every: 1}
+  fields: {every: 30}
+  contacts: {every: 2}
+  trajectory: {every: 10}
+  checkpoint: {every: 9}
+)";
+
+class Killed : public ::testing::Test {
+ protected:
+  Killed() { std::ofstream(folder_.path() / "all.yaml") << kScene; }
+
+  /// Runs the program until it is done by itself; returns how often it was killed.
+  int run_with_kills(const std::string& out, double longest) {
+    std::uniform_real_distribution<double> moment(0.01, longest);
+    std::vector<std::string> arguments = {"run", (folder_.path() / "all.yaml").string(), "-o", out,
+                                          "--quiet"};
+    int kills = 0;
+    while (true) {
+      const bool last = kills == 30;
+      const auto result = testing::run_program(
+          arguments, {.signal_after = last ? 0 : moment(random_), .signal = SIGKILL});
+      if (result.code != -SIGKILL) {
+        EXPECT_EQ(result.code, 0) << result.err;
+        return kills;
+      }
+      ++kills;
+      if (fs::exists(fs::path(out) / "run.json")) {
+        arguments = {"resume", out, "--quiet"};
+      }
+    }
+  }
+
+  testing::ScratchFolder folder_;
+  std::mt19937 random_{std::random_device()()};
+};
+
+TEST_F(Killed, AtRandomMomentsARunEndsAsIfNobodyHadDisturbedIt) {
+  const std::string unbroken = (folder_.path() / "unbroken").string();
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(testing::run_program(
+                {"run", (folder_.path() / "all.yaml").string(), "-o", unbroken, "--quiet"})
+                .code,
+            0);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  int kills = 0;
+  for (int round = 0; round < rounds(); ++round) {
+    const std::string broken = (folder_.path() / ("broken-" + std::to_string(round))).string();
+    kills += run_with_kills(broken, taken.count());
+    ASSERT_EQ(testing::difference_of_runs(unbroken, broken), "") << "run " << round;
+  }
+  EXPECT_GE(kills, rounds()) << "hardly any run was killed on its way";
+  RecordProperty("kills", kills);
+}
+
+}  // namespace
+}  // namespace clca

@@ -1,0 +1,272 @@
+// Runs that go on where they saved themselves end as if they had never been stopped.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "clca/run/run.hpp"
+#include "clca/store/file.hpp"
+#include "support/run_folders.hpp"
+#include "support/runs.hpp"
+
+namespace clca::run {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+constexpr double kMuch = 1e9;
+
+/// A scene of its own for what a run has to remember, and the key of its last end.
+struct Course {
+  const char* name;
+  std::vector<scene::Override> overrides;
+  std::string until;  // as in a scene: of the unbroken run
+  std::vector<int> stops;
+};
+
+const std::vector<Course>& courses() {
+  static const std::string outputs =
+      "output={series: {every: 7}, fields: {every: 40}, trajectory: {every: 9}, "
+      "checkpoint: {every: 1000000}}";
+  static const std::vector<Course> all = {
+      {"wall-removal", {outputs}, "{steps: 90}", {1, 9, 40, 63, 89}},
+      {"silo-discharge",
+       {"output={series: {every: 7}, fields: {every: 40}, trajectory: {every: 9}, checkpoint: "
+        "{every: 1000000}}"},
+       "{steps: 120}",
+       {1, 30, 77}},
+      {"brazil-nut", {outputs}, "{steps: 200}", {1, 12, 60, 61, 150}},
+      {"convection", {outputs}, "{steps: 150}", {5, 44, 121}},
+      {"plate-penetration",
+       {"output={series: {every: 7}, fields: {every: 40}, contacts: {every: 3}, trajectory: "
+        "{every: 9}, checkpoint: {every: 1000000}}"},
+       "{steps: 200}",
+       {3, 50, 150}}};
+  return all;
+}
+
+class Resume : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  const Course& course() const { return courses()[GetParam()]; }
+  /// The scene with the last stage ending so.
+  scene::Scene scene(const std::string& until) const {
+    std::vector<scene::Override> overrides = course().overrides;
+    const scene::Scene whole = testing::bare_scene(course().name, {});
+    overrides.push_back("stages." + std::to_string(whole.stages.size() - 1) + ".until=" + until);
+    return scene::parse_file(CLCA_SOURCE_DIR "/scenes/" + std::string(course().name) + ".yaml",
+                             overrides);
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_P(Resume, ProlongedTimeAndAgainARunIsTheSameAsInOneGo) {
+  const fs::path unbroken = folder_.path() / "unbroken";
+  const fs::path broken = folder_.path() / "broken";
+  const auto expected = run(scene(course().until), {.folder = unbroken});
+  EXPECT_EQ(expected.status, "done");
+  run(scene("{steps: " + std::to_string(course().stops.front()) + "}"), {.folder = broken});
+  for (const int stop : course().stops) {
+    resume(load_run(broken, kMuch, std::to_string(stop)), {.threads = 2});
+  }
+  const auto resumed = resume(load_run(broken, kMuch, course().until), {});
+  EXPECT_EQ(resumed.state_hash, expected.state_hash);
+  EXPECT_EQ(testing::difference_of_runs(unbroken, broken), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Resume, ::testing::Range<std::size_t>(0, courses().size()));
+
+constexpr const char* kSmall = R"(clca: 1
+seed: 3
+box: {width: 40, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+walls: {gate: {box: [20, 0, 21, 60]}}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 20, 60], counts: {grain: 40}}
+  - name: flow
+    remove: [gate]
+output:
+  frames: {every: 10, width: 96, height: 64, color_by: displacement}
+  series: {every: 1}
+  checkpoint: {every: 5}
+)";
+
+class ResumeTest : public ::testing::Test {
+ protected:
+  scene::Scene small(const std::vector<scene::Override>& overrides = {}) const {
+    return scene::parse(kSmall, "small.yaml", overrides);
+  }
+  fs::path path() const { return folder_.path() / "run"; }
+  std::string why_not(double most_bytes = kMuch) const {
+    try {
+      resume(load_run(path(), most_bytes), {});
+    } catch (const store::StoreError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  /// Changes the newest checkpoint and writes it back.
+  template <class Change>
+  void change(Change change) const {
+    auto checkpoint = store::read_checkpoint(path(), kMuch)->checkpoint;
+    change(checkpoint);
+    store::write_checkpoint(path(), checkpoint);
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(ResumeTest, StoppedAtOnceOrByTimeItSavesItselfAndGoesOn) {
+  const fs::path unbroken = folder_.path() / "unbroken";
+  run(small(), {.folder = unbroken});
+  std::atomic<int> stop = 15;
+  EXPECT_EQ(run(small(), {.folder = path(), .stop = &stop}).status, "interrupted");
+  EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
+  EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
+  EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+}
+
+TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
+  const std::atomic<int> stop = 2;
+  run(small({"output.checkpoint=none"}), {.folder = path(), .stop = &stop});
+  EXPECT_TRUE(fs::exists(path() / "checkpoint.h5"));
+  EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
+  run(small({"output.checkpoint=none"}), {.folder = path()});
+  EXPECT_FALSE(fs::exists(path() / "checkpoint.h5"));
+}
+
+TEST_F(ResumeTest, ARunThatIsDoneEndsAgainAsItDid) {
+  run(small(), {.folder = path()});
+  const auto before = store::read_whole(path() / "series.csv");
+  resume(load_run(path(), kMuch), {});
+  resume(load_run(path(), kMuch), {});
+  EXPECT_EQ(store::read_whole(path() / "series.csv"), before);
+}
+
+TEST_F(ResumeTest, KilledBeforeTheFirstCheckpointItBeginsAnew) {
+  run(small(), {.folder = path()});
+  const fs::path unbroken = folder_.path() / "unbroken";
+  fs::copy(path(), unbroken, fs::copy_options::recursive);
+  fs::remove(path() / "checkpoint.h5");
+  fs::remove(path() / "checkpoint-previous.h5");
+  std::ofstream(path() / "series.csv") << "step,st";
+  resume(load_run(path(), kMuch), {});
+  EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+}
+
+TEST_F(ResumeTest, TheLogGoesOnWithoutALineTwice) {
+  run(small(), {.folder = path()});
+  resume(load_run(path(), kMuch), {});
+  const auto bytes = store::read_whole(path() / "log.txt");
+  const std::string log(bytes.begin(), bytes.end());
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;
+  EXPECT_THAT(log, HasSubstr("stage flow"));
+}
+
+TEST_F(ResumeTest, ADamagedCheckpointIsPassedOverForTheOneBefore) {
+  run(small(), {.folder = path()});
+  const fs::path unbroken = folder_.path() / "unbroken";
+  fs::copy(path(), unbroken, fs::copy_options::recursive);
+  auto bytes = store::read_whole(path() / "checkpoint.h5");
+  bytes[bytes.size() / 2] ^= 1U;
+  store::write_whole(path() / "checkpoint.h5", bytes);
+  std::vector<std::string> warnings;
+  resume(load_run(path(), kMuch), {},
+         {.warning = [&](const std::string& line) { warnings.push_back(line); }});
+  EXPECT_THAT(warnings,
+              ::testing::ElementsAre(::testing::AllOf(
+                  HasSubstr("checkpoint.h5: its checksum is wrong"),
+                  EndsWith("going on from " + (path() / "checkpoint-previous.h5").string()))));
+  EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+}
+
+TEST_F(ResumeTest, WithoutASoundCheckpointItIsRefused) {
+  EXPECT_THAT(why_not(), EndsWith("run: there is no such folder"));
+  fs::create_directories(path());
+  EXPECT_THAT(why_not(), EndsWith("run: no run has begun there"));
+  run(small(), {.folder = path()});
+  store::write_whole(path() / "checkpoint.h5", "clca");
+  store::write_whole(path() / "checkpoint-previous.h5", "");
+  EXPECT_THAT(why_not(), EndsWith("checkpoint.h5: it is no checkpoint of clca"));
+}
+
+TEST_F(ResumeTest, AnotherRunInTheFolderIsRefused) {
+  run(small(), {.folder = path()});
+  const SavedRun first = load_run(path(), kMuch);
+  EXPECT_THAT(why_not(), HasSubstr("another run is at work in it"));
+  EXPECT_THROW(run(small(), {.folder = path()}), store::StoreError);
+}
+
+TEST_F(ResumeTest, ACheckpointThatNeedsTooMuchMemoryIsRefused) {
+  run(small(), {.folder = path()});
+  EXPECT_THAT(why_not(20'000), HasSubstr("needs more memory than the limit"));
+}
+
+TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
+  run(small(), {.folder = path()});
+  EXPECT_THAT([&] { load_run(path(), kMuch, "sometime"); },
+              ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("until")));
+}
+
+// Contents that no run has saved, under a right seal.
+TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
+  run(small(), {.folder = path()});
+  const auto original = store::read_checkpoint(path(), kMuch)->checkpoint;
+  const auto refusal = [&](const auto& damage) {
+    auto checkpoint = original;
+    damage(checkpoint);
+    store::write_checkpoint(path(), checkpoint);
+    store::write_checkpoint(path(), checkpoint);
+    try {
+      resume(load_run(path(), kMuch), {});
+    } catch (const store::StoreError& error) {
+      return std::string(error.what());
+    } catch (const scene::SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto column = [](const std::string& path, auto value) {
+    return [=](store::Checkpoint& checkpoint) {
+      std::get<std::vector<decltype(value)>>(checkpoint.fields.at(path)).at(0) = value;
+    };
+  };
+  const auto gone = [](const std::string& path) {
+    return [=](store::Checkpoint& checkpoint) { checkpoint.fields.erase(path); };
+  };
+  EXPECT_EQ(refusal([](store::Checkpoint&) {}), "");
+  EXPECT_THAT(refusal(gone("state/step")), EndsWith("state/step is missing"));
+  EXPECT_THAT(refusal(column("state/seed", std::uint64_t{9})),
+              EndsWith("the seed is not that of the scene"));
+  EXPECT_THAT(refusal(column("state/particles/kind", std::uint16_t{9})),
+              EndsWith("a particle is of no kind"));
+  EXPECT_THAT(refusal(column("state/particles/previous", std::uint8_t{7})),
+              EndsWith("a particle has moved nowhere"));
+  EXPECT_THAT(refusal(column("state/particles/column", std::int32_t{1 << 30})),
+              EndsWith("a particle is too far away"));
+  EXPECT_THAT(refusal(column("state/particles/row", std::int32_t{-1})),
+              EndsWith("a particle leaves the box"));
+  EXPECT_THAT(refusal(column("state/particles/size", std::uint64_t{1} << 40U)),
+              EndsWith("state/particles needs more memory than the limit"));
+  EXPECT_THAT(refusal(column("state/particles/size", std::uint64_t{39})),
+              EndsWith("is too long or too short"));
+  EXPECT_THAT(refusal(column("state/walls/size", std::uint64_t{0})),
+              EndsWith("is too long or too short"));
+  EXPECT_THAT(refusal(column("state/walls/travel/offset", std::int32_t{5})),
+              EndsWith("a wall without motion has moved"));
+  EXPECT_THAT(refusal(column("course/stage", std::uint64_t{2})), EndsWith("its stages are others"));
+  EXPECT_THAT(refusal(column("outputs/series_bytes", std::uint64_t{1} << 40U)),
+              EndsWith("it is shorter than when the checkpoint was made"));
+  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.scene = "clca: 1\n"; }),
+              HasSubstr("scene.yaml:1:1: error:"));
+  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.summary = "{}"; }),
+              HasSubstr("its summary"));
+}
+
+}  // namespace
+}  // namespace clca::run
