@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clca/store/file.hpp"
+#include "store/trajectory_files.hpp"
 
 namespace clca::store {
 
@@ -128,6 +129,7 @@ void RunFolder::clear() const {
     remove_matching(path_ / "plots", is_figure);
     remove_matching(path_ / "trajectory", is_part);
     remove_matching(path_, is_file_of_run);
+    remove_parts(path_, 0);
   }
 }
 

@@ -120,5 +120,115 @@ TEST_F(TrajectoryTest, AnAutomatonCanBeMadeOfAnyFrame) {
   }
 }
 
+/// The writer of a run that was killed and goes on.
+TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
+  const scene::Scene scene = testing::hourglass_scene();
+  const Shown shown = write(scene, 5, 4);
+  const TrajectoryWriter::Written kept{.parts = 3, .frames = 12};
+  write_whole(run() / "trajectory" / "part-000002.h5.part-77", "of a killed process");
+  write_whole(run() / "trajectory" / "notes.txt", "of the user");
+  {
+    TrajectoryWriter writer(run(), scene, run::initial_state(scene), kept);
+    EXPECT_FALSE(std::filesystem::exists(part(3))) << "later than the checkpoint";
+    EXPECT_FALSE(std::filesystem::exists(run() / "trajectory" / "part-000002.h5.part-77"));
+    EXPECT_TRUE(std::filesystem::exists(run() / "trajectory" / "notes.txt"));
+    EXPECT_EQ(writer.written().frames, 12U);
+    std::size_t frame = 0;
+    testing::play(scene, 5, [&](const automaton::State& state, std::size_t stage, bool begins) {
+      if (frame++ >= kept.frames) {
+        writer.add(state, stage, begins);
+      }
+    });
+    writer.flush();
+    EXPECT_EQ(writer.written().frames, shown.states.size());
+    EXPECT_EQ(writer.written().parts, 4U);
+  }
+  expect_equal(scene, shown);
+}
+
+TEST_F(TrajectoryTest, ANewRunRemovesWhatAnOldOneHasLeft) {
+  const scene::Scene scene = testing::plate_scene();
+  write(scene, 5, 4);
+  const TrajectoryWriter writer(run(), scene, run::initial_state(scene), {});
+  EXPECT_FALSE(std::filesystem::exists(run() / "trajectory.h5"));
+  EXPECT_TRUE(std::filesystem::is_empty(run() / "trajectory"));
+}
+
+TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
+  const scene::Scene scene = testing::plate_scene();
+  write(scene, 5, 4);
+  const auto why = [&](const scene::Scene& of, const TrajectoryWriter::Written& kept) {
+    try {
+      const TrajectoryWriter writer(run(), of, run::initial_state(of), kept);
+    } catch (const StoreError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(why(scene, {.parts = 100, .frames = 400}),
+              HasSubstr(".h5: missing, though the run had written it"));
+  EXPECT_THAT(why(scene, {.parts = 2, .frames = 7}),
+              HasSubstr("8 frames where the run had written 7"));
+  EXPECT_THAT(why(testing::hourglass_scene(), {.parts = 2, .frames = 8}),
+              EndsWith("part-000000.h5: of another scene: another lattice"));
+  EXPECT_TRUE(std::filesystem::exists(part(2))) << "a run that cannot go on removes nothing";
+}
+
+TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
+  const scene::Scene scene = testing::plate_scene();
+  automaton::Automaton automaton(run::initial_state(scene));
+  run::prepare_stage(automaton, scene, scene.stages.front());
+  TrajectoryWriter writer(run(), scene, automaton.state(), {});
+  constexpr std::size_t kMostFrames = (std::size_t{16} << 20U) / (80 * 33);
+  for (std::size_t frame = 0; frame <= kMostFrames; ++frame) {
+    writer.add(automaton.state(), 0, frame == 0);
+  }
+  EXPECT_EQ(writer.written().parts, 1U);
+  EXPECT_GT(writer.written().frames, kMostFrames * 9 / 10);
+}
+
+TEST_F(TrajectoryTest, FilesThatAreNotWholeAreRefused) {
+  const scene::Scene scene = testing::plate_scene();
+  EXPECT_THAT(reason(scene), HasSubstr("trajectory: no trajectory there"));
+  write(scene, 5, 8);
+  ASSERT_EQ(reason(scene), "");
+  const std::vector<std::uint8_t> whole = read_whole(part(1));
+  auto bytes = whole;
+  bytes.resize(bytes.size() / 2);
+  write_whole(part(1), bytes);
+  EXPECT_THAT(reason(scene), EndsWith("part-000001.h5: it is cut off"));
+  bytes = whole;
+  bytes[bytes.size() / 2] ^= 1U;
+  write_whole(part(1), bytes);
+  EXPECT_THAT(reason(scene), HasSubstr("part-000001.h5: "));
+  EXPECT_THAT(reason(scene), HasSubstr("checksum is wrong"));
+  std::filesystem::remove(part(1));
+  EXPECT_THAT(reason(scene), EndsWith("part-000001.h5: missing, though later parts are there"));
+  write_whole(part(1), whole);
+  EXPECT_THAT(reason(testing::hourglass_scene()),
+              EndsWith("part-000000.h5: of another scene: another lattice"));
+  EXPECT_THAT(reason(scene, 1e5), HasSubstr("more memory than the limit"));
+  std::filesystem::copy_file(part(2), part(1), std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT(reason(scene), EndsWith("part-000001.h5: rows of frames do not follow each other"));
+}
+
+TEST_F(TrajectoryTest, ATrajectoryOfAnotherSceneIsRefused) {
+  write(testing::plate_scene(), 30, 100);
+  const auto with = [&](const auto& change) {
+    scene::Scene scene = testing::plate_scene();
+    change(scene);
+    return reason(scene);
+  };
+  EXPECT_THAT(with([](scene::Scene& scene) { scene.seed = 6; }), EndsWith("another seed"));
+  EXPECT_THAT(with([](scene::Scene& scene) { scene.box.periodic = true; }),
+              EndsWith("another lattice"));
+  EXPECT_THAT(
+      with([](scene::Scene& scene) { scene.species[0].shape = lattice::Shape::hexagon(0); }),
+      EndsWith("other species"));
+  EXPECT_THAT(with([](scene::Scene& scene) { scene.walls[0].name = "piston"; }),
+              EndsWith("other walls"));
+  EXPECT_THAT(with([](scene::Scene& scene) { scene.stages.pop_back(); }), EndsWith("other stages"));
+}
+
 }  // namespace
 }  // namespace clca::store

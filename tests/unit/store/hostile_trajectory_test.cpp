@@ -1,0 +1,228 @@
+// Parts that are whole, and say what no run has said.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
+#include "store/trajectory_part.hpp"
+#include "store/trajectory_tables.hpp"
+#include "support/runs.hpp"
+#include "support/trajectories.hpp"
+
+namespace clca::store {
+namespace {
+
+using ::testing::EndsWith;
+
+constexpr double kMuch = 1e8;
+constexpr std::size_t kWalls = 1;
+
+struct Hostile {
+  const char* name;
+  std::function<void(TrajectoryPart&)> change;
+  const char* reason;  ///< the end of the message
+};
+
+class HostileTrajectory : public ::testing::TestWithParam<Hostile> {};
+
+std::filesystem::path only_part(const std::filesystem::path& run) {
+  return run / "trajectory" / "part-000000.h5";
+}
+
+/// The plate scene from the frame on in which the plate begins to move.
+void write_plate(const std::filesystem::path& run) {
+  const scene::Scene scene = testing::plate_scene();
+  TrajectoryWriter writer(run, scene, run::initial_state(scene), {});
+  testing::play(scene, 10, [&](const automaton::State& state, std::size_t stage, bool begins) {
+    if (stage == 1) {
+      writer.add(state, stage, begins);
+    }
+  });
+  writer.flush();
+}
+
+void rewrite(const std::filesystem::path& path,
+             const std::function<void(TrajectoryPart&)>& change) {
+  TrajectoryPart part;
+  SceneTables tables;
+  {
+    const SealedReader file(path, kTrajectoryKind, kMuch);
+    tables = SceneTables(file);
+    for_each_column(part, kWalls, [&file]<class T>(const Column& column, std::vector<T>& values) {
+      values = file.read<T>(column.path, column.width());
+    });
+  }
+  change(part);
+  SealedWriter file(kTrajectoryKind);
+  tables.write(file);
+  for_each_column(part, kWalls,
+                  [&file]<class T>(const Column& column, const std::vector<T>& values) {
+                    file.add<T>(column.path, values, column.width());
+                  });
+  write_whole(path, file.seal());
+}
+
+std::string reason(const std::filesystem::path& run) {
+  try {
+    const scene::Scene scene = testing::plate_scene();
+    const Trajectory trajectory(run, scene, run::initial_state(scene), kMuch);
+    for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
+      trajectory.state(frame);
+    }
+  } catch (const StoreError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HostileTrajectory, ThePartThatIsChangedIsReadAsLongAsItIsNot) {
+  const testing::ScratchFolder folder;
+  write_plate(folder.path());
+  rewrite(only_part(folder.path()), [](TrajectoryPart& part) {
+    EXPECT_GT(part.frames.pushes.count.back(), 1U) << "there is something to change";
+    EXPECT_EQ(part.frames.step.size(), 8U);
+  });
+  EXPECT_EQ(reason(folder.path()), "");
+}
+
+TEST_P(HostileTrajectory, IsRefused) {
+  const testing::ScratchFolder folder;
+  write_plate(folder.path());
+  rewrite(only_part(folder.path()), GetParam().change);
+  EXPECT_THAT(reason(folder.path()), EndsWith(GetParam().reason));
+  EXPECT_THAT(reason(folder.path()),
+              ::testing::StartsWith("cannot read " + only_part(folder.path()).string() + ": "));
+}
+
+constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
+constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, HostileTrajectory,
+    ::testing::Values(
+        Hostile{"no_frames", [](TrajectoryPart& part) { part = {}; }, "no frames"},
+        Hostile{"lists_of_frames", [](TrajectoryPart& part) { part.frames.stage.pop_back(); },
+                "datasets of frames have different lengths"},
+        Hostile{"counts_of_pushes",
+                [](TrajectoryPart& part) { part.frames.pushes.count.pop_back(); },
+                "datasets of frames have different lengths"},
+        Hostile{"steps", [](TrajectoryPart& part) { std::swap(part.frames.step[0], part.frames.step[5]); },
+                "frames are not in order"},
+        Hostile{"stage", [](TrajectoryPart& part) { part.frames.stage.back() = 2; },
+                "frame of step 130: a stage that the scene does not have"},
+        Hostile{"entered", [](TrajectoryPart& part) { part.frames.entered.back() = 4'000'000'000; },
+                "frame of step 130: needs more memory than the limit"},
+        Hostile{"fewer_entered", [](TrajectoryPart& part) { part.frames.entered.back() = 79; },
+                "frames are not in order"},
+        Hostile{"more_particles",
+                [](TrajectoryPart& part) { part.frames.particles.count.back() = 4'000'000'000; },
+                "frame of step 130: more rows than particles"},
+        Hostile{"fewer_rows", [](TrajectoryPart& part) { part.frames.particles.count.back() = 70; },
+                "particles and frames do not go together"},
+        Hostile{"more_origins",
+                [](TrajectoryPart& part) { part.frames.origins.count.back() = 81; },
+                "frame of step 130: more rows than particles"},
+        Hostile{"origins_without_rows",
+                [](TrajectoryPart& part) { part.frames.origins.count.back() = 80; },
+                "origins and frames do not go together"},
+        Hostile{"first_rows",
+                [](TrajectoryPart& part) { part.frames.particles.first[3] = ~std::uint64_t{0}; },
+                "rows of frames do not follow each other"},
+        Hostile{"first_of_all",
+                [](TrajectoryPart& part) {
+                  for (std::uint64_t& first : part.frames.pushes.first) {
+                    first += 1;
+                  }
+                },
+                "rows of frames do not follow each other"},
+        Hostile{"pushes_without_rows",
+                [](TrajectoryPart& part) { part.frames.pushes.count.back() = 4'000'000'000; },
+                "pushes and frames do not go together"},
+        Hostile{"origin_row", [](TrajectoryPart& part) { part.origins.site[1] = -1; },
+                "an origin outside the box"},
+        Hostile{"origin_column", [](TrajectoryPart& part) { part.origins.site[0] = kLeast; },
+                "an origin outside the box"},
+        Hostile{"origin_id", [](TrajectoryPart& part) { part.origins.id.back() = 80; },
+                "frame of step 60: ids of origins out of order or out of range"},
+        Hostile{"no_origins",
+                [](TrajectoryPart& part) {
+                  part.origins = {};
+                  part.frames.origins.first.assign(8, 0);
+                  part.frames.origins.count.assign(8, 0);
+                },
+                "frame of step 60: a particle without an origin"},
+        Hostile{"odd_sites", [](TrajectoryPart& part) { part.rows.site.resize(part.rows.site.size() - 2); },
+                "particles and frames do not go together"},
+        Hostile{"kind", [](TrajectoryPart& part) { part.rows.kind[81] = 2; },
+                "a kind that the scene does not have"},
+        Hostile{"move", [](TrajectoryPart& part) { part.rows.move[81] = 7; }, "a move that is none"},
+        Hostile{"column_right", [](TrajectoryPart& part) { part.rows.site[0] = kMost; },
+                "a particle outside the box"},
+        Hostile{"column_left", [](TrajectoryPart& part) { part.rows.site[0] = kLeast; },
+                "a particle outside the box"},
+        Hostile{"row_above", [](TrajectoryPart& part) { part.rows.site[1] = kMost; },
+                "a particle outside the box"},
+        Hostile{"row_at_the_rim", [](TrajectoryPart& part) { part.rows.site[1] = 0; },
+                "frame of step 60: a particle leaves the box"},
+        Hostile{"two_in_one_place",
+                [](TrajectoryPart& part) {
+                  part.rows.site[2] = part.rows.site[0];
+                  part.rows.site[3] = part.rows.site[1];
+                },
+                "frame of step 60: two particles overlap, or a particle overlaps a wall"},
+        Hostile{"ids_twice", [](TrajectoryPart& part) { part.rows.id[1] = 0; },
+                "frame of step 60: ids of particles out of order or out of range"},
+        Hostile{"id", [](TrajectoryPart& part) { part.rows.id[79] = 80; },
+                "frame of step 60: ids of particles out of order or out of range"},
+        Hostile{"wall_rows", [](TrajectoryPart& part) { part.rows.wall_present.pop_back(); },
+                "walls and frames do not go together"},
+        Hostile{"wall_presence", [](TrajectoryPart& part) { part.rows.wall_present[0] = 2; },
+                "a wall neither present nor absent"},
+        Hostile{"wall_too_far", [](TrajectoryPart& part) { part.rows.wall_offset[7] = 31; },
+                "frame of step 130: a wall where it cannot come"},
+        Hostile{"wall_back", [](TrajectoryPart& part) { part.rows.wall_offset[7] = kLeast; },
+                "frame of step 130: a wall where it cannot come"},
+        Hostile{"push_direction", [](TrajectoryPart& part) { part.rows.push_direction[0] = 6; },
+                "a direction that is none"},
+        Hostile{"pushed", [](TrajectoryPart& part) { part.rows.pushed.back() = 4'000'000'000; },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"pusher_wall", [](TrajectoryPart& part) { part.rows.pusher.back() = kLeast; },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"pusher_nobody", [](TrajectoryPart& part) { part.rows.pusher.back() = -1; },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"pusher_particle", [](TrajectoryPart& part) { part.rows.pusher.back() = kMost; },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"pushes_itself",
+                [](TrajectoryPart& part) {
+                  part.rows.pusher.back() = static_cast<std::int32_t>(part.rows.pushed.back());
+                },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"source_of_push", [](TrajectoryPart& part) { part.rows.push_source.back() = 1; },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"order_of_pushes",
+                [](TrajectoryPart& part) {
+                  const std::size_t last = part.rows.pushed.size() - 1;
+                  std::swap(part.rows.pushed[last], part.rows.pushed[last - 1]);
+                  std::swap(part.rows.pusher[last], part.rows.pusher[last - 1]);
+                },
+                "frame of step 130: a push that cannot be"},
+        Hostile{"push_from_afar",
+                [](TrajectoryPart& part) {
+                  part.frames.pushes.count[0] = 1;
+                  for (std::size_t frame = 1; frame < 8; ++frame) {
+                    part.frames.pushes.first[frame] += 1;
+                  }
+                  part.rows.pushed.insert(part.rows.pushed.begin(), 3);
+                  part.rows.pusher.insert(part.rows.pusher.begin(), -2);
+                  part.rows.push_source.insert(part.rows.push_source.begin(), 0);
+                  part.rows.push_direction.insert(part.rows.push_direction.begin(), 3);
+                },
+                "frame of step 60: a push without an overlap"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace clca::store

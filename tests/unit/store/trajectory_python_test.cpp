@@ -1,0 +1,133 @@
+// What other programs see of a trajectory: h5py, by the example of docs/trajectory.md.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "clca/store/trajectory.hpp"
+#include "support/runs.hpp"
+#include "support/trajectories.hpp"
+
+namespace clca::store {
+namespace {
+
+/// What a command writes; "failed" after it where it ends with an error.
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> block{};
+  while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe)) {
+    text.append(block.data(), size);
+  }
+  return ::pclose(pipe) == 0 ? text : text + "failed";
+}
+
+/// As the column mean_height of series.csv has it.
+double mean_height(const automaton::State& state) {
+  double sum = 0;
+  double weight = 0;
+  for (const automaton::Particle& particle : state.particles) {
+    if (particle.present) {
+      const auto sites = static_cast<double>(state.shape(particle).size());
+      sum += sites * automaton::centre(state, particle).y();
+      weight += sites;
+    }
+  }
+  return weight > 0 ? sum / weight : 0;
+}
+
+class TrajectoryInPython : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (output_of("/usr/bin/python3 -c 'import h5py, numpy'") != "") {
+      GTEST_SKIP() << "/usr/bin/python3 has no h5py (python3-h5py)";
+    }
+  }
+
+  void write(const scene::Scene& scene) {
+    TrajectoryWriter writer(run(), scene, run::initial_state(scene), {});
+    testing::play(scene, 5, [&](const automaton::State& state, std::size_t stage, bool begins) {
+      writer.add(state, stage, begins);
+      if (++frames_ % 4 == 0) {
+        writer.flush();
+      }
+      lines_.push_back(fmt::format("{} {} {} {:.9g}", state.step, scene.stages[stage].name,
+                                   present_count(state), mean_height(state)));
+      for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+        const Eigen::Vector2d shift = lattice::position(state.walls[wall].shift());
+        if (state.walls[wall].present) {
+          lines_.back() += fmt::format(" {}=({:.9g},{:.9g})", scene.walls[wall].name, shift.x() + 0,
+                                       shift.y() + 0);
+        }
+      }
+    });
+    writer.flush();
+  }
+
+  std::vector<std::string> lines_of_example(const std::filesystem::path& folder) const {
+    std::istringstream text(
+        output_of(fmt::format("cd / && /usr/bin/python3 {}/examples/"
+                              "read_trajectory.py {}",
+                              CLCA_SOURCE_DIR, folder.string())));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) {
+      lines.push_back(line);
+    }
+    return lines;
+  }
+
+  std::filesystem::path run() const { return folder_.path() / "run"; }
+
+  testing::ScratchFolder folder_;
+  std::size_t frames_ = 0;
+  std::vector<std::string> lines_;
+};
+
+TEST_F(TrajectoryInPython, TheExampleShowsWhatTheProgramHas) {
+  std::filesystem::create_directories(run());
+  write(testing::plate_scene());
+  EXPECT_EQ(lines_of_example(run()), lines_);
+  const std::filesystem::path moved = folder_.path() / "elsewhere";
+  std::filesystem::rename(run(), moved);
+  EXPECT_EQ(lines_of_example(moved), lines_) << "moved to another folder";
+}
+
+TEST_F(TrajectoryInPython, TheExampleGoesAcrossASeam) {
+  std::filesystem::create_directories(run());
+  write(testing::hourglass_scene());
+  EXPECT_EQ(lines_of_example(run()), lines_);
+}
+
+TEST_F(TrajectoryInPython, TheIndexShowsAllPartsAsOne) {
+  std::filesystem::create_directories(run());
+  write(testing::plate_scene());
+  const std::filesystem::path script = folder_.path() / "compare.py";
+  std::ofstream(script) << R"(
+import glob, sys, h5py, numpy
+run = sys.argv[1]
+parts = [h5py.File(name) for name in sorted(glob.glob(run + "/trajectory/part-*.h5"))]
+seen = []
+def compare(name, item):
+    if isinstance(item, h5py.Dataset):
+        of_parts = numpy.concatenate([part[name][:] for part in parts])
+        assert item.dtype == of_parts.dtype, name
+        assert numpy.array_equal(item[:].reshape(of_parts.shape), of_parts), name
+        seen.append(name)
+with h5py.File(run + "/trajectory.h5") as index:
+    for group in ["frames", "particles", "origins", "pushes", "walls"]:
+        index[group].visititems(lambda name, item: compare(group + "/" + name, item))
+    assert index["walls/position"].shape == (len(index["frames/step"]), 1, 2)
+    assert index["scene/species"][:].tolist() == [b"small", b"large"]
+    assert index["pushes/pushed"].shape[0] > 0
+print(len(parts), len(seen))
+)";
+  EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}", script.string(), run().string())),
+            "8 24\n");
+}
+
+}  // namespace
+}  // namespace clca::store
