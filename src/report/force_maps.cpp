@@ -1,0 +1,100 @@
+// Maps of the contacts: lines between the centres of particles that overlap.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "report/map.hpp"
+#include "report/maps.hpp"
+
+namespace clca::report {
+
+namespace {
+
+constexpr std::size_t kMostLines = 4000;
+
+using Centres = std::map<std::string, std::pair<double, double>>;
+
+/// Of the particles that bear a load, by id.
+Centres centres_of(const RunTable& loads) {
+  Centres centres;
+  const std::vector<std::string>* ids = loads.cells().find("id");
+  const auto x = loads.numbers("x");
+  const auto y = loads.numbers("y");
+  for (std::size_t row = 0; ids != nullptr && x && y && row < ids->size(); ++row) {
+    if (std::isfinite((*x)[row]) && std::isfinite((*y)[row])) {
+      centres[(*ids)[row]] = {(*x)[row], (*y)[row]};
+    }
+  }
+  return centres;
+}
+
+/// Across the seam of a periodic box a pair is near, but its centres are not.
+bool is_across_seam(const Line& line, double width) {
+  return std::abs(line.x1 - line.x0) > width / 2;
+}
+
+double width_of(const Centres& centres) {
+  double left = 0;
+  double right = 0;
+  for (const auto& [id, centre] : centres) {
+    left = std::min(left, centre.first);
+    right = std::max(right, centre.first);
+  }
+  return right - left;
+}
+
+/// From centre to centre, or where the other is a wall, to the place where they meet.
+std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres) {
+  std::vector<Line> lines;
+  const std::vector<std::string>* first = contacts.cells().find("first");
+  const std::vector<std::string>* second = contacts.cells().find("second");
+  const auto x = contacts.numbers("x");
+  const auto y = contacts.numbers("y");
+  const auto sites = contacts.numbers("sites");
+  if (first == nullptr || second == nullptr || !x || !y || !sites) {
+    return lines;
+  }
+  const double width = width_of(centres);
+  for (std::size_t row = 0; row < first->size(); ++row) {
+    const auto from = centres.find((*first)[row]);
+    const auto to = centres.find((*second)[row]);
+    // Contacts that are gone, and known by their mean only, have no place.
+    const bool is_there = (*sites)[row] > 0 && std::isfinite((*sites)[row]) &&
+                          std::isfinite((*x)[row]) && std::isfinite((*y)[row]);
+    if (!is_there || from == centres.end()) {
+      continue;
+    }
+    const auto end = to == centres.end() ? std::pair((*x)[row], (*y)[row]) : to->second;
+    const Line line = {from->second.first, from->second.second, end.first, end.second,
+                       (*sites)[row]};
+    if (!is_across_seam(line, width)) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+void add_force_maps(std::vector<std::string>& figures, const Tables& tables) {
+  const std::vector<RunTable> loads = tables.find_all("loads");
+  for (const RunTable& contacts : tables.find_all("contacts")) {
+    const auto load = std::find_if(loads.begin(), loads.end(), [&](const RunTable& one) {
+      return one.label() == contacts.label();
+    });
+    if (load == loads.end()) {
+      continue;
+    }
+    Map map = {.title = "Contacts at the end of stage " + contacts.label(),
+               .line_title = "sites of overlap",
+               .lines = contact_lines(contacts, centres_of(*load))};
+    std::sort(map.lines.begin(), map.lines.end(),
+              [](const Line& a, const Line& b) { return a.weight > b.weight; });
+    map.lines.resize(std::min(map.lines.size(), kMostLines));
+    figures.push_back(to_html(map));
+  }
+}
+
+}  // namespace clca::report

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "report/measure_names.hpp"
+#include "report/sections.hpp"
+#include "report/text.hpp"
+
+namespace clca::report {
+
+namespace {
+
+using store::MeasureValue;
+using store::StageSummary;
+
+constexpr std::size_t kMostStages = 16;
+constexpr std::string_view kErrorEnding = "_se";
+
+MeasureValue value_in(const StageSummary& stage, const std::string& name) {
+  const auto found = std::find_if(stage.measures.begin(), stage.measures.end(),
+                                  [&](const auto& one) { return one.first == name; });
+  return found == stage.measures.end() ? MeasureValue() : found->second;
+}
+
+/// As they come, standard errors apart, which stand beside what they belong to.
+std::vector<std::string> measure_keys(const std::vector<StageSummary>& stages) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const StageSummary& stage : stages) {
+    for (const auto& [name, value] : stage.measures) {
+      if (!name.ends_with(kErrorEnding) && known.insert(name).second) {
+        names.push_back(name);
+      }
+    }
+  }
+  return names;
+}
+
+/// Decimals that all numbers of a row share.
+int row_decimals(const std::vector<StageSummary>& stages, const std::string& name) {
+  std::vector<double> numbers;
+  for (const StageSummary& stage : stages) {
+    const MeasureValue value = value_in(stage, name);
+    if (const auto* number = std::get_if<double>(&value)) {
+      numbers.push_back(*number);
+    }
+  }
+  return decimals_for(numbers);
+}
+
+std::string value_html(const StageSummary& stage, const std::string& name, int decimals) {
+  const MeasureValue value = value_in(stage, name);
+  if (const auto* answer = std::get_if<bool>(&value)) {
+    return *answer ? "yes" : "no";
+  }
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) {
+    return "–";
+  }
+  std::string text = with_decimals(*number, decimals);
+  const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
+  if (const auto* size = std::get_if<double>(&error)) {
+    text += fmt::format("<small> ± {}</small>", brief(*size));
+  }
+  return text;
+}
+
+std::string row_html(const std::vector<StageSummary>& stages, const std::string& key) {
+  const MeasureName* known = find_measure_name(key);
+  std::string row = fmt::format(R"(<tr><th scope="row">{}<small>{}</small></th>)",
+                                escaped(known != nullptr ? known->name : std::string_view(key)),
+                                escaped(known != nullptr ? known->meaning : std::string_view()));
+  const int decimals = row_decimals(stages, key);
+  for (const StageSummary& stage : stages) {
+    row += fmt::format("<td>{}</td>", value_html(stage, key, decimals));
+  }
+  return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
+)",
+                           escaped(known != nullptr ? known->unit : std::string_view()),
+                           escaped(key));
+}
+
+std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {
+  std::vector<StageSummary> shown;
+  for (const std::size_t number : evenly(stages.size(), kMostStages)) {
+    shown.push_back(stages[number]);
+  }
+  return shown;
+}
+
+std::string head_html(const std::vector<StageSummary>& stages) {
+  std::string names = R"(<tr><th scope="col">Stage</th>)";
+  std::string ends = R"(<tr class="how"><th scope="row">Steps, and how it ended</th>)";
+  for (const StageSummary& stage : stages) {
+    names += fmt::format(R"(<th scope="col">{}</th>)", escaped(stage.name));
+    ends += fmt::format("<td>{} <small>{}</small></td>", whole(stage.steps), escaped(stage.ended));
+  }
+  return fmt::format(
+      R"(<thead>{}<th scope="col" class="unit">Unit</th><th scope="col" class="key">In run.json</th></tr></thead><tbody>
+{}<td class="unit"></td><td class="key"></td></tr>
+)",
+      names, ends);
+}
+
+}  // namespace
+
+std::string measures_html(const store::RunSummary& summary) {
+  if (summary.stages.empty()) {
+    return {};
+  }
+  constexpr std::size_t kMostMeasures = 200;
+  const std::vector<StageSummary> stages = shown_stages(summary.stages);
+  std::string html =
+      R"(<div class="wide" tabindex="0" role="region" aria-label="Measures"><table>)";
+  html += head_html(stages);
+  std::vector<std::string> keys = measure_keys(stages);
+  keys.resize(std::min(keys.size(), kMostMeasures));
+  for (const std::string& key : keys) {
+    html += row_html(stages, key);
+  }
+  html += "</tbody></table></div>\n";
+  if (stages.size() < summary.stages.size()) {
+    html += fmt::format(
+        "<p class=\"note\">{} of {} stages, evenly chosen; all are in <code>run.json</code>.</p>\n",
+        stages.size(), summary.stages.size());
+  }
+  return html;
+}
+
+}  // namespace clca::report

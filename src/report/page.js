@@ -1,0 +1,114 @@
+'use strict';
+
+// Steps through the pictures of the run.
+(function () {
+  const list = document.getElementById('frames');
+  const frames = list ? JSON.parse(list.textContent) : [];
+  if (frames.length === 0) return;
+  const player = document.getElementById('player');
+  const picture = document.getElementById('frame');
+  const slider = document.getElementById('slider');
+  const label = document.getElementById('frame-label');
+  const button = document.getElementById('play');
+  const pause = 90;  // milliseconds from one picture to the next
+  let at = 0;
+  let timer = null;
+
+  function show(number) {
+    at = Math.max(0, Math.min(frames.length - 1, number));
+    const frame = frames[at];
+    const words = 'Step ' + frame.step + (frame.stage ? ', stage ' + frame.stage : '');
+    picture.src = frame.same ? document.getElementById(frame.same).src : frame.image;
+    picture.alt = 'Picture of the particles. ' + words;
+    slider.value = at;
+    slider.setAttribute('aria-valuetext', words);
+    label.textContent = words + ' (' + (at + 1) + ' of ' + frames.length + ')';
+  }
+
+  function stop() {
+    clearInterval(timer);
+    timer = null;
+    button.textContent = 'Play';
+    button.setAttribute('aria-label', 'Play');
+  }
+
+  function play() {
+    if (timer) return stop();
+    if (at === frames.length - 1) show(0);
+    button.textContent = 'Pause';
+    button.setAttribute('aria-label', 'Pause');
+    timer = setInterval(function () {
+      show(at + 1);
+      if (at === frames.length - 1) stop();
+    }, pause);
+  }
+
+  // #step=120 shows the first picture from there on.
+  function go() {
+    const wanted = /^#step=(\d+)$/.exec(location.hash);
+    if (!wanted) return false;
+    const found = frames.findIndex(function (frame) { return frame.step >= Number(wanted[1]); });
+    show(found < 0 ? frames.length - 1 : found);
+    return true;
+  }
+
+  slider.max = frames.length - 1;
+  slider.addEventListener('input', function () {
+    stop();
+    show(Number(slider.value));
+  });
+  button.addEventListener('click', play);
+  document.addEventListener('keydown', function (event) {
+    if (event.altKey || event.ctrlKey || event.metaKey || event.target === slider) return;
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (step && !event.target.closest('.wide, pre')) {
+      stop();
+      show(at + step);
+      event.preventDefault();
+    } else if (event.key === ' ' && event.target === document.body) {
+      play();
+      event.preventDefault();
+    }
+  });
+  window.addEventListener('hashchange', go);
+  player.hidden = false;
+  if (!go()) show(frames.length - 1);
+})();
+
+// Shows the values of a chart where the pointer is.
+document.querySelectorAll('figure.chart').forEach(function (figure) {
+  const data = JSON.parse(figure.querySelector('script').textContent);
+  const svg = figure.querySelector(':scope > svg');
+  const cursor = svg.querySelector('.cursor');
+  const outputs = figure.querySelectorAll('output');
+
+  function nearest(points, x) {
+    let best = null;
+    points.forEach(function (point) {
+      if (!best || Math.abs(point[0] - x) < Math.abs(best[0] - x)) best = point;
+    });
+    return best;
+  }
+
+  svg.addEventListener('pointermove', function (event) {
+    const box = svg.getBoundingClientRect();
+    const x = (event.clientX - box.left) / box.width * svg.viewBox.baseVal.width;
+    const near = 0.02 * (data.right - data.left);
+    const inside = x >= data.left - near && x <= data.right + near;
+    cursor.setAttribute('d', inside ? 'M' + x.toFixed(1) + ' ' + data.top + 'V' + data.bottom : '');
+    data.curves.forEach(function (points, curve) {
+      const point = inside ? nearest(points, x) : null;
+      const shown = point && Math.abs(point[0] - x) <= near;
+      outputs[curve].textContent = shown ? point[2] + ' at ' + point[1] : '';
+    });
+  });
+  svg.addEventListener('pointerleave', function () {
+    cursor.setAttribute('d', '');
+    outputs.forEach(function (output) { output.textContent = ''; });
+  });
+});
+
+// What is folded is printed, too.
+window.addEventListener('beforeprint', function () {
+  document.querySelectorAll('details').forEach(function (details) { details.open = true; });
+});

@@ -1,0 +1,117 @@
+#include "clca/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <variant>
+
+#include "clca/scene/parse.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+#include "report/charts.hpp"
+#include "report/maps.hpp"
+#include "report/page.hpp"
+#include "report/sections.hpp"
+
+namespace clca::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostSummaryBytes = 64 << 20;
+constexpr std::uintmax_t kMostSceneBytes = 16 << 20;  // as the parser of scenes
+
+/// The text of a file. Throws StoreError, also for one that is larger than it can be.
+std::string text_of(const fs::path& file, std::uintmax_t most_bytes) {
+  std::error_code error;
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
+    throw store::StoreError(fmt::format("cannot read {}: it is no file", file.string()));
+  }
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (!error && bytes > most_bytes) {
+    throw store::StoreError(
+        fmt::format("cannot read {}: {} MiB are more than the {} MiB that it may have",
+                    file.string(), bytes >> 20U, most_bytes >> 20U));
+  }
+  const auto content = store::read_whole(file);
+  return {content.begin(), content.end()};
+}
+
+store::RunSummary summary_of(const fs::path& run) {
+  try {
+    const fs::path file = run / "run.json";
+    text_of(file, kMostSummaryBytes);
+    store::RunSummary summary = store::read_summary(file);
+    if (summary.kind != "automaton" && summary.kind != "boltzmann") {
+      throw store::StoreError(fmt::format("cannot read {}: no report of a run of kind '{}'",
+                                          file.string(), summary.kind));
+    }
+    return summary;
+  } catch (const store::StoreError& error) {
+    throw InputError(error.what());
+  }
+}
+
+/// Reads scene.yaml into a page; without it, the title is the name of the scene.
+void read_scene(Page& page, const fs::path& run, const store::RunSummary& summary,
+                Warnings& warnings) {
+  page.title = summary.scene;
+  try {
+    const fs::path file = run / "scene.yaml";
+    page.scene_text = text_of(file, kMostSceneBytes);
+    const scene::AnyScene scene = scene::parse_any(page.scene_text, file.string());
+    const std::string title = std::visit([](const auto& one) { return one.title; }, scene);
+    // The name of the file where the scene has no title.
+    page.title = title == file.stem() ? page.title : title;
+  } catch (const scene::SceneError& error) {
+    warnings.add(error.what());
+  } catch (const store::StoreError& error) {
+    warnings.add(error.what());
+  }
+}
+
+std::string charts_html(const Tables& tables) {
+  constexpr std::size_t kMostCharts = 100;
+  const std::vector<Chart> charts =
+      tables.summary().kind == "boltzmann" ? charts_of_gas(tables) : charts_of_automaton(tables);
+  std::string html;
+  for (std::size_t i = 0; i < std::min(charts.size(), kMostCharts); ++i) {
+    html += to_html(charts[i], i + 1);
+  }
+  return html.empty() ? html : "<div class=\"charts\">\n" + html + "</div>\n";
+}
+
+std::string maps_html(const Tables& tables) {
+  std::vector<std::string> figures;
+  add_force_maps(figures, tables);
+  add_convection_maps(figures, tables);
+  add_field_maps(figures, tables);
+  std::string html;
+  for (const std::string& figure : figures) {
+    html += figure;
+  }
+  return html.empty() ? html : "<div class=\"charts\">\n" + html + "</div>\n";
+}
+
+}  // namespace
+
+fs::path write_report(const fs::path& run, const Options& options) {
+  const store::RunSummary summary = summary_of(run);
+  Warnings warnings(options.warning);
+  const Tables tables(run, summary, warnings);
+  Page page;
+  read_scene(page, run, summary, warnings);
+  page.frames = frames_html(run, summary, options.most_frames, warnings);
+  page.measures = measures_html(summary);
+  page.walls = walls_html(tables);
+  page.charts = charts_html(tables);
+  page.maps = maps_html(tables);
+  page.files = tables.files();
+  const fs::path file = options.file.empty() ? run / "report.html" : options.file;
+  store::write_whole(file, to_html(page, summary, warnings));
+  return file;
+}
+
+}  // namespace clca::report
