@@ -83,7 +83,7 @@ std::string line_path(const Chart& chart, const Curve& curve, const PlotFrame& f
     }
     const double x = frame.x_of(curve.x[row]);
     const double y = frame.y_of(curve.y[row]);
-    if (!goes_on) {
+    if (!goes_on || curve.is_dots) {
       path += fmt::format("M{:.1f} {:.1f}h0", x, y);
     } else if (curve.is_steps) {
       path += fmt::format("H{:.1f}V{:.1f}", x, y);
@@ -142,8 +142,8 @@ std::string curves_svg(const Chart& chart, const PlotFrame& frame) {
       svg += fmt::format(R"(<g {}><path class="band" d="{}"/></g>)", curve_attributes(chart, i),
                          band_path(chart, curve, frame, rows));
     }
-    svg += fmt::format(R"(<g {}><path class="curve" d="{}"/></g>)", curve_attributes(chart, i),
-                       line_path(chart, curve, frame, rows));
+    svg += fmt::format(R"(<g {}><path class="{}" d="{}"/></g>)", curve_attributes(chart, i),
+                       curve.is_dots ? "dots" : "curve", line_path(chart, curve, frame, rows));
   }
   return svg;
 }
@@ -173,13 +173,15 @@ std::string data_json(const Chart& chart, const PlotFrame& frame) {
 std::string legend_html(const Chart& chart) {
   std::string items;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    if (chart.curves[i].name.empty()) {
+      continue;
+    }
     items += fmt::format(
         R"(<li><svg class="key" viewBox="0 0 24 10" aria-hidden="true"><g {}><path class="curve" d="M2 5H22"/></g></svg>)"
-        R"(<span>{}</span> <output></output></li>)",
-        curve_attributes(chart, i), escaped(chart.curves[i].name));
+        R"(<span>{}</span> <output data-curve="{}"></output></li>)",
+        curve_attributes(chart, i), escaped(chart.curves[i].name), i);
   }
-  return fmt::format(R"(<ul class="legend"{}>{}</ul>)",
-                     chart.curves.size() == 1 ? " data-single" : "", items);
+  return fmt::format(R"(<ul class="legend">{}</ul>)", items);
 }
 
 /// In words, for those who do not see it.
@@ -199,12 +201,12 @@ bool is_drawable(const Chart& chart) {
 std::string color_attributes(std::size_t curve, std::size_t count, std::string_view also) {
   constexpr std::size_t kClasses = 7;
   if (count <= kClasses) {
-    return fmt::format(R"(class="c{} {}")", curve, also);
+    return fmt::format(R"(class="c{}{}{}")", curve, also.empty() ? "" : " ", also);
   }
   // Hues from blue to red, neither too dark for a black page nor too light for a white one.
   const double part = static_cast<double>(curve) / static_cast<double>(count - 1);
-  return fmt::format(R"html(class="own {}" style="--own: hsl({:.0f} 62% 48%)")html", also,
-                     255 - 245 * part);
+  return fmt::format(R"html(class="own{}{}" style="--own: hsl({:.0f} 62% 48%)")html",
+                     also.empty() ? "" : " ", also, 255 - 245 * part);
 }
 
 std::string to_html(const Chart& chart, std::size_t number) {

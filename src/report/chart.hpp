@@ -9,12 +9,13 @@
 namespace clca::report {
 
 struct Curve {
-  std::string name;
+  std::string name;  ///< in the legend; empty: not there, as one of a family with one name
   std::vector<double> x;
   std::vector<double> y;       ///< as many; NaN where there is nothing
   std::vector<double> spread;  ///< half the height of a band around it, or empty
   bool is_reference = false;   ///< dashed: what the other curves are held to
   bool is_steps = false;       ///< each value holds until the next x
+  bool is_dots = false;        ///< not joined
   int color = -1;              ///< number of the curve whose colour it has; -1: its own
 };
 

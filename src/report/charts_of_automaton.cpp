@@ -12,6 +12,7 @@ namespace {
 struct Quantity {
   const char* column;
   const char* title;
+  bool is_dots = false;
 };
 
 /// Values of a column over those of another, a curve for each stage.
@@ -26,6 +27,7 @@ Chart chart_by_stage(const RunTable& table, const char* across, const char* x_ti
       curve.name = group.name.empty() ? "all stages" : group.name;
       curve.x = of_group(*x, group);
       curve.y = of_group(*y, group);
+      curve.is_dots = quantity.is_dots;
       chart.curves.push_back(std::move(curve));
     }
   }
@@ -80,7 +82,7 @@ void add_cycles(std::vector<Chart>& charts, const RunTable& table) {
       Quantity{"segregation_index", "Segregation index: 0 mixed, 1 all large above all small"},
       Quantity{"lacey_index", "Lacey’s index of mixing: 0 separated, 1 random"},
       Quantity{"intruder_height_rel", "Height of the intruder: 0 on the floor, 1 at the top"},
-      Quantity{"repose_angle_deg", "Slope of the surface, degrees"},
+      Quantity{"repose_angle_deg", "Slope of the surface, degrees", true},
       Quantity{"height_mean", "Mean height of the surface, lattice spacings"}};
   for (const Quantity& quantity : kQuantities) {
     add_chart(charts, chart_by_stage(table, "cycle", "cycle", quantity));

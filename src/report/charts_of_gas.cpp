@@ -31,12 +31,14 @@ void add_closed_form(Chart& chart, const RunTable& closure, const std::vector<Gr
   if (!time || !values) {
     return;
   }
+  bool is_named = false;
   for (const Group& group : groups_of(closure, "restitution")) {
     const auto gas = std::find_if(gases.begin(), gases.end(),
                                   [&](const Group& one) { return one.name == group.name; });
     if (gas != gases.end()) {
       Curve curve;
-      curve.name = "closed form" + (group.name.empty() ? "" : ", ε = " + group.name);
+      curve.name = is_named ? "" : "closed form";
+      is_named = true;
       curve.x = of_group(*time, group);
       curve.y = of_group(*values, group);
       curve.is_reference = true;

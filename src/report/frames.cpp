@@ -229,7 +229,7 @@ std::string frames_html(const fs::path& run, const store::RunSummary& summary,
   return fmt::format(
       R"(<div class="player" id="player" hidden>
 <img id="frame" alt="">
-<div class="controls"><button type="button" id="play" aria-label="Play">Play</button><input type="range" id="slider" min="0" value="0" step="1" aria-label="Picture" aria-describedby="frame-note"><output id="frame-label" for="slider"></output></div>
+<div class="controls"><button type="button" id="play">Play</button><input type="range" id="slider" min="0" value="0" step="1" aria-label="Picture" aria-describedby="frame-note"><output id="frame-label" for="slider"></output></div>
 <p class="note" id="frame-note">{} Arrow keys step, the space bar plays.</p></div>
 <noscript><p class="note">Stepping through the pictures needs scripts.</p></noscript>
 <h3>At the end of each stage</h3>

@@ -60,12 +60,18 @@ Extent extent(const Map& map) {
   return all;
 }
 
-double longest_arrow(const Map& map) {
-  double longest = 0;
+/// Length of an arrow that goes as far as the next cell: nine of ten are shorter, so that a few
+/// fast cells do not make dots of all others.
+double usual_arrow(const Map& map) {
+  std::vector<double> lengths;
   for (const Cell& cell : map.cells) {
-    longest = std::max(longest, std::hypot(cell.dx, cell.dy));
+    const double length = std::hypot(cell.dx, cell.dy);
+    if (length > 0) {
+      lengths.push_back(length);
+    }
   }
-  return longest;
+  std::sort(lengths.begin(), lengths.end());
+  return lengths.empty() ? 0 : lengths[(lengths.size() - 1) * 9 / 10];
 }
 
 double largest_value(const Map& map) {
@@ -102,19 +108,23 @@ std::string fills(const Map& map, const PlotFrame& frame) {
   return svg + "</g>";
 }
 
-/// From the centre of its cell on; the longest goes as far as the next.
+/// From the centre of its cell on.
 std::string arrows(const Map& map, const PlotFrame& frame) {
-  const double longest = longest_arrow(map);
-  if (map.arrow_title.empty() || longest <= 0) {
+  const double usual = usual_arrow(map);
+  if (map.arrow_title.empty() || usual <= 0) {
     return {};
   }
-  const double unit = 1.2 * std::min(map.cell_width, map.cell_height) * frame.scale() / longest;
+  const double cell_length = std::min(map.cell_width, map.cell_height) * frame.scale();
+  constexpr double kLongest = 1.3;      // cells
+  constexpr double kLeastLength = 0.7;  // else there is nothing to be seen
   std::string path;
   for (const Cell& cell : map.cells) {
+    const double part = std::hypot(cell.dx, cell.dy) / usual;
+    const double unit = std::min(1.0, kLongest / part) * cell_length / usual;
     const double across = unit * cell.dx;
     const double down = -unit * cell.dy;
     const double length = std::hypot(across, down);
-    if (length < 0.7) {
+    if (!(length > kLeastLength)) {
       continue;
     }
     const double head = std::min(4.0, length / 2) / length;
@@ -149,8 +159,8 @@ std::string key_html(const Map& map) {
                          escaped(map.value_title), brief(largest_value(map)));
   }
   if (!map.arrow_title.empty()) {
-    items += fmt::format("<li>longest arrow: {} {}</li>", brief(longest_arrow(map)),
-                         escaped(map.arrow_title));
+    items += fmt::format("<li>arrow over a cell: {} {}; cut at 1.3 cells</li>",
+                         brief(usual_arrow(map)), escaped(map.arrow_title));
   }
   if (!map.line_title.empty()) {
     items += fmt::format("<li>{} lines; the widest: {} {}</li>", whole(map.lines.size()),
@@ -220,8 +230,9 @@ std::string to_html(const Map& map) {
   return fmt::format(
       R"(<figure class="map"><h3>{}</h3>{}<svg viewBox="{}" role="img" aria-label="{}">{}{}{}{}</svg></figure>
 )",
-      escaped(map.title), key_html(map), frame.view_box(), escaped(map.title), fills(map, frame),
-      frame.axes("x, lattice spacings; upwards y"), arrows(map, frame), lines(map, frame));
+      escaped(map.title), key_html(map), frame.view_box(), escaped(map.title),
+      frame.axes("x, lattice spacings; upwards y"), fills(map, frame), arrows(map, frame),
+      lines(map, frame));
 }
 
 }  // namespace clca::report

@@ -40,16 +40,25 @@ std::vector<std::string> measure_keys(const std::vector<StageSummary>& stages) {
   return names;
 }
 
-/// Decimals that all numbers of a row share.
+/// Decimals that all numbers of a row share: two significant ones of the least standard error,
+/// where there are errors.
 int row_decimals(const std::vector<StageSummary>& stages, const std::string& name) {
   std::vector<double> numbers;
+  double least_error = 0;
   for (const StageSummary& stage : stages) {
     const MeasureValue value = value_in(stage, name);
     if (const auto* number = std::get_if<double>(&value)) {
       numbers.push_back(*number);
     }
+    const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
+    if (const auto* size = std::get_if<double>(&error); size != nullptr && *size > 0) {
+      least_error = least_error > 0 ? std::min(least_error, *size) : *size;
+    }
   }
-  return decimals_for(numbers);
+  constexpr int kMostDecimals = 7;
+  return least_error > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(least_error))), 0,
+                                      kMostDecimals)
+                         : decimals_for(numbers);
 }
 
 std::string value_html(const StageSummary& stage, const std::string& name, int decimals) {
@@ -61,27 +70,30 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
   if (number == nullptr) {
     return "–";
   }
-  std::string text = with_decimals(*number, decimals);
+  std::string text = *number == 0 ? "0" : with_decimals(*number, decimals);
   const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
   if (const auto* size = std::get_if<double>(&error)) {
-    text += fmt::format("<small> ± {}</small>", brief(*size));
+    text += fmt::format("<small> ± {:.{}f}</small>", *size, decimals);
   }
   return text;
 }
 
 std::string row_html(const std::vector<StageSummary>& stages, const std::string& key) {
   const MeasureName* known = find_measure_name(key);
-  std::string row = fmt::format(R"(<tr><th scope="row">{}<small>{}</small></th>)",
-                                escaped(known != nullptr ? known->name : std::string_view(key)),
-                                escaped(known != nullptr ? known->meaning : std::string_view()));
+  const MeasureName shown =
+      known != nullptr ? *known : MeasureName{.key = key, .name = key, .unit = {}, .meaning = {}};
+  std::string row = fmt::format(R"(<tr><th scope="row">{})", escaped(shown.name));
+  if (!shown.meaning.empty()) {
+    row += fmt::format("<small>{}</small>", escaped(shown.meaning));
+  }
+  row += "</th>";
   const int decimals = row_decimals(stages, key);
   for (const StageSummary& stage : stages) {
     row += fmt::format("<td>{}</td>", value_html(stage, key, decimals));
   }
   return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                           escaped(known != nullptr ? known->unit : std::string_view()),
-                           escaped(key));
+                           escaped(shown.unit), escaped(key));
 }
 
 std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {

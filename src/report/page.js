@@ -29,14 +29,12 @@
     clearInterval(timer);
     timer = null;
     button.textContent = 'Play';
-    button.setAttribute('aria-label', 'Play');
   }
 
   function play() {
     if (timer) return stop();
     if (at === frames.length - 1) show(0);
     button.textContent = 'Pause';
-    button.setAttribute('aria-label', 'Pause');
     timer = setInterval(function () {
       show(at + 1);
       if (at === frames.length - 1) stop();
@@ -96,10 +94,10 @@ document.querySelectorAll('figure.chart').forEach(function (figure) {
     const near = 0.02 * (data.right - data.left);
     const inside = x >= data.left - near && x <= data.right + near;
     cursor.setAttribute('d', inside ? 'M' + x.toFixed(1) + ' ' + data.top + 'V' + data.bottom : '');
-    data.curves.forEach(function (points, curve) {
-      const point = inside ? nearest(points, x) : null;
+    outputs.forEach(function (output) {
+      const point = inside ? nearest(data.curves[output.dataset.curve], x) : null;
       const shown = point && Math.abs(point[0] - x) <= near;
-      outputs[curve].textContent = shown ? point[2] + ' at ' + point[1] : '';
+      output.textContent = shown ? point[2] + ' at ' + point[1] : '';
     });
   });
   svg.addEventListener('pointerleave', function () {

@@ -58,9 +58,10 @@ std::string scientific(double number) {
                      power_of_ten(exponent));
 }
 
-bool is_scientific(double number) {
+/// Too large, or with fewer than three digits of it to be seen.
+bool is_scientific(double number, int decimals) {
   const double size = std::abs(number);
-  return size >= kTooLarge || (size < kTooSmall && size > 0);
+  return size >= kTooLarge || (size < kTooSmall && size > 0 && size * std::pow(10, decimals) < 100);
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ std::string with_decimals(double number, int decimals) {
   if (!std::isfinite(number)) {
     return std::isnan(number) ? "–" : number > 0 ? "∞" : "−∞";
   }
-  if (is_scientific(number)) {
+  if (is_scientific(number, decimals)) {
     return scientific(number);
   }
   return (number < 0 ? std::string(kMinus) : "") +

@@ -22,7 +22,7 @@ std::string brief(double number);
 /// largest, none where all are whole.
 int decimals_for(std::span<const double> numbers);
 
-/// With so many digits after the point; as brief() where it is too large or too small for that.
+/// With so many digits after the point; as 1.20 × 10⁻⁵ where it is too large or too small for that.
 std::string with_decimals(double number, int decimals);
 
 /// 10⁻³.

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "clca/store/file.hpp"
@@ -110,9 +111,10 @@ ReadTable read_table(const std::filesystem::path& file) {
   const auto bytes = read_whole(file);
   CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
-  for (auto name = table.names.begin(); name != table.names.end(); ++name) {
-    if (name->empty() || std::find(table.names.begin(), name, *name) != name) {
-      refuse(file, 1, fmt::format("the name '{}' of a column is empty or there twice", *name));
+  std::set<std::string_view> known;
+  for (const std::string& name : table.names) {
+    if (name.empty() || !known.insert(name).second) {
+      refuse(file, 1, fmt::format("the name '{}' of a column is empty or there twice", name));
     }
   }
   table.cells.resize(table.names.size());

@@ -54,7 +54,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
     }
     argv.push_back(nullptr);
     if (::chdir(setting.folder.c_str()) == 0) {
-      ::execv(CLCA_PROGRAM, argv.data());
+      ::execv(setting.program.empty() ? CLCA_PROGRAM : setting.program.c_str(), argv.data());
     }
     ::_exit(127);
   }

@@ -19,9 +19,10 @@ struct ProgramSetting {
   double signal_after = 0;                              ///< seconds; 0: never
   int signal = 2;
   std::size_t file_size_limit = 0;  ///< bytes a file may have, as on a full disk; 0: no limit
+  std::string program = "";         ///< another one than clca, with its path
 };
 
-/// Runs `clca ARGUMENTS` to its end.
+/// Runs `clca ARGUMENTS`, or another program, to its end.
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const ProgramSetting& setting = {});
 

@@ -1,1 +1,268 @@
+// The page as a whole, from folders as runs leave them and as they must not be.
 
+#include "clca/report/report.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "clca/render/png.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "support/runs.hpp"
+#include "unit/report/markup.hpp"
+
+namespace clca::report {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    summary_.version = "0.1.0";
+    summary_.scene = "small";
+    summary_.seed = 7;
+    summary_.status = "done";
+    summary_.stages = {{.name = "packing",
+                        .steps = 20,
+                        .ended = "settled",
+                        .measures = {{"packing_fraction", 0.8125}, {"clogged", true}}},
+                       {.name = "flow",
+                        .steps = 10,
+                        .ended = "settled",
+                        .measures = {{"packing_fraction", 0.5}, {"unheard_of", 3.0}}}};
+    write("scene.yaml", R"(clca: 1
+title: A small run
+box: {width: 60, height: 60}
+species:
+  grain: {shape: {hexagon: 1}}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 60], counts: {grain: 30}}
+)");
+  }
+  void write(const std::string& file, const std::string& text) const {
+    store::write_whole(run() / file, text);
+  }
+  void write_frame(std::uint64_t step, const std::vector<std::uint8_t>& bytes) const {
+    fs::create_directories(run() / "frames");
+    std::ofstream(store::frame_path(run(), "small", step), std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
+  static std::vector<std::uint8_t> picture() {
+    const render::Image image(40, 30, {200, 100, 50});
+    return render::encode_png(image, {});
+  }
+  fs::path run() const { return folder_.path(); }
+  /// Writes run.json and the page and reads that.
+  std::string page(Options options = {}) {
+    write("run.json", store::to_json(summary_));
+    warnings_.clear();
+    options.warning = [&](const std::string& text) { warnings_.push_back(text); };
+    const auto bytes = store::read_whole(write_report(run(), options));
+    std::string html(bytes.begin(), bytes.end());
+    EXPECT_EQ(testing::markup_error(html), "");
+    return html;
+  }
+
+  testing::ScratchFolder folder_;
+  store::RunSummary summary_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(Report, OfARunWithoutPicturesAndTablesHasWhatThereIs) {
+  const std::string html = page();
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_THAT(html, AllOf(HasSubstr("<h1>A small run</h1>"), HasSubstr("Packing fraction"),
+                          HasSubstr("0.8125"), HasSubstr("unheard_of"), HasSubstr("<td>yes</td>"),
+                          HasSubstr("clca run small.yaml --seed 7 -o small"),
+                          Not(HasSubstr("id=\"pictures\"")), Not(HasSubstr("id=\"curves\""))));
+  EXPECT_TRUE(fs::exists(run() / "report.html"));
+}
+
+TEST_F(Report, OfTheSameFolderIsTheSameBytesAndHoldsNoTraceOfItself) {
+  const std::string first = page();
+  EXPECT_EQ(first, page());
+}
+
+TEST_F(Report, NeedsNothingFromElsewhere) {
+  write_frame(30, picture());
+  write("series.csv", "step,stage,moving_share\n0,packing,0.5\n1,packing,0.2\n");
+  const std::string html = page();
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("http://")), Not(HasSubstr("https://")),
+                          Not(HasSubstr("src=\"frames")), Not(HasSubstr("@import"))));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+}
+
+TEST_F(Report, EscapesEverythingThatComesFromFiles) {
+  const std::string evil = "</pre></script><script>alert(1)</script>\"'&";
+  summary_.scene = evil;
+  summary_.status = evil;
+  summary_.version = evil;
+  summary_.stages[0].name = evil;
+  summary_.stages[0].ended = evil;
+  summary_.stages[0].measures.emplace_back(evil, 1.0);
+  write("scene.yaml",
+        "clca: 1\ntitle: \"" + std::string("</title><script>alert(1)</script>") +
+            "\"\nbox: {width: 60, height: 60}\nspecies:\n  a: {shape: {hexagon: 1}}\n"
+            "stages:\n  - {name: b, fill: {region: [0, 0, 30, 60], counts: {a: 3}}}\n");
+  write("series.csv",
+        "step,stage,moving_share,travel.</script><script>alert(1)\n0,</"
+        "script><script>alert(1),0.5,1\n");
+  write("walls-x.csv", "wall,<script>alert(1)\n</td><script>alert(1),2\n");
+  write("profile-<script>alert(1).csv", "x,height_end\n0,1\n1,2\n");
+  write_frame(20, picture());
+  const std::string html = page();
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(html, HasSubstr("<title>&lt;/title&gt;&lt;script&gt;"));
+  EXPECT_EQ(occurrences(html, "<script>"), 1U);
+}
+
+TEST_F(Report, LeavesOutWhatCannotBeReadAndSaysSo) {
+  write("series.csv", "step,stage,moving_share,mean_height\n0,packing,0.5,1\n1,packing,x,2\n");
+  write("profile-flow.csv", "x,height_end\n0,1,2\n");
+  write("cycles.csv", "");
+  fs::create_directories(run() / "closure.csv");
+  fs::create_symlink("/nonexistent", run() / "fields.csv");
+  write_frame(20, {1, 2, 3});
+  const std::string html = page();
+  EXPECT_THAT(warnings_,
+              ::testing::UnorderedElementsAre(
+                  HasSubstr("series.csv: line 3: 'x' in column 'moving_share' is no number"),
+                  HasSubstr("profile-flow.csv: line 2: 3 cells in 2 columns"),
+                  HasSubstr("cycles.csv: line 1: the file is cut off"),
+                  HasSubstr("small-000020.png is left out: it is no PNG")));
+  EXPECT_THAT(html, AllOf(HasSubstr("is no number"), HasSubstr("Mean height of all particles"),
+                          Not(HasSubstr("Share of the particles"))));
+}
+
+TEST_F(Report, OfAFolderThatIsNoRunIsRefused) {
+  const auto refused = [&](const char* message) {
+    EXPECT_THAT([&] { write_report(run()); }, ThrowsMessage<InputError>(HasSubstr(message)));
+    EXPECT_FALSE(fs::exists(run() / "report.html"));
+  };
+  refused("run.json: No such file");
+  write("run.json", "{\"clca\": ");
+  refused("it is cut off or no JSON");
+  summary_.kind = "comparison";
+  write("run.json", store::to_json(summary_));
+  refused("no report of a run of kind 'comparison'");
+  fs::remove(run() / "run.json");
+  fs::create_directories(run() / "run.json");
+  refused("run.json: it is no file");
+}
+
+TEST_F(Report, WithAnUnsoundSceneGoesByItsName) {
+  write("scene.yaml", "clca: [");
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<h1>small</h1>"));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("scene.yaml:1:")));
+}
+
+TEST_F(Report, TakesPicturesEvenlyAndTheEndsOfStages) {
+  for (std::uint64_t step = 0; step <= 30; ++step) {
+    write_frame(step, picture());
+  }
+  std::string html = page();
+  EXPECT_EQ(occurrences(html, "\"step\":"), 31U);
+  EXPECT_THAT(html, AllOf(HasSubstr("All 31 pictures"), HasSubstr("id=\"end-1\""),
+                          HasSubstr("width=\"40\" height=\"30\""),
+                          HasSubstr("End of <b>packing</b>, step 20"),
+                          HasSubstr(R"({"same":"end-2","stage":"flow","step":30})")));
+  html = page({.file = {}, .most_frames = 4, .warning = {}});
+  EXPECT_EQ(occurrences(html, "\"step\":"), 4U);
+  EXPECT_THAT(
+      html, AllOf(HasSubstr("4 of 31 pictures, evenly chosen;"), HasSubstr("\"step\":0}"),
+                  HasSubstr("\"step\":10}"), HasSubstr("\"step\":20}"), HasSubstr("\"step\":30}")));
+  html = page({.file = {}, .most_frames = 0, .warning = {}});
+  EXPECT_EQ(occurrences(html, "\"step\":"), 0U);
+}
+
+TEST_F(Report, StaysBelowTwentyMegabytesHoweverManyPicturesThereAre) {
+  std::vector<std::uint8_t> large = picture();
+  large.resize(40'000);
+  for (std::uint64_t step = 0; step < 2000; ++step) {  // 80 MB
+    write_frame(step, large);
+  }
+  const std::string html = page();
+  EXPECT_LT(html.size(), 20U << 20U);
+  EXPECT_GT(html.size(), 18U << 20U);
+  EXPECT_THAT(html,
+              HasSubstr(" of 2000 pictures, evenly chosen to keep this page below some 20 MB"));
+}
+
+TEST_F(Report, OfALongSeriesStaysSmall) {
+  std::string series = "step,stage,moving_share,mean_height\n";
+  for (int step = 0; step < 400'000; ++step) {
+    series += fmt::format("{0},packing,{1},{0}\n", step, step % 7 == 0 ? "" : "0.5");
+  }
+  write("series.csv", series);
+  EXPECT_LT(page().size(), 300'000U);
+}
+
+TEST_F(Report, OfAGasHasTemperaturesAndHistogramsBesideTheirReference) {
+  summary_.kind = "boltzmann";
+  write("series.csv",
+        "restitution,time,t_tr,t_tr_se,dh_tr\n0.5,0,1,0,0.1\n0.5,1,0.5,0.01,0.2\n0.9,0,1,0,0.1\n0."
+        "9,1,0.9,,0.1\n");
+  write("closure.csv", "restitution,time,t_tr,t_rot\n0.5,0,1,1\n0.5,1,0.4,0.6\n");
+  for (const char* time : {"0", "5", "10"}) {
+    write(fmt::format("histogram-{}.csv", time),
+          "restitution,energy,lower,upper,share,reference\n0.5,rotational,0,2,0.5,0.4\n"
+          "0.5,rotational,2,4,0.4,0.4\n0.5,rotational,4,,0.1,0.2\n");
+  }
+  const std::string html = page();
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_EQ(occurrences(html, "class=\"chart\""), 3U);
+  EXPECT_THAT(html, AllOf(HasSubstr("<span>closed form</span>"), HasSubstr("class=\"band\""),
+                          HasSubstr("Density of the rotational energy X, ε = 0.5"),
+                          HasSubstr("chi-square, 3 degrees")));
+  EXPECT_LT(html.find("time 5<"), html.find("time 10<"));
+}
+
+TEST_F(Report, DrawsContactsFieldsAndDrift) {
+  write("contacts-flow.csv",
+        "first,second,x,y,sites,depth,source,mean_sites,share\n0,1,1,1,2,1,plate,1,1\n"
+        "1,plate,2,3,1,1,plate,1,1\n0,5,,,0,0,,0.5,0.5\n");
+  write("loads-flow.csv", "id,species,x,y,sites,pushes\n0,a,0,0,2,1\n1,a,2,2,3,1\n");
+  write("convection-flow.csv", "x,y,dx,dy,weight\n1,1,0.5,0,3\n3,1,,,0\n");
+  write("fields.csv",
+        "stage,step,x,y,packing,particles,vx,vy,fluctuation\nflow,10,1,1,0.5,2,0,-1,0.1\n"
+        "flow,20,1,1,0.7,2,0,-0.5,0.1\nflow,20,3,1,0.6,0,,,\n");
+  const std::string html = page();
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_EQ(occurrences(html, "class=\"map\""), 4U);
+  EXPECT_THAT(html, AllOf(HasSubstr("2 lines; the widest: 2 sites"),
+                          HasSubstr("Packing and velocity in stage flow, mean over 2 windows"),
+                          HasSubstr("Mean drift per cycle in stage flow")));
+}
+
+TEST_F(Report, ThatCannotBeWrittenLeavesNothing) {
+  write("run.json", store::to_json(summary_));
+  EXPECT_THROW(
+      write_report(run(), {.file = run() / "none" / "page.html", .most_frames = {}, .warning = {}}),
+      store::StoreError);
+}
+
+}  // namespace
+}  // namespace clca::report
