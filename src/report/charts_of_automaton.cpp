@@ -10,8 +10,8 @@ namespace clca::report {
 namespace {
 
 struct Quantity {
-  const char* column;
-  const char* title;
+  const char* column = "";
+  const char* title = "";
   bool is_dots = false;
 };
 

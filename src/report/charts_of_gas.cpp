@@ -13,8 +13,8 @@ namespace {
 constexpr const char* kTime = "time, 1 / (π N (2a)² v₀)";
 
 struct GasQuantity {
-  const char* column;
-  const char* title;
+  const char* column = "";
+  const char* title = "";
   bool cools = false;        ///< over decades, unless the gas is sheared
   bool is_distance = false;  ///< over decades, always
 };

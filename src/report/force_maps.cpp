@@ -1,8 +1,8 @@
 // Maps of the contacts: lines between the centres of particles that overlap.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "report/map.hpp"
@@ -35,18 +35,16 @@ bool is_across_seam(const Line& line, double width) {
   return std::abs(line.x1 - line.x0) > width / 2;
 }
 
-double width_of(const Centres& centres) {
-  double left = 0;
-  double right = 0;
-  for (const auto& [id, centre] : centres) {
-    left = std::min(left, centre.first);
-    right = std::max(right, centre.first);
-  }
-  return right - left;
+/// Of the box, as the profile of the stage has it; without one, no pair is taken for one across the
+/// seam.
+double width_of(const Tables& tables, const std::string& stage) {
+  const auto profile = tables.find("profile-" + stage);
+  const auto x = profile ? profile->numbers("x") : std::nullopt;
+  return x && !x->empty() ? x->back() : std::numeric_limits<double>::infinity();
 }
 
 /// From centre to centre, or where the other is a wall, to the place where they meet.
-std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres) {
+std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres, double width) {
   std::vector<Line> lines;
   const std::vector<std::string>* first = contacts.cells().find("first");
   const std::vector<std::string>* second = contacts.cells().find("second");
@@ -56,7 +54,6 @@ std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres
   if (first == nullptr || second == nullptr || !x || !y || !sites) {
     return lines;
   }
-  const double width = width_of(centres);
   for (std::size_t row = 0; row < first->size(); ++row) {
     const auto from = centres.find((*first)[row]);
     const auto to = centres.find((*second)[row]);
@@ -87,9 +84,10 @@ void add_force_maps(std::vector<std::string>& figures, const Tables& tables) {
     if (load == loads.end()) {
       continue;
     }
-    Map map = {.title = "Contacts at the end of stage " + contacts.label(),
-               .line_title = "sites of overlap",
-               .lines = contact_lines(contacts, centres_of(*load))};
+    Map map = {
+        .title = "Contacts at the end of stage " + contacts.label(),
+        .line_title = "sites of overlap",
+        .lines = contact_lines(contacts, centres_of(*load), width_of(tables, contacts.label()))};
     std::sort(map.lines.begin(), map.lines.end(),
               [](const Line& a, const Line& b) { return a.weight > b.weight; });
     map.lines.resize(std::min(map.lines.size(), kMostLines));

@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kMostSceneText = 256 << 10;
 
 struct Section {
-  const char* id;
-  const char* name;
-  std::string content;
+  const char* id = "";
+  const char* name = "";
+  std::string content = {};
 };
 
 std::string head_html(const std::string& title) {

@@ -15,9 +15,9 @@ class PlotFrame {
   /// A spacing is as long upwards as across; at most `most_height` high.
   static PlotFrame with_equal_scales(Axis x, Axis y, double most_height);
 
-  double left() const { return kLeft; }
+  static double left() { return kLeft; }
   double right() const { return kLeft + width_; }
-  double top() const { return kTop; }
+  static double top() { return kTop; }
   double bottom() const { return kTop + height_; }
   double x_of(double value) const { return left() + width_ * x_.part(value); }
   /// Values beyond the axis, as the edge of a band may have, lie at its end.
