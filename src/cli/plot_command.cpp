@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include "clca/plot/plot.hpp"
 #include "clca/store/file.hpp"
@@ -25,15 +24,6 @@ struct PlotOptions {
   plot::Size size;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw store::StoreError(
-        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  }
-}
-
 void draw_all(const PlotOptions& options) {
   const auto figures = plot::figures(options.run, options.only, plot::template_folder());
   const std::filesystem::path folder = options.folder.empty()
@@ -41,7 +31,7 @@ void draw_all(const PlotOptions& options) {
                                            : std::filesystem::path(options.folder);
   for (const plot::Figure& figure : figures) {
     const auto picture = plot::draw(figure, options.size);
-    make_folder(folder);
+    store::make_folder(folder);
     const std::filesystem::path file = folder / (figure.name + ".png");
     store::write_whole(file, picture);
     fmt::print("{}\n", file.string());

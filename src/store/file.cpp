@@ -5,24 +5,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <system_error>
 
+#include "clca/store/whole_file.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {
 
 namespace {
-
-bool write_and_rename(const std::filesystem::path& aside, const std::filesystem::path& path,
-                      std::span<const std::uint8_t> bytes) {
-  constexpr mode_t kReadableByAll = 0666;  // less what the umask takes away
-  Descriptor file(::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadableByAll));
-  return file.is_open() && write_all(file.number(), bytes) && ::fsync(file.number()) == 0 &&
-         file.close() && ::rename(aside.c_str(), path.c_str()) == 0;
-}
 
 [[noreturn]] void fail(std::string_view what, const std::filesystem::path& path, int error) {
   throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)));
@@ -31,16 +24,21 @@ bool write_and_rename(const std::filesystem::path& aside, const std::filesystem:
 }  // namespace
 
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const std::filesystem::path aside = fmt::format("{}.part-{}", path.string(), ::getpid());
-  if (!write_and_rename(aside, path, bytes)) {
-    const int error = errno;
-    ::unlink(aside.c_str());
-    fail("write", path, error);
-  }
+  WholeFile file(path);
+  file.write(bytes);
+  file.finish();
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view text) {
   write_whole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    fail("make the folder", folder, error.value());
+  }
 }
 
 std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes) {

@@ -21,6 +21,9 @@ class StoreError : public std::runtime_error {
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// Makes a folder, and those that it lies in, if need be. Throws StoreError.
+void make_folder(const std::filesystem::path& folder);
+
 /// All bytes of a file. Throws StoreError, also for one of more than `most_bytes`.
 std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes = 1e18);
 
