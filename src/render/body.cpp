@@ -1,4 +1,4 @@
-#include "render/body.hpp"
+#include "clca/render/body.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,15 +44,15 @@ void add_around(Axial point, std::vector<SmallTriangle>& triangles) {
                                      {{x - 1, q}, true}});
 }
 
-std::vector<SmallTriangle> small_triangles(const lattice::Shape& shape) {
+std::vector<SmallTriangle> small_triangles(std::span<const Axial> sites) {
   std::vector<SmallTriangle> triangles;
-  for (const Axial site : shape.sites()) {
+  for (const Axial site : sites) {
     const Axial point = site + site;
     add_around(point, triangles);
     for (const lattice::Direction direction :
          {lattice::Direction::up, lattice::Direction::up_right, lattice::Direction::down_right}) {
       const Axial step = lattice::unit(direction);
-      if (shape.contains(site + step)) {
+      if (std::binary_search(sites.begin(), sites.end(), site + step)) {
         add_around(point + step, triangles);
       }
     }
@@ -133,7 +133,7 @@ bool continues(const Trapezoid& left, const Trapezoid& right) {
 }  // namespace
 
 std::vector<Outline> outlines(const lattice::Shape& shape) {
-  auto edges = boundary(small_triangles(shape));
+  auto edges = boundary(small_triangles(shape.sites()));
   std::vector<Outline> result;
   while (!edges.empty()) {
     result.push_back(without_straight_corners(take_loop(edges)));
@@ -142,26 +142,33 @@ std::vector<Outline> outlines(const lattice::Shape& shape) {
 }
 
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {
-  const std::vector<SmallTriangle> triangles = small_triangles(shape);  // up the columns
+  return trapezoids(std::span(shape.sites()));
+}
+
+std::vector<Trapezoid> trapezoids(std::span<const Axial> sites) {
+  const std::vector<SmallTriangle> triangles = small_triangles(sites);  // up the columns
   const auto follows = [](const SmallTriangle& lower, const SmallTriangle& upper) {
     return lower.upper ? upper == SmallTriangle{lower.cell + Axial{0, 1}, false}
                        : upper == SmallTriangle{lower.cell, true};
   };
   std::vector<Trapezoid> result;
+  std::map<std::pair<GridPoint, GridPoint>, std::size_t> by_right_side;
   std::size_t first = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (i + 1 < triangles.size() && follows(triangles[i], triangles[i + 1])) {
       continue;
     }
     const Trapezoid piece = column_piece(triangles[first], triangles[i]);
-    const auto left = std::find_if(result.begin(), result.end(),
-                                   [&](const Trapezoid& other) { return continues(other, piece); });
-    if (left != result.end()) {
-      left->right_low = piece.right_low;
-      left->right_high = piece.right_high;
+    const auto left = by_right_side.find({piece.left_low, piece.left_high});
+    std::size_t number = result.size();
+    if (left != by_right_side.end() && continues(result[left->second], piece)) {
+      number = left->second;
+      result[number].right_low = piece.right_low;
+      result[number].right_high = piece.right_high;
     } else {
       result.push_back(piece);
     }
+    by_right_side[{piece.right_low, piece.right_high}] = number;
     first = i + 1;
   }
   return result;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/body.hpp"
+#include "clca/render/body.hpp"
 
 namespace clca::render {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clca/lattice/region.hpp"
-#include "render/body.hpp"
+#include "clca/render/body.hpp"
 
 namespace clca::render {
 

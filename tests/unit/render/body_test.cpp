@@ -1,4 +1,4 @@
-#include "render/body.hpp"
+#include "clca/render/body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -150,6 +150,22 @@ TEST(Body, HasCornersOf120Or240DegreesOnly) {
       EXPECT_NEAR(in.normalized().dot(out.normalized()), 0.5, 1e-12);
     }
   }
+}
+
+TEST(Body, OfAWallMayHaveHolesAndParts) {
+  std::vector<Axial> ring = Shape::hexagon(1).sites();
+  std::erase(ring, Axial{0, 0});
+  EXPECT_EQ(area_of(trapezoids(ring)), 48);  // 54 with the site in the middle
+  EXPECT_EQ(area_of(trapezoids(std::vector<Axial>{{0, 0}, {5, 5}})), 12);
+}
+
+TEST(Body, OfALongWallIsCutInTimeThatGrowsWithItsLength) {
+  std::vector<Axial> wall;
+  constexpr int kLength = 100'000;
+  for (int column = 0; column < kLength; ++column) {
+    wall.push_back(lattice::Site{column, 0} - lattice::Site{0, 0});
+  }
+  EXPECT_EQ(area_of(trapezoids(wall)), 6 * kLength + 2 * (kLength - 1));
 }
 
 TEST(Mesh, HoldsTheBodyInItsBox) {

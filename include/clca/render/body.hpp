@@ -8,6 +8,7 @@
 // least half of the weight has the point. On the lattice with half the spacing, the body is the
 // union of the six small triangles around every site and every bond midpoint.
 
+#include <span>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
@@ -47,5 +48,7 @@ std::vector<Outline> outlines(const lattice::Shape& shape);
 
 /// Cuts the body into few trapezoids.
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape);
+/// The same of any sites, sorted by x, then q: a wall may have holes and parts.
+std::vector<Trapezoid> trapezoids(std::span<const lattice::Axial> sites);
 
 }  // namespace clca::render
