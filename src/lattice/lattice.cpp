@@ -36,6 +36,10 @@ Lattice Lattice::covering(double width, double height, bool periodic) {
   return {columns, static_cast<int>(std::ceil(height)), periodic};
 }
 
+int Lattice::image(double x) const {
+  return periodic_ ? static_cast<int>(std::floor(x / size().x() + 0.5 / columns_)) : 0;
+}
+
 Offset Lattice::offset(Axial vector, bool odd_column) const {
   const Site from = {odd_column ? 1 : 0, 0};
   const Site to = from + vector;

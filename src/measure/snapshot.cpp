@@ -7,12 +7,8 @@ namespace clca::measure {
 
 namespace {
 
-Eigen::Vector2d in_box(const lattice::Lattice& lattice, Eigen::Vector2d point) {
-  if (lattice.periodic()) {
-    const double period = lattice::kColumnPitch * lattice.columns();
-    point.x() -= period * std::floor(point.x() / period + 0.5 / lattice.columns());
-  }
-  return point;
+Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& point) {
+  return {point.x() - lattice.size().x() * lattice.image(point.x()), point.y()};
 }
 
 }  // namespace

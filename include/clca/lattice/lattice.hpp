@@ -105,6 +105,13 @@ class Lattice {
     return remainder < 0 ? remainder + columns_ : remainder;
   }
 
+  /// Place and size in the plane of the union of the bodies of all sites, in lattice spacings: the
+  /// lower left corner. A periodic box repeats at its width.
+  static Eigen::Vector2d corner() { return {-0.5 * kColumnPitch, -0.5}; }
+  Eigen::Vector2d size() const { return {kColumnPitch * columns_, rows_ + 0.5}; }
+  /// How many widths of a periodic box a point lies to the right of the box; 0 where it is not.
+  int image(double x) const;
+
   /// Offset of `vector` from a site in an odd or even column.
   Offset offset(Axial vector, bool odd_column) const;
 

@@ -73,6 +73,16 @@ TEST(Lattice, CoversTheAskedWidthAndHeight) {
   EXPECT_EQ(Lattice::covering(300, 200, true).columns(), 348);  // even
 }
 
+TEST(Lattice, ImagesOfAPeriodicBoxBeginHalfAPitchLeftOfItsFirstColumn) {
+  const Lattice lattice(10, 10, true);
+  const double left = Lattice::corner().x();
+  EXPECT_EQ(lattice.image(left + 1e-9), 0);
+  EXPECT_EQ(lattice.image(left - 1e-9), -1);
+  EXPECT_EQ(lattice.image(left + lattice.size().x() - 1e-9), 0);
+  EXPECT_EQ(lattice.image(left + 3 * lattice.size().x() + 1e-9), 3);
+  EXPECT_EQ(Lattice(10, 10, false).image(1e6), 0);
+}
+
 TEST(Lattice, RefusesBoxesThatCannotBe) {
   EXPECT_THROW(Lattice(0, 5, false), std::invalid_argument);
   EXPECT_THROW(Lattice(5, 0, false), std::invalid_argument);
