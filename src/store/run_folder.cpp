@@ -41,9 +41,10 @@ bool is_figure(const fs::path& file) {
   return file.extension() == ".png";
 }
 
-/// Of a trajectory.
-bool is_part(const fs::path& file) {
-  return file.extension() == ".h5";
+/// What clca export leaves.
+bool is_export(const fs::path& file) {
+  constexpr std::array<std::string_view, 4> kEndings = {".pvd", ".vtp", ".gsd", ".xyz"};
+  return std::find(kEndings.begin(), kEndings.end(), file.extension()) != kEndings.end();
 }
 
 /// What a process was writing aside when it was killed.
@@ -100,8 +101,7 @@ void remove_matching(const fs::path& folder, Matches matches) {
 
 /// The folder, which is there now.
 fs::path made(fs::path path) {
-  checked("make the folder", path,
-          [&](std::error_code& error) { fs::create_directories(path, error); });
+  make_folder(path);
   return path;
 }
 
@@ -127,7 +127,7 @@ void RunFolder::clear() const {
   if (fs::exists(summary())) {
     remove_matching(frames(), is_frame);
     remove_matching(path_ / "plots", is_figure);
-    remove_matching(path_ / "trajectory", is_part);
+    remove_matching(path_ / "export", is_export);
     remove_matching(path_, is_file_of_run);
     remove_parts(path_, 0);
   }
@@ -140,8 +140,7 @@ void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) cons
 }
 
 void RunFolder::make_frames() const {
-  checked("make the folder", frames(),
-          [&](std::error_code& error) { fs::create_directories(frames(), error); });
+  make_folder(frames());
 }
 
 fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {

@@ -18,9 +18,9 @@ std::filesystem::path frame_path(const std::filesystem::path& run, const std::st
 class RunFolder {
  public:
   /// For a new run. Makes the folder if need be. Where a run.json says that a run has been here
-  /// before, clears what it has left: its pictures, tables, figures, checkpoints, scene.yaml,
-  /// run.json, log.txt and report.html. Other files stay. Throws StoreError, also when another run
-  /// is at work in the folder.
+  /// before, clears what it has left: its pictures, tables, figures, exports, checkpoints,
+  /// scene.yaml, run.json, log.txt and report.html. Other files stay. Throws StoreError, also when
+  /// another run is at work in the folder.
   static RunFolder for_new_run(std::filesystem::path path);
   /// For a run that goes on: clears nothing. Throws StoreError likewise.
   static RunFolder for_resumed_run(std::filesystem::path path);

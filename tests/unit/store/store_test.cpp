@@ -15,6 +15,7 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
+#include "clca/store/whole_file.hpp"
 
 namespace clca::store {
 namespace {
@@ -57,6 +58,23 @@ TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
                                            ": No such file or directory"));
   EXPECT_THAT([&] { read_whole(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
+}
+
+TEST_F(WriteWhole, AFilePieceByPieceIsThereWhenItIsFinished) {
+  {
+    WholeFile file(folder_ / "a.txt");
+    file.write("first, ");
+    file.write("second");
+    file.rewrite_begin(std::vector<std::uint8_t>{'F'});
+    file.write(" and third");
+    EXPECT_EQ(file.size(), 23U);
+    EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
+    file.finish();
+  }
+  EXPECT_EQ(text_of(folder_ / "a.txt"), "First, second and third");
+  { WholeFile(folder_ / "a.txt").write("lost"); }
+  EXPECT_EQ(text_of(folder_ / "a.txt"), "First, second and third");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(WriteWhole, LeavesEverythingAsItWasWhenTheLastStepFails) {
@@ -165,10 +183,12 @@ TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   std::optional<RunFolder> first(RunFolder::for_new_run(folder_ / "run"));
   first->make_frames();
   fs::create_directories(first->path() / "plots");
+  fs::create_directories(first->path() / "export");
   for (const char* name :
        {"run.json", "series.csv", "cycles.csv", "profile-flow.csv", "contacts-flow.csv",
         "histogram-5.csv", "checkpoint.h5", "checkpoint-previous.h5", "trajectory.h5",
-        "series.csv.part-17", "plots/profile.png", "notes.txt", "other.csv"}) {
+        "series.csv.part-17", "plots/profile.png", "export/scene.gsd", "export/mine.txt",
+        "notes.txt", "other.csv"}) {
     write_whole(first->path() / name, "x");
   }
   write_whole(first->frame("scene", 120), "x");
@@ -183,6 +203,8 @@ TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
   EXPECT_FALSE(fs::exists(second.table("contacts", "flow")));
   EXPECT_FALSE(fs::exists(second.table("histogram", "5")));
   EXPECT_FALSE(fs::exists(second.path() / "plots" / "profile.png"));
+  EXPECT_FALSE(fs::exists(second.path() / "export" / "scene.gsd"));
+  EXPECT_TRUE(fs::exists(second.path() / "export" / "mine.txt"));
   EXPECT_FALSE(fs::exists(second.frame("scene", 120)));
   for (const char* name : {"checkpoint.h5", "checkpoint-previous.h5", "trajectory.h5"}) {
     EXPECT_FALSE(fs::exists(second.path() / name)) << name;

@@ -1,0 +1,143 @@
+// clca export: the trajectory of a run in formats of other programs.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <system_error>
+
+#include "clca/export/export.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/signals.hpp"
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportOptions {
+  fs::path run;
+  exports::Format format = exports::Format::vtp;
+  fs::path file;
+  exports::Choice choice;
+  SceneOptions scene;  ///< the limit on memory
+};
+
+/// A run with a trajectory, and which of its frames are wanted.
+struct Source {
+  std::string name;
+  scene::Scene scene;
+  std::unique_ptr<store::Trajectory> trajectory;
+};
+
+Source open_run(const ExportOptions& options) {
+  const fs::path run_json = options.run / "run.json";
+  const store::RunSummary summary = store::read_summary(run_json);
+  if (summary.kind != "automaton") {
+    throw exports::ExportError(
+        fmt::format("{}: expected a run of kind automaton, found {}; only the automaton has a "
+                    "trajectory",
+                    options.run.string(), summary.kind));
+  }
+  if (summary.scene.empty() || fs::path(summary.scene).filename() != summary.scene) {
+    throw exports::ExportError(
+        fmt::format("{}: '{}' is no name of a scene", run_json.string(), summary.scene));
+  }
+  std::error_code unknown;
+  if (!fs::exists(options.run / "trajectory", unknown)) {
+    throw exports::ExportError(
+        fmt::format("{}: the run has left no trajectory; run the scene again with "
+                    "output.trajectory in it",
+                    options.run.string()));
+  }
+  Source source = {summary.scene, scene::parse_file(options.run / "scene.yaml"), nullptr};
+  source.scene.name = summary.scene;
+  const double limit = memory_limit(options.scene);
+  check_memory(source.scene, limit);
+  source.trajectory = std::make_unique<store::Trajectory>(options.run, source.scene,
+                                                          run::initial_state(source.scene), limit);
+  exports::chosen(source.trajectory->frames(), options.choice);  // before anything is written
+  return source;
+}
+
+/// What cannot be read is wrong input. Nothing: it has been told.
+std::optional<Source> open_or_complain(const ExportOptions& options) {
+  const auto complain = [](const std::exception& error) {
+    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    return std::nullopt;
+  };
+  try {
+    return open_run(options);
+  } catch (const exports::ExportError& error) {
+    return complain(error);
+  } catch (const store::StoreError& error) {
+    return complain(error);
+  }
+}
+
+int export_run(const ExportOptions& options) {
+  const std::optional<Source> source = open_or_complain(options);
+  if (!source) {
+    return static_cast<int>(ExitCode::wrong_input);
+  }
+  const std::atomic<int>& stop = catch_stop_signals();
+  const fs::path file =
+      options.file.empty()
+          ? options.run / "export" / (source->name + std::string(exports::ending(options.format)))
+          : options.file;
+  if (file.has_parent_path()) {
+    store::make_folder(file.parent_path());
+  }
+  const auto writer =
+      exports::writer(options.format, file, source->scene, run::initial_state(source->scene).kinds);
+  const std::size_t frames = exports::write(*source->trajectory, options.choice, *writer, stop);
+  fmt::print("{} frames\n{}\n", frames, file.string());
+  const int signal = stop.load();
+  return signal == 0 ? static_cast<int>(ExitCode::done)
+                     : static_cast<int>(ExitCode::signal_base) + signal;
+}
+
+void add_choice_options(CLI::App& command, exports::Choice& choice) {
+  command.add_option("--from", choice.from, "First step")->type_name("STEP");
+  command.add_option("--until", choice.until, "Last step")->type_name("STEP");
+  command
+      .add_option("--every", choice.every,
+                  "Steps from frame to frame, at least, in a stage [all frames]")
+      ->type_name("STEPS")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "export", "The trajectory of a run in a format of ParaView (vtp) or OVITO (gsd, xyz)");
+  auto options = std::make_shared<ExportOptions>();
+  const std::map<std::string, exports::Format> formats = {
+      {"vtp", exports::Format::vtp}, {"gsd", exports::Format::gsd}, {"xyz", exports::Format::xyz}};
+  command->add_option("DIR", options->run, "Folder that a run with output.trajectory has left")
+      ->required();
+  command->add_option("--to", options->format, "Format: vtp, gsd or xyz")
+      ->required()
+      ->type_name("FORMAT")
+      ->transform(CLI::CheckedTransformer(formats));
+  command
+      ->add_option("-o,--output", options->file,
+                   "File to write, of vtp the .pvd with the others beside it "
+                   "[DIR/export/SCENE with .pvd, .gsd or .xyz]")
+      ->type_name("FILE");
+  add_choice_options(*command, options->choice);
+  add_memory_limit(*command, options->scene);
+  command->callback([options, &code] { code = export_run(*options); });
+}
+
+}  // namespace clca::cli

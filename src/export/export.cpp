@@ -1,0 +1,76 @@
+#include "clca/export/export.hpp"
+
+#include <fmt/format.h>
+
+#include "export/gsd.hpp"
+#include "export/vtp.hpp"
+#include "export/xyz.hpp"
+
+namespace clca::exports {
+
+std::string_view ending(Format format) {
+  switch (format) {
+    case Format::vtp:
+      return ".pvd";
+    case Format::gsd:
+      return ".gsd";
+    case Format::xyz:
+      break;
+  }
+  return ".xyz";
+}
+
+std::unique_ptr<Writer> writer(Format format, const std::filesystem::path& file,
+                               const scene::Scene& scene,
+                               const std::vector<automaton::Kind>& kinds) {
+  switch (format) {
+    case Format::vtp:
+      return std::make_unique<VtpWriter>(file, scene, kinds);
+    case Format::gsd:
+      return std::make_unique<GsdWriter>(file, scene, kinds);
+    case Format::xyz:
+      break;
+  }
+  return std::make_unique<XyzWriter>(file, scene, kinds);
+}
+
+std::vector<std::size_t> chosen(const std::vector<store::Trajectory::Frame>& frames,
+                                const Choice& choice) {
+  if (frames.empty()) {
+    throw ExportError("the trajectory has no frames yet");
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto& [step, stage, particles] = frames[i];
+    if (step < choice.from.value_or(0) || step > choice.until.value_or(step)) {
+      continue;
+    }
+    if (result.empty() || frames[result.back()].stage != stage ||
+        step - frames[result.back()].step >= choice.every) {
+      result.push_back(i);
+    }
+  }
+  if (result.empty()) {
+    throw ExportError(fmt::format("no frame at these steps; the trajectory goes from step {} to {}",
+                                  frames.front().step, frames.back().step));
+  }
+  return result;
+}
+
+std::size_t write(const store::Trajectory& trajectory, const Choice& choice, Writer& writer,
+                  const std::atomic<int>& stop) {
+  std::size_t written = 0;
+  for (const std::size_t frame : chosen(trajectory.frames(), choice)) {
+    if (stop.load() != 0) {
+      break;
+    }
+    writer.add(trajectory.state(frame));
+    ++written;
+  }
+  if (written > 0) {
+    writer.finish();
+  }
+  return written;
+}
+
+}  // namespace clca::exports

@@ -1,0 +1,91 @@
+#include "export/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clca/automaton/occupancy.hpp"
+#include "clca/measure/contacts.hpp"
+#include "clca/render/body.hpp"
+
+namespace clca::exports {
+
+namespace {
+
+std::vector<double> forces(const automaton::State& state) {
+  if (state.pushes.empty()) {
+    return std::vector<double>(state.particles.size(), 0.0);
+  }
+  const automaton::Occupancy occupancy(state);
+  return measure::force_indices(state.particles.size(), measure::contacts(state, occupancy));
+}
+
+Eigen::Vector2d velocity(automaton::Move move) {
+  if (move == automaton::kRest) {
+    return Eigen::Vector2d::Zero();
+  }
+  return lattice::position(lattice::unit(static_cast<lattice::Direction>(move)));
+}
+
+/// The first orientation of the species that looks like the kind, in degrees.
+int degrees_of(const scene::Species& species, const automaton::Kind& kind) {
+  const auto found =
+      std::find_if(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
+        constexpr int kDegreesPerTurn = 60;
+        return species.shape.rotated(degrees / kDegreesPerTurn).congruent(kind.shape);
+      });
+  return found != species.orientations.end() ? *found : 0;
+}
+
+std::vector<Eigen::Vector2d> outline_of(const lattice::Shape& shape) {
+  std::vector<Eigen::Vector2d> corners;
+  const std::vector<render::Outline> outlines = render::outlines(shape);
+  for (const render::GridPoint point : outlines.front()) {
+    corners.emplace_back(render::position(point) - shape.centroid());
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::vector<Body> bodies(const automaton::State& state) {
+  const std::vector<double> force = forces(state);
+  std::vector<Body> result;
+  result.reserve(automaton::present_count(state));
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    const automaton::Particle& particle = state.particles[id];
+    if (!particle.present) {
+      continue;
+    }
+    Eigen::Vector2d centre = automaton::centre(state, particle);
+    const int image = state.lattice.image(centre.x());
+    centre.x() -= image * state.lattice.size().x();
+    result.push_back({.centre = centre,
+                      .velocity = velocity(particle.previous),
+                      .displacement = lattice::position(particle.site() - state.origins[id]),
+                      .id = static_cast<std::uint32_t>(id),
+                      .image = image,
+                      .force = static_cast<float>(force[id]),
+                      .kind = particle.kind});
+  }
+  return result;
+}
+
+std::vector<KindLook> kind_looks(const scene::Scene& scene,
+                                 const std::vector<automaton::Kind>& kinds) {
+  std::vector<KindLook> looks;
+  for (const automaton::Kind& kind : kinds) {
+    const scene::Species& species = scene.species[kind.species];
+    const auto same_species =
+        std::count_if(kinds.begin(), kinds.end(),
+                      [&](const automaton::Kind& other) { return other.species == kind.species; });
+    looks.push_back({.name = same_species > 1
+                                 ? fmt::format("{}@{}", species.name, degrees_of(species, kind))
+                                 : species.name,
+                     .species = kind.species,
+                     .outline = outline_of(kind.shape)});
+  }
+  return looks;
+}
+
+}  // namespace clca::exports

@@ -1,0 +1,38 @@
+#pragma once
+// What all formats say of a state.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clca/automaton/state.hpp"
+#include "clca/scene/scene.hpp"
+
+namespace clca::exports {
+
+/// A particle that is present; lengths in lattice spacings.
+struct Body {
+  Eigen::Vector2d centre;        ///< of mass, in the box
+  Eigen::Vector2d velocity;      ///< its last move: spacings a step
+  Eigen::Vector2d displacement;  ///< from its origin, across a periodic seam too
+  std::uint32_t id = 0;
+  int image = 0;    ///< widths of a periodic box that it has gone to the right
+  float force = 0;  ///< sites it shares with others: see measure::force_indices
+  std::uint16_t kind = 0;
+};
+
+/// By id.
+std::vector<Body> bodies(const automaton::State& state);
+
+/// What the particles of a kind have in common.
+struct KindLook {
+  std::string name;  ///< SPECIES, or SPECIES@DEGREES where the species has several kinds
+  std::uint16_t species = 0;
+  std::vector<Eigen::Vector2d> outline;  ///< corners from the centre of mass, anticlockwise
+};
+
+std::vector<KindLook> kind_looks(const scene::Scene& scene,
+                                 const std::vector<automaton::Kind>& kinds);
+
+}  // namespace clca::exports

@@ -1,0 +1,28 @@
+#pragma once
+// GSD with the schema of HOOMD (gsd.readthedocs.io, "HOOMD schema").
+
+#include "clca/export/export.hpp"
+#include "export/frame.hpp"
+#include "export/gsd_file.hpp"
+
+namespace clca::exports {
+
+class GsdWriter : public Writer {
+ public:
+  GsdWriter(const std::filesystem::path& file, const scene::Scene& scene,
+            const std::vector<automaton::Kind>& kinds);
+
+  void add(const automaton::State& state) override;
+  void finish() override { file_.finish(); }
+
+ private:
+  /// What no frame after the first one says again.
+  void add_fixed(const lattice::Lattice& lattice);
+  void add_particles(const lattice::Lattice& lattice, const std::vector<Body>& all);
+
+  GsdFile file_;
+  std::vector<KindLook> kinds_;
+  bool first_ = true;
+};
+
+}  // namespace clca::exports

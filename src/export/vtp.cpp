@@ -1,0 +1,182 @@
+#include "export/vtp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clca/render/body.hpp"
+#include "clca/store/file.hpp"
+#include "export/vtp_file.hpp"
+
+namespace clca::exports {
+
+namespace {
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) {
+    names.push_back(one.name);
+  }
+  return names;
+}
+
+std::vector<std::optional<lattice::Axial>> places_of(const std::vector<automaton::Wall>& walls) {
+  std::vector<std::optional<lattice::Axial>> places;
+  for (const automaton::Wall& wall : walls) {
+    places.push_back(wall.present ? std::optional(wall.shift()) : std::nullopt);
+  }
+  return places;
+}
+
+/// Sites as vectors from the first one of the lattice, sorted.
+std::vector<lattice::Axial> from_origin(const std::vector<lattice::Site>& sites) {
+  std::vector<lattice::Axial> result;
+  for (const lattice::Site site : sites) {
+    result.push_back(site - lattice::Site());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// A trapezoid may be a triangle.
+void add_polygon(VtpFile& file, const render::Trapezoid& piece) {
+  file.add_corner(render::position(piece.left_low));
+  file.add_corner(render::position(piece.right_low));
+  if (piece.right_high != piece.right_low) {
+    file.add_corner(render::position(piece.right_high));
+  }
+  if (piece.left_high != piece.left_low) {
+    file.add_corner(render::position(piece.left_high));
+  }
+  file.end_polygon();
+}
+
+/// What is in the text of an attribute.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char character : text) {
+    switch (character) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += character;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+VtpWriter::VtpWriter(std::filesystem::path collection, const scene::Scene& scene,
+                     const std::vector<automaton::Kind>& kinds)
+    : collection_(std::move(collection)),
+      species_names_(names_of(scene.species)),
+      wall_names_(names_of(scene.walls)),
+      kinds_(kind_looks(scene, kinds)) {}
+
+std::filesystem::path VtpWriter::beside(const std::string& part, std::uint64_t step) const {
+  const std::string repeat = earlier_ > 0 ? fmt::format("-{}", earlier_ + 1) : "";
+  return collection_.parent_path() /
+         fmt::format("{}{}-{:06}{}.vtp", collection_.stem().string(), part, step, repeat);
+}
+
+double VtpWriter::time(std::uint64_t step) const {
+  return static_cast<double>(step) + static_cast<double>(earlier_) / (earlier_ + 1);
+}
+
+// The end of a stage and the beginning of the next one are at the same step.
+void VtpWriter::count_frame(std::uint64_t step) {
+  earlier_ = step_ == step ? earlier_ + 1 : 0;
+  step_ = step;
+}
+
+void VtpWriter::add(const automaton::State& state) {
+  count_frame(state.step);
+  const std::filesystem::path file = beside("", state.step);
+  write_particles(file, state);
+  collect(state.step, 0, "particles", file);
+  if (state.walls.empty()) {
+    return;
+  }
+  std::vector<Place> places = places_of(state.walls);
+  if (wall_file_.empty() || places != seen_) {
+    wall_file_ = beside("-walls", state.step);
+    write_walls(wall_file_, state);
+    seen_ = std::move(places);
+  }
+  collect(state.step, 1, "walls", wall_file_);
+}
+
+void VtpWriter::write_particles(const std::filesystem::path& file,
+                                const automaton::State& state) const {
+  VtpFile polygons;
+  Bytes id;
+  Bytes species;
+  Bytes velocity;
+  Bytes displacement;
+  Bytes force;
+  for (const Body& body : bodies(state)) {
+    const KindLook& look = kinds_[body.kind];
+    for (const Eigen::Vector2d& corner : look.outline) {
+      polygons.add_corner(body.centre + corner);
+    }
+    polygons.end_polygon();
+    append(id, body.id);
+    append(species, look.species);
+    append_vector(velocity, body.velocity.x(), body.velocity.y());
+    append_vector(displacement, body.displacement.x(), body.displacement.y());
+    append(force, body.force);
+  }
+  polygons.set_time(time(state.step));
+  polygons.set_names("species_names", species_names_);
+  polygons.add_cell_data("id", "UInt32", 1, std::move(id));
+  polygons.add_cell_data("species", "UInt16", 1, std::move(species));
+  polygons.add_cell_data("velocity", "Float32", 3, std::move(velocity));
+  polygons.add_cell_data("displacement", "Float32", 3, std::move(displacement));
+  polygons.add_cell_data("force", "Float32", 1, std::move(force));
+  polygons.write(file);
+}
+
+void VtpWriter::write_walls(const std::filesystem::path& file,
+                            const automaton::State& state) const {
+  VtpFile polygons;
+  Bytes number;
+  for (std::size_t i = 0; i < state.walls.size(); ++i) {
+    const automaton::Wall& wall = state.walls[i];
+    if (!wall.present) {
+      continue;
+    }
+    const auto sites = from_origin(automaton::sites_now(state.lattice, wall));
+    for (const render::Trapezoid& piece : render::trapezoids(sites)) {
+      add_polygon(polygons, piece);
+      append(number, static_cast<std::uint32_t>(i));
+    }
+  }
+  polygons.set_time(time(state.step));
+  polygons.set_names("wall_names", wall_names_);
+  polygons.add_cell_data("wall", "UInt32", 1, std::move(number));
+  polygons.write(file);
+}
+
+void VtpWriter::collect(std::uint64_t step, int part, const std::string& name,
+                        const std::filesystem::path& file) {
+  entries_ += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
+                          time(step), part, name, escaped(file.filename().string()));
+}
+
+void VtpWriter::finish() {
+  store::write_whole(collection_,
+                     "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+                     "byte_order=\"LittleEndian\">\n<Collection>\n" +
+                         entries_ + "</Collection>\n</VTKFile>\n");
+}
+
+}  // namespace clca::exports

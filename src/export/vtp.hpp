@@ -1,0 +1,47 @@
+#pragma once
+// Files of VTK: one of the particles for each frame, one of the walls whenever they have changed,
+// and a collection (.pvd) that says which belong to which step.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/export/export.hpp"
+#include "export/frame.hpp"
+
+namespace clca::exports {
+
+class VtpWriter : public Writer {
+ public:
+  VtpWriter(std::filesystem::path collection, const scene::Scene& scene,
+            const std::vector<automaton::Kind>& kinds);
+
+  void add(const automaton::State& state) override;
+  void finish() override;
+
+ private:
+  /// Where a wall is; nowhere when it is not there.
+  using Place = std::optional<lattice::Axial>;
+
+  /// STEM-000120.vtp beside the collection; STEM-000120-2.vtp for a second frame of that step.
+  std::filesystem::path beside(const std::string& part, std::uint64_t step) const;
+  /// Of this frame: its step, and a little more for a second one, as no two can be at one time.
+  double time(std::uint64_t step) const;
+  void count_frame(std::uint64_t step);
+  void write_particles(const std::filesystem::path& file, const automaton::State& state) const;
+  void write_walls(const std::filesystem::path& file, const automaton::State& state) const;
+  void collect(std::uint64_t step, int part, const std::string& name,
+               const std::filesystem::path& file);
+
+  std::filesystem::path collection_;
+  std::vector<std::string> species_names_;
+  std::vector<std::string> wall_names_;
+  std::vector<KindLook> kinds_;
+  std::vector<Place> seen_;  // the walls that wall_file_ shows
+  std::filesystem::path wall_file_;
+  std::optional<std::uint64_t> step_;  // of the last frame
+  int earlier_ = 0;                    // frames of the same step before it
+  std::string entries_;
+};
+
+}  // namespace clca::exports

@@ -1,0 +1,287 @@
+"""Reads an export with a reader that is not ours and compares it with the run's trajectory.
+
+read_exports.py FORMAT RUN FILE: FORMAT is gsd, vtp or xyz, RUN the folder of a run, FILE the export
+of all its frames. Everything that is expected is worked out here, from the sites in trajectory.h5.
+"""
+
+import shlex
+import sys
+import xml.etree.ElementTree as xml
+from collections import Counter
+from pathlib import Path
+
+import gsd.hoomd
+import gsd.pygsd
+import h5py
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+PITCH = np.sqrt(3) / 2
+MOVES = np.array([(0, 1), (PITCH, 0.5), (PITCH, -0.5), (0, -1), (-PITCH, -0.5), (-PITCH, 0.5), (0, 0)])
+
+
+def place(sites):
+    """Places of sites (column, row) in the plane, in lattice spacings."""
+    sites = np.asarray(sites, dtype=int).reshape(-1, 2)
+    return np.stack([PITCH * sites[:, 0], sites[:, 1] + 0.5 * (sites[:, 0] & 1)], axis=1)
+
+
+def sites_from(site, parts):
+    """Sites at axial vectors (up-right, up) from a site."""
+    columns = site[0] + parts[:, 0]
+    rows = site[1] + parts[:, 1] + (columns >> 1) - (site[0] >> 1)
+    return np.stack([columns, rows], axis=1)
+
+
+def body_area(parts):
+    """Six small triangles around each site, and the middle one of each unit triangle with a bond."""
+    sites = {tuple(part) for part in parts}
+    middles = 0
+    for x, q in {(x - i, q - j) for x, q in sites for i in (0, 1) for j in (0, 1)}:
+        for corners in (((x, q), (x + 1, q), (x, q + 1)), ((x + 1, q + 1), (x + 1, q), (x, q + 1))):
+            middles += sum(corner in sites for corner in corners) >= 2
+    return (6 * len(sites) + middles) * np.sqrt(3) / 16
+
+
+class Run:
+    """The trajectory of a run, frame by frame, as columns of the particles present."""
+
+    def __init__(self, folder):
+        file = h5py.File(Path(folder) / "trajectory.h5", "r")
+        scene = file["scene"]
+        self.columns, self.rows, periodic = (int(value) for value in scene["lattice"][:])
+        self.periodic = bool(periodic)
+        self.period = self.columns * PITCH
+        self.species = [name.decode() for name in scene["species"][:]]
+        self.kind_species = scene["kinds/species"][:]
+        self.kinds = self.sets(scene["kinds"])
+        self.walls = self.sets(scene["walls"])
+        origins = {}
+        self.frames = []
+        for frame in range(len(file["frames/step"])):
+            self.frames.append(self.frame(file, frame, origins))
+
+    @staticmethod
+    def sets(group):
+        sites = group["sites"][:].reshape(-1, 2)
+        return [sites[f : f + n] for f, n in zip(group["first"][:].astype(int), group["size"][:])]
+
+    def frame(self, file, number, origins):
+        def rows(kind, first, count):
+            begin = int(file["frames/" + first][number])
+            end = begin + int(file["frames/" + count][number])
+            return {name: data[begin:end] for name, data in file[kind].items()}
+
+        for one, site in zip(*(rows("origins", "first_origin", "origins")[k] for k in ("id", "site"))):
+            origins[one] = site
+        table = rows("particles", "first", "particles")
+        sites = [sites_from(s, self.kinds[k]) for s, k in zip(table["site"].astype(int), table["kind"])]
+        frame = {
+            "step": int(file["frames/step"][number]),
+            "id": table["id"],
+            "kind": table["kind"],
+            "velocity": MOVES[table["move"]],
+            "displacement": place(table["site"]) - place([origins[i] for i in table["id"]]),
+            "centre": np.array([place(s).mean(axis=0) for s in sites]).reshape(-1, 2),
+            "walls": self.walls_of(file, number),
+        }
+        frame["image"] = np.floor((frame["centre"][:, 0] + PITCH / 2) / self.period) * self.periodic
+        frame["centre"][:, 0] -= frame["image"] * self.period
+        frame["sites"] = [place(s) - (i * self.period, 0) for s, i in zip(sites, frame["image"])]
+        frame["force"] = self.forces(sites, frame["walls"])
+        return frame
+
+    def walls_of(self, file, number):
+        """Sites in the box of each wall that is there."""
+        result = {}
+        for wall, home in enumerate(self.walls):
+            if file["walls/present"][number, wall]:
+                down = np.array([0, -1]) * abs(int(file["walls/offset"][number, wall]))
+                now = home + down  # in the scenes of this test, walls move down
+                result[wall] = now[(now[:, 1] >= 0) & (now[:, 1] < self.rows)]
+        return result
+
+    def forces(self, sites, walls):
+        """Sites that each particle shares with other particles and walls."""
+        everything = [tuple(s) for body in list(sites) + list(walls.values()) for s in body]
+        owners = Counter(everything)
+        return np.array([sum(owners[tuple(s)] - 1 for s in body) for body in sites], dtype=float)
+
+
+def same(found, expected, what, tolerance=2e-5):
+    found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
+    assert found.shape == expected.shape, f"{what}: {found.shape} instead of {expected.shape}"
+    assert np.allclose(found, expected, rtol=0, atol=tolerance), f"{what} differs"
+
+
+def on_found_side(run, frame, x):
+    """A particle right on the seam may stand on either side of it: the one where it was found."""
+    from_seam = (frame["centre"][:, 0] + PITCH / 2) / run.period
+    on_seam = run.periodic & (abs(from_seam - np.round(from_seam)) < 1e-9)
+    side = on_seam * np.round((x - frame["centre"][:, 0]) / run.period)
+    shift = np.stack([side * run.period, 0 * side], axis=1)
+    return {
+        **frame,
+        "centre": frame["centre"] + shift,
+        "image": frame["image"] - side,
+        "sites": [sites + by for sites, by in zip(frame["sites"], shift)],
+    }
+
+
+def in_plane(vectors):
+    vectors = np.asarray(vectors).reshape(-1, 3)
+    assert not vectors[:, 2].any(), "leaves the plane"
+    return vectors[:, :2]
+
+
+def polygon_area(corners):
+    x, y = np.asarray(corners, dtype=float)[:, :2].T
+    return (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() / 2
+
+
+def inside(corners, point):
+    x, y = np.asarray(corners, dtype=float)[:, :2].T
+    x2, y2 = np.roll(x, -1), np.roll(y, -1)
+    crosses = (y > point[1]) != (y2 > point[1])
+    at = x + (point[1] - y) * (x2 - x) / np.where(crosses, y2 - y, 1)
+    return (crosses & (at > point[0])).sum() % 2 == 1
+
+
+def check_gsd(run, file):
+    for trajectory in (gsd.hoomd.open(file, "rb"), gsd.hoomd.HOOMDTrajectory(gsd.pygsd.GSDFile(open(file, "rb")))):
+        assert trajectory.file.schema == "hoomd" and trajectory.file.schema_version == (1, 4)
+        assert trajectory.file.gsd_version == (2, 0)
+        assert len(trajectory) == len(run.frames), "number of frames"
+        for found, expected in zip(trajectory, run.frames):
+            check_gsd_frame(run, found, expected)
+
+
+def check_gsd_frame(run, found, expected):
+    particles = found.particles
+    size = np.array([run.period, run.rows + 0.5])
+    assert found.configuration.step == expected["step"] and found.configuration.dimensions == 2
+    same(found.configuration.box, [*size, 1, 0, 0, 0], "box")
+    assert particles.N == len(expected["id"]), "particles"
+    position = in_plane(particles.position)
+    assert (abs(position) <= size / 2 + 1e-4).all(), "a particle is outside of the box"
+    middle = size / 2 - (PITCH / 2, 0.5)
+    expected = on_found_side(run, expected, (position + middle)[:, 0])
+    same(position, expected["centre"] - middle, "position")
+    same(particles.typeid, expected["kind"], "typeid")
+    same(in_plane(particles.velocity), expected["velocity"], "velocity")
+    same(np.reshape(particles.image, (-1, 3))[:, 0], expected["image"], "image")
+    same(found.log["particles/id"], expected["id"], "id")
+    same(in_plane(found.log["particles/displacement"]), expected["displacement"], "displacement")
+    same(found.log["particles/force"], expected["force"], "force")
+    names = [name.split("@")[0] for name in particles.types]
+    assert names == [run.species[species] for species in run.kind_species], names
+    assert len(particles.type_shapes) == len(run.kinds)
+    for shape, parts in zip(particles.type_shapes, run.kinds):
+        assert shape["type"] == "Polygon" and shape["rounding_radius"] == 0
+        same(polygon_area(shape["vertices"]), body_area(parts), "area of a type", 1e-4)
+        sites = place(sites_from((0, 0), parts))
+        for site in sites - sites.mean(axis=0):
+            assert inside(shape["vertices"], site), "a site is outside of its type"
+
+
+def check_xyz(run, file):
+    lines = iter(Path(file).read_text().splitlines())
+    for expected in run.frames:
+        count = int(next(lines))
+        comment = dict(word.split("=", 1) for word in shlex.split(next(lines)))
+        assert comment["Properties"] == "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1"
+        assert int(comment["Step"]) == int(comment["Time"]) == expected["step"]
+        assert comment["pbc"] == ("T F F" if run.periodic else "F F F")
+        same(comment["Lattice"].split(), [run.period, 0, 0, 0, run.rows + 0.5, 0, 0, 0, 1], "Lattice")
+        same(comment["Origin"].split(), [-PITCH / 2, -0.5, -0.5], "Origin")
+        assert count == len(expected["id"]), "particles"
+        table = [next(lines).split() for _ in range(count)]
+        species = [run.species[run.kind_species[kind]] for kind in expected["kind"]]
+        assert [row[0] for row in table] == species, "species"
+        numbers = np.array([row[1:] for row in table], dtype=float).reshape(count, 11)
+        position = in_plane(numbers[:, 0:3])
+        same(position, on_found_side(run, expected, position[:, 0])["centre"], "pos")
+        same(numbers[:, 3], expected["id"], "id")
+        same(in_plane(numbers[:, 4:7]), expected["velocity"], "velo")
+        same(in_plane(numbers[:, 7:10]), expected["displacement"], "displacement")
+        same(numbers[:, 10], expected["force"], "force")
+    assert next(lines, None) is None, "more frames than there are"
+
+
+def read_polygons(file):
+    reader = vtkXMLPolyDataReader()
+    assert reader.CanReadFile(str(file)), f"{file} is no file of VTK"
+    reader.SetFileName(str(file))
+    reader.Update()
+    data = reader.GetOutput()
+    points = vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.empty((0, 3))
+    polygons = []
+    for cell in range(data.GetNumberOfCells()):
+        ids = data.GetCell(cell).GetPointIds()
+        polygons.append(points[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]])
+    return data, polygons
+
+
+def texts(data, name):
+    array = data.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def check_vtp(run, file):
+    datasets = [entry.attrib for entry in xml.parse(file).getroot().iter("DataSet")]
+    particles = [entry for entry in datasets if entry["part"] == "0"]
+    assert len(particles) == len(run.frames), "number of frames"
+    times = [float(entry["timestep"]) for entry in particles]
+    assert len(set(times)) == len(times) and times == sorted(times), "two frames at one time"
+    for entry, expected in zip(particles, run.frames):
+        assert int(float(entry["timestep"])) == expected["step"], "step"
+        check_vtp_particles(run, Path(file).parent / entry["file"], expected)
+    walls = [entry for entry in datasets if entry["part"] == "1"]
+    assert len(walls) == (len(run.frames) if run.walls else 0)
+    assert [entry["timestep"] for entry in walls] in ([], [entry["timestep"] for entry in particles])
+    for entry, expected in zip(walls, run.frames):
+        check_vtp_walls(Path(file).parent / entry["file"], expected)
+
+
+def check_vtp_particles(run, file, expected):
+    data, polygons = read_polygons(file)
+    assert len(polygons) == len(expected["id"]), "particles"
+    assert texts(data, "species_names") == run.species
+    column = lambda name: vtk_to_numpy(data.GetCellData().GetArray(name))
+    if not polygons:
+        return
+    same(column("id"), expected["id"], "id")
+    same(column("species"), run.kind_species[expected["kind"]], "species")
+    same(in_plane(column("velocity")), expected["velocity"], "velocity")
+    same(in_plane(column("displacement")), expected["displacement"], "displacement")
+    same(column("force"), expected["force"], "force")
+    expected = on_found_side(run, expected, np.array([polygon[:, 0].mean() for polygon in polygons]))
+    for polygon, kind, sites in zip(polygons, expected["kind"], expected["sites"]):
+        same(polygon_area(in_plane(polygon)), body_area(run.kinds[kind]), "area of a particle", 1e-3)
+        assert all(inside(polygon, site) for site in sites), "a site is outside of its particle"
+
+
+def check_vtp_walls(file, expected):
+    data, polygons = read_polygons(file)
+    numbers = vtk_to_numpy(data.GetCellData().GetArray("wall")) if polygons else np.empty(0)
+    assert set(numbers) == {wall for wall, sites in expected["walls"].items() if len(sites)}, "walls"
+    for wall, sites in expected["walls"].items():
+        axial = np.stack([sites[:, 0], sites[:, 1] - (sites[:, 0] >> 1)], axis=1)
+        area = sum(polygon_area(polygon) for polygon, n in zip(polygons, numbers) if n == wall)
+        same(area, body_area(axial), "area of a wall", 1e-2)
+
+
+def main():
+    kind, folder, file = sys.argv[1:]
+    run = Run(folder)
+    {"gsd": check_gsd, "vtp": check_vtp, "xyz": check_xyz}[kind](run, file)
+    forced = sum((frame["force"] > 0).sum() for frame in run.frames)
+    moving = sum(frame["velocity"].any(axis=1).sum() for frame in run.frames)
+    wrapped = sum((frame["image"] != 0).sum() for frame in run.frames)
+    empty = sum(len(frame["id"]) == 0 for frame in run.frames)
+    print(f"frames={len(run.frames)} forced={forced} moving={moving} wrapped={wrapped} empty={empty}")
+
+
+if __name__ == "__main__":
+    main()

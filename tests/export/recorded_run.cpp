@@ -1,0 +1,40 @@
+#include "export/recorded_run.hpp"
+
+#include "clca/run/run.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
+#include "run/stage.hpp"
+
+namespace clca::testing {
+
+void record(const std::string& scene_text, const std::filesystem::path& folder, int steps,
+            int every) {
+  const scene::Scene scene = scene::parse(scene_text, "recorded.yaml");
+  std::filesystem::create_directories(folder);
+  store::write_whole(folder / "scene.yaml", scene::to_yaml(scene));
+  store::RunSummary summary = run::provenance();
+  summary.scene = scene.name;
+  summary.status = "done";
+  store::write_whole(folder / "run.json", store::to_json(summary));
+  automaton::Automaton automaton(run::initial_state(scene));
+  store::TrajectoryWriter writer(folder, scene, automaton.state(), {});
+  for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
+    run::prepare_stage(automaton, scene, scene.stages[stage]);
+    writer.add(automaton.state(), stage, true);
+    for (int step = 1; step <= steps; ++step) {
+      const bool settled = automaton.step().settled;
+      if (step % every == 0 || step == steps || settled) {
+        writer.add(automaton.state(), stage, false);
+      }
+      if (settled) {
+        break;
+      }
+    }
+  }
+  writer.flush();
+}
+
+}  // namespace clca::testing
