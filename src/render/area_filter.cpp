@@ -1,4 +1,4 @@
-#include "render/area_filter.hpp"
+#include "clca/render/area_filter.hpp"
 
 #include <algorithm>
 #include <array>

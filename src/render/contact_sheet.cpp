@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "clca/render/area_filter.hpp"
 #include "clca/render/painter.hpp"
-#include "render/area_filter.hpp"
 #include "render/colors.hpp"
 #include "render/font.hpp"
 #include "render/marks.hpp"

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "clca/render/area_filter.hpp"
 #include "clca/render/painter.hpp"
-#include "render/area_filter.hpp"
 
 namespace clca::render {
 namespace {

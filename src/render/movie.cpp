@@ -1,0 +1,173 @@
+#include "clca/render/movie.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "clca/process/program.hpp"
+
+namespace clca::render {
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+std::filesystem::path find_ffmpeg() {
+  if (const auto file = process::find_program("ffmpeg")) {
+    return *file;
+  }
+  throw MovieError("ffmpeg not found; install ffmpeg (Debian) or put ffmpeg on the PATH");
+}
+
+void append(Arguments& arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+}
+
+/// Half the colours, as players want it, on sides that can be halved; and which colours they are.
+Arguments video_arguments() {
+  return {"-vf",
+          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,"
+          "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_inp+bitexact,"
+          "format=yuv420p",
+          "-colorspace",
+          "bt709",
+          "-color_primaries",
+          "bt709",
+          "-color_trc",
+          "iec61966-2-1",
+          "-color_range",
+          "tv"};
+}
+
+Arguments format_arguments(MovieFormat format) {
+  Arguments arguments;
+  switch (format) {
+    case MovieFormat::mp4:
+      arguments = video_arguments();
+      append(arguments, {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"});
+      break;
+    case MovieFormat::webm:
+      arguments = video_arguments();
+      append(arguments, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good",
+                         "-cpu-used", "4", "-f", "webm"});
+      break;
+    case MovieFormat::apng:
+      arguments = {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"};
+      break;
+  }
+  return arguments;
+}
+
+Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format, int width,
+                           int height, int frames_per_second) {
+  Arguments arguments = {find_ffmpeg().string(),
+                         "-nostdin",
+                         "-hide_banner",
+                         "-loglevel",
+                         "error",
+                         "-f",
+                         "rawvideo",
+                         "-pix_fmt",
+                         "rgb24",
+                         "-video_size",
+                         fmt::format("{}x{}", width, height),
+                         "-framerate",
+                         fmt::format("{}", frames_per_second),
+                         "-i",
+                         "pipe:0",
+                         "-y"};
+  append(arguments, format_arguments(format));
+  // The same bytes again: nothing of the time or the number of processors.
+  append(arguments, {"-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
+                     "-map_metadata", "-1", "file:" + std::filesystem::absolute(file).string()});
+  return arguments;
+}
+
+std::string last_line(const std::vector<std::uint8_t>& bytes) {
+  std::stringstream text(std::string(bytes.begin(), bytes.end()));
+  std::string last = "no reason given";
+  for (std::string line; std::getline(text, line);) {
+    if (!line.empty()) {
+      last = line;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
+std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".mp4") {
+    return MovieFormat::mp4;
+  }
+  if (ending == ".webm") {
+    return MovieFormat::webm;
+  }
+  return ending == ".png" ? std::optional(MovieFormat::apng) : std::nullopt;
+}
+
+class Movie::Impl {
+ public:
+  Impl(const Arguments& arguments, int width, int height)
+      : width_(width),
+        height_(height),
+        ffmpeg_(arguments, {.out = &complaints_, .err = &complaints_, .fed = true}) {}
+
+  void add(const Image& image) {
+    if (image.width != width_ || image.height != height_) {
+      throw std::invalid_argument("the pictures of a movie have one size");
+    }
+    static_assert(sizeof(Rgb) == 3, "goes to ffmpeg as it lies in memory");
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+    if (!ffmpeg_.feed({bytes, sizeof(Rgb) * image.pixels.size()})) {
+      fail(ffmpeg_.wait());
+    }
+    any_ = true;
+  }
+
+  void finish() {
+    const int code = ffmpeg_.wait();
+    if (code != 0 || !any_) {
+      fail(code);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(int code) const {
+    throw MovieError(
+        fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(complaints_.bytes())));
+  }
+
+  int width_;
+  int height_;
+  bool any_ = false;
+  process::Transcript complaints_;
+  process::Program ffmpeg_;
+};
+
+Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
+             int frames_per_second) {
+  try {
+    impl_ = std::make_unique<Impl>(ffmpeg_arguments(file, format, width, height, frames_per_second),
+                                   width, height);
+  } catch (const process::ProcessError& error) {
+    throw MovieError(error.what());
+  }
+}
+
+Movie::~Movie() = default;
+
+void Movie::add(const Image& image) {
+  impl_->add(image);
+}
+
+void Movie::finish() {
+  impl_->finish();
+}
+
+}  // namespace clca::render
