@@ -126,6 +126,7 @@ RunFolder RunFolder::for_resumed_run(fs::path path) {
 void RunFolder::clear() const {
   if (fs::exists(summary())) {
     remove_matching(frames(), is_frame);
+    remove_matching(redrawn_folder(path_), is_frame);
     remove_matching(path_ / "plots", is_figure);
     remove_matching(path_ / "export", is_export);
     remove_matching(path_, is_file_of_run);
@@ -143,8 +144,16 @@ void RunFolder::make_frames() const {
   make_folder(frames());
 }
 
+fs::path redrawn_folder(const fs::path& run) {
+  return run / "render";
+}
+
+std::string frame_name(const std::string& scene, std::uint64_t step) {
+  return fmt::format("{}-{:06}.png", scene, step);
+}
+
 fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {
-  return run / "frames" / fmt::format("{}-{:06}.png", scene, step);
+  return run / "frames" / frame_name(scene, step);
 }
 
 }  // namespace clca::store

@@ -25,6 +25,12 @@ WholeFile::WholeFile(std::filesystem::path path)
     : path_(std::move(path)),
       aside_(fmt::format("{}.part-{}", path_.string(), ::getpid())),
       file_(std::make_unique<Descriptor>(open_aside(aside_))) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path_, unknown)) {
+    ::unlink(aside_.c_str());
+    errno = EISDIR;
+    fail();
+  }
   if (!file_->is_open()) {
     fail();
   }

@@ -10,17 +10,22 @@
 
 namespace clca::store {
 
+/// Name of the picture of a step: `NAME-000120.png`.
+std::string frame_name(const std::string& scene, std::uint64_t step);
 /// Picture of a step in the run folder `run`: `frames/NAME-000120.png`.
 std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
                                  std::uint64_t step);
+
+/// Folder in the run folder `run` for pictures that are drawn again: `render`.
+std::filesystem::path redrawn_folder(const std::filesystem::path& run);
 
 /// Whose folder it is as long as this object lives: nobody else writes to it meanwhile.
 class RunFolder {
  public:
   /// For a new run. Makes the folder if need be. Where a run.json says that a run has been here
-  /// before, clears what it has left: its pictures, tables, figures, exports, checkpoints,
-  /// scene.yaml, run.json, log.txt and report.html. Other files stay. Throws StoreError, also when
-  /// another run is at work in the folder.
+  /// before, clears what it has left: its pictures, also those drawn again, tables, figures,
+  /// exports, checkpoints, scene.yaml, run.json, log.txt and report.html. Other files stay. Throws
+  /// StoreError, also when another run is at work in the folder.
   static RunFolder for_new_run(std::filesystem::path path);
   /// For a run that goes on: clears nothing. Throws StoreError likewise.
   static RunFolder for_resumed_run(std::filesystem::path path);

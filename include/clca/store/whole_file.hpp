@@ -20,6 +20,8 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
+  /// Where it stands until then: another program may write there, too.
+  const std::filesystem::path& aside() const { return aside_; }
   /// At the end.
   void write(std::span<const std::uint8_t> bytes);
   void write(std::string_view text);
