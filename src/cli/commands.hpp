@@ -16,6 +16,7 @@ void add_compare_command(CLI::App& app, int& code);
 void add_diff_command(CLI::App& app, int& code);
 void add_export_command(CLI::App& app, int& code);
 void add_plot_command(CLI::App& app, int& code);
+void add_render_command(CLI::App& app, int& code);
 void add_report_command(CLI::App& app, int& code);
 
 }  // namespace clca::cli

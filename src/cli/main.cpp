@@ -49,6 +49,7 @@ int run_program(int argc, char** argv) {
   clca::cli::add_diff_command(app, code);
   clca::cli::add_export_command(app, code);
   clca::cli::add_plot_command(app, code);
+  clca::cli::add_render_command(app, code);
   clca::cli::add_report_command(app, code);
   try {
     app.parse(argc, argv);

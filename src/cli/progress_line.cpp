@@ -32,6 +32,11 @@ std::string to_text(const run::GasProgress& progress) {
                      left_text(progress.seconds_left));
 }
 
+std::string to_text(const run::RedrawProgress& progress) {
+  return fmt::format("{} of {} pictures{}", progress.drawn, progress.pictures,
+                     left_text(progress.seconds_left));
+}
+
 std::string to_text(const sweep::Progress& progress) {
   return fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}", progress.done + progress.failed,
                      progress.runs, progress.failed, progress.runs_per_second,
@@ -61,6 +66,10 @@ void ProgressLine::show(const run::Progress& progress) {
 }
 
 void ProgressLine::show(const run::GasProgress& progress) {
+  show(to_text(progress));
+}
+
+void ProgressLine::show(const run::RedrawProgress& progress) {
   show(to_text(progress));
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "clca/run/redraw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/sweep/sweep.hpp"
 
@@ -20,6 +21,7 @@ class ProgressLine {
 
   void show(const run::Progress& progress);
   void show(const run::GasProgress& progress);
+  void show(const run::RedrawProgress& progress);
   void show(const sweep::Progress& progress);
   /// A line that stays, on standard error.
   void print(const std::string& line);

@@ -1,0 +1,193 @@
+// clca render: draws a run again from its trajectory.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "clca/run/redraw.hpp"
+#include "clca/run/run.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/signals.hpp"
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderOptions {
+  run::RedrawOptions redraw;
+  SceneOptions scene;
+  bool quiet = false;
+};
+
+/// The scene without what only pictures show.
+scene::Scene unpainted(scene::Scene scene) {
+  scene.title.clear();
+  scene.output.frames.reset();
+  for (scene::Species& species : scene.species) {
+    species.color.reset();
+  }
+  return scene;
+}
+
+/// The scene of the run, with its pictures as the options want them.
+scene::Scene scene_of(const RenderOptions& options) {
+  const fs::path& run = options.redraw.run;
+  const store::RunSummary summary = store::read_summary(run / "run.json");
+  if (summary.kind != "automaton") {
+    throw run::RedrawError(fmt::format(
+        "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
+        run.string()));
+  }
+  if (summary.scene.empty() || fs::path(summary.scene).filename() != summary.scene) {
+    throw run::RedrawError(
+        fmt::format("{}: '{}' is no name of a scene", (run / "run.json").string(), summary.scene));
+  }
+  const scene::Scene stored = scene::parse_file(run / "scene.yaml");
+  std::vector<scene::Override> overrides = options.scene.overrides;
+  if (!stored.output.frames) {
+    overrides.insert(overrides.begin(), "output.frames={}");
+  }
+  scene::Scene scene = scene::parse_file(run / "scene.yaml", overrides);
+  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
+    throw run::RedrawError(
+        "what is drawn again can differ in output.frames, title and the colour of species only; "
+        "for all else, run the scene anew");
+  }
+  scene.name = summary.scene;
+  check_memory(scene, memory_limit(options.scene));
+  return scene;
+}
+
+/// Makes out all that can be wrong with the input. Nothing: it has been told.
+std::unique_ptr<run::Redraw> redraw_or_complain(const RenderOptions& options) {
+  const auto complain = [](const std::exception& error) {
+    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    return nullptr;
+  };
+  try {
+    return std::make_unique<run::Redraw>(scene_of(options), options.redraw);
+  } catch (const run::RedrawError& error) {
+    return complain(error);
+  } catch (const store::StoreError& error) {
+    return complain(error);
+  }
+}
+
+void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
+  fmt::print("{} of {} pictures drawn\n", drawn, pictures);
+  for (const fs::path& place : {options.folder, options.movie, options.sheet}) {
+    if (!place.empty() && drawn > 0) {
+      fmt::print("{}\n", place.string());
+    }
+  }
+}
+
+int render_run(RenderOptions options) {
+  run::RedrawOptions& redraw = options.redraw;
+  if (redraw.folder.empty() && redraw.movie.empty() && redraw.sheet.empty()) {
+    redraw.folder = store::redrawn_folder(redraw.run);
+  }
+  const std::atomic<int>& stop = catch_stop_signals();
+  redraw.stop = &stop;
+  redraw.most_bytes = memory_limit(options.scene);
+  const std::unique_ptr<run::Redraw> drawing = redraw_or_complain(options);
+  if (!drawing) {
+    return static_cast<int>(ExitCode::wrong_input);
+  }
+  ProgressLine line;
+  run::RedrawEvents events;
+  events.warning = [&](const std::string& text) { line.print("warning: " + text); };
+  if (!options.quiet) {
+    events.progress = [&](const run::RedrawProgress& progress) { line.show(progress); };
+  }
+  const std::size_t drawn = drawing->draw(events);
+  if (!options.quiet) {
+    print_totals(redraw, drawn, drawing->pictures());
+  }
+  return drawn == drawing->pictures() ? static_cast<int>(ExitCode::done)
+                                      : static_cast<int>(ExitCode::signal_base) + stop;
+}
+
+/// An option that is short for `--set output.frames.KEY=VALUE`.
+void add_frames_option(CLI::App& command, RenderOptions& options, const char* name, const char* key,
+                       const char* type, const char* what) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&options, key](const std::string& value) {
+            options.scene.overrides.push_back(fmt::format("output.frames.{}={}", key, value));
+          },
+          what)
+      ->type_name(type);
+}
+
+void add_look_options(CLI::App& command, RenderOptions& options) {
+  add_frames_option(command, options, "--color-by", "color_by", "WHAT",
+                    "species, stage_layer, displacement, speed, id or force");
+  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none or forces");
+  add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
+  add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
+  command
+      .add_option("--set", options.scene.overrides,
+                  "Put VALUE (YAML) in place of what the scene says of its pictures, as in "
+                  "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
+                  "repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_choice_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--from", options.redraw.from, "First step to draw")->type_name("STEP");
+  command.add_option("--to", options.redraw.to, "Last step to draw")->type_name("STEP");
+  add_frames_option(command, options, "--every", "every", "STEPS",
+                    "Steps from picture to picture, at least, in a stage [as the scene says]");
+}
+
+void add_target_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("-o,--output", options.redraw.folder,
+                     "Folder for the pictures [DIR/render; none with --movie or --sheet]");
+  command
+      .add_option("--movie", options.redraw.movie,
+                  "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
+      ->type_name("FILE");
+  command.add_option("--fps", options.redraw.frames_per_second, "Pictures per second of the movie")
+      ->check(CLI::Range(1, 240))
+      ->capture_default_str();
+  command
+      .add_option("--sheet", options.redraw.sheet,
+                  "Write a contact sheet of pictures evenly chosen: FILE.png")
+      ->type_name("FILE");
+  command.add_option("--columns", options.redraw.columns, "Pictures in a row of the contact sheet")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& code) {
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a run again from its trajectory: pictures, a movie");
+  auto options = std::make_shared<RenderOptions>();
+  command->add_option("DIR", options->redraw.run, "Folder that a run with output.trajectory left")
+      ->required();
+  add_target_options(*command, *options);
+  add_look_options(*command, *options);
+  add_choice_options(*command, *options);
+  add_memory_limit(*command, options->scene);
+  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
+  command->callback([options, &code] { code = render_run(*options); });
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,129 @@
+#include "run/picture_targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "clca/render/area_filter.hpp"
+#include "clca/store/run_folder.hpp"
+#include "run/frame_choice.hpp"
+
+namespace clca::run {
+
+namespace {
+
+constexpr std::size_t kMostRows = 6;  // of a sheet
+
+int cell_width(int columns) {
+  constexpr int kSheet = 1920;  // pixels, about
+  return std::clamp(kSheet / columns, 240, 640);
+}
+
+/// Throws store::StoreError where `file` could not be written.
+void check_writable(const std::filesystem::path& file) {
+  const store::FileAside tried(file);
+}
+
+render::MovieFormat format_of(const std::filesystem::path& movie) {
+  if (const auto format = render::movie_format(movie)) {
+    return *format;
+  }
+  throw RedrawError(fmt::format(
+      "{}: no ending of a movie; there are .mp4, .webm and .png (animated)", movie.string()));
+}
+
+}  // namespace
+
+FilesTarget::FilesTarget(const scene::Scene& scene, std::filesystem::path folder,
+                         std::uint64_t step)
+    : folder_(std::move(folder)), scene_(scene.name) {
+  store::make_folder(folder_);
+  check_writable(folder_ / store::frame_name(scene_, step));
+}
+
+void FilesTarget::add(Picture picture, std::uint64_t step) {
+  writer_.write(folder_ / store::frame_name(scene_, step), std::move(picture.image),
+                std::move(picture.text));
+}
+
+MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
+                         int frames_per_second)
+    : file_(file),
+      movie_(file_.aside(), format_of(file), frames.width, frames.height, frames_per_second) {}
+
+void MovieTarget::finish() {
+  movie_.finish();
+  file_.keep();
+}
+
+SheetTarget::SheetTarget(const scene::Scene& scene, std::filesystem::path file, int columns,
+                         std::size_t pictures)
+    : scene_(scene), file_(std::move(file)), columns_(columns), pictures_(pictures) {
+  if (file_.extension() != ".png") {
+    throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
+  }
+  check_writable(file_);
+}
+
+bool SheetTarget::shows(std::size_t number) const {
+  return is_among(number, pictures_, kMostRows * static_cast<std::size_t>(columns_));
+}
+
+void SheetTarget::add(const Picture& picture) {
+  const render::Image& image = picture.image;
+  const int width = cell_width(columns_);
+  const int height = std::max(1, width * image.height / image.width);
+  images_.push_back(
+      {render::scaled(image, width, height),
+       fmt::format("{}, step {}", picture.text.at("Stage"), picture.text.at("Step"))});
+}
+
+void SheetTarget::finish() {
+  const render::Image sheet =
+      render::contact_sheet(images_, columns_, cell_width(columns_), scene_.title);
+  store::write_whole(file_, render::encode_png(sheet, scene_text(scene_)));
+}
+
+PictureTargets::PictureTargets(const scene::Scene& scene, const RedrawOptions& options,
+                               std::size_t pictures, std::uint64_t step) {
+  if (!options.movie.empty()) {
+    movie_.emplace(*scene.output.frames, options.movie, options.frames_per_second);
+  }
+  if (!options.sheet.empty()) {
+    sheet_.emplace(scene, options.sheet, options.columns, pictures);
+  }
+  if (!options.folder.empty()) {
+    files_.emplace(scene, options.folder, step);
+  }
+}
+
+bool PictureTargets::want(std::size_t number) const {
+  return files_ || movie_ || (sheet_ && sheet_->shows(number));
+}
+
+void PictureTargets::add(Picture picture, std::size_t number, std::uint64_t step) {
+  if (movie_) {
+    movie_->add(picture.image);
+  }
+  if (sheet_ && sheet_->shows(number)) {
+    sheet_->add(picture);
+  }
+  if (files_) {
+    files_->add(std::move(picture), step);
+  }
+}
+
+void PictureTargets::finish() {
+  if (files_) {
+    files_->finish();
+  }
+  if (movie_) {
+    movie_->finish();
+  }
+  if (sheet_) {
+    sheet_->finish();
+  }
+}
+
+}  // namespace clca::run

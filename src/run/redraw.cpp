@@ -1,0 +1,152 @@
+#include "clca/run/redraw.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "clca/run/setup.hpp"
+#include "clca/store/trajectory.hpp"
+#include "run/frame_choice.hpp"
+#include "run/frame_painter.hpp"
+#include "run/meter.hpp"
+#include "run/picture_targets.hpp"
+
+namespace clca::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Frame = store::Trajectory::Frame;
+
+/// The scene, if the run can be drawn so.
+const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& options) {
+  std::error_code unknown;
+  if (!fs::exists(options.run / "trajectory", unknown)) {
+    throw RedrawError(fmt::format(
+        "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
+        "by --set output.trajectory.every=10",
+        options.run.string()));
+  }
+  if (scene.output.frames->overlay == scene::Overlay::arrows) {
+    throw RedrawError(fmt::format(
+        "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
+        "with the overlay none or forces",
+        scene.output.frames->place));
+  }
+  if (!options.movie.empty() && fs::absolute(options.movie) == fs::absolute(options.sheet)) {
+    throw RedrawError(
+        fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
+  }
+  return scene;
+}
+
+/// What the options leave of the frames that the scene wants.
+std::vector<std::size_t> chosen(const scene::Scene& scene, const RedrawOptions& options,
+                                const std::vector<Frame>& frames) {
+  if (frames.empty()) {
+    throw RedrawError(fmt::format("{}: the trajectory is empty so far", options.run.string()));
+  }
+  std::vector<std::size_t> result = frame_choice(frames, scene.output.frames->every);
+  std::erase_if(result, [&](std::size_t i) {
+    return frames[i].step < options.from || frames[i].step > options.to;
+  });
+  if (result.empty()) {
+    throw RedrawError(
+        fmt::format("{}: no frame to draw in that range; the {} frames of the "
+                    "trajectory go from step {} to {}",
+                    options.run.string(), frames.size(), frames.front().step, frames.back().step));
+  }
+  return result;
+}
+
+}  // namespace
+
+class Redraw::Impl {
+ public:
+  Impl(const scene::Scene& scene, const RedrawOptions& options);
+
+  std::size_t draw(const RedrawEvents& events);
+  std::size_t pictures() const { return chosen_.size(); }
+
+ private:
+  void begin_stage(std::size_t stage);
+  void draw_frame(std::size_t number);
+  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+
+  const scene::Scene scene_;
+  const RedrawOptions options_;
+  store::Trajectory trajectory_;
+  const std::vector<std::size_t> chosen_;  // frames
+  FramePainter painter_;
+  PictureTargets targets_;
+  std::optional<std::size_t> stage_;
+  double displacement_scale_ = 1;
+};
+
+Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
+    : scene_(drawable(scene, options)),
+      options_(options),
+      trajectory_(options.run, initial_state(scene_), options.most_bytes),
+      chosen_(chosen(scene_, options, trajectory_.frames())),
+      painter_(scene_, initial_state(scene_)),
+      targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step) {}
+
+std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
+  if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
+    events.warning(render::font_problem());
+  }
+  Ticker ticker(std::chrono::milliseconds(100));
+  Forecast forecast;
+  std::size_t number = 0;
+  for (; number < chosen_.size() && !stop_asked(); ++number) {
+    if (targets_.want(number)) {
+      draw_frame(number);
+    }
+    if (events.progress && ticker.due()) {
+      forecast.update(static_cast<double>(number + 1) / static_cast<double>(chosen_.size()));
+      events.progress({number + 1, chosen_.size(), forecast.seconds_left()});
+    }
+  }
+  if (number > 0) {
+    targets_.finish();
+  }
+  return number;
+}
+
+void Redraw::Impl::draw_frame(std::size_t number) {
+  const std::size_t place = chosen_[number];
+  begin_stage(trajectory_.frames()[place].stage);
+  const automaton::State state = trajectory_.state(place);
+  const automaton::Occupancy occupancy(state);
+  targets_.add(painter_.draw({state, occupancy}, scene_.stages[*stage_].name, displacement_scale_),
+               number, state.step);
+}
+
+void Redraw::Impl::begin_stage(std::size_t stage) {
+  if (stage_ == stage) {
+    return;
+  }
+  stage_ = stage;
+  const std::vector<Frame>& frames = trajectory_.frames();
+  const auto first = std::find_if(frames.begin(), frames.end(),
+                                  [&](const Frame& frame) { return frame.stage == stage; });
+  displacement_scale_ = displacement_scale(
+      trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));
+}
+
+Redraw::Redraw(const scene::Scene& scene, const RedrawOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
+
+Redraw::~Redraw() = default;
+
+std::size_t Redraw::draw(const RedrawEvents& events) {
+  return impl_->draw(events);
+}
+
+std::size_t Redraw::pictures() const {
+  return impl_->pictures();
+}
+
+}  // namespace clca::run
