@@ -160,12 +160,16 @@ bool Program::feed(std::span<const std::uint8_t> bytes) {
 
 int Program::wait() {
   close_input();
+  if (child_ < 0) {
+    return code_;
+  }
   int status = 0;
   while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
   child_ = -1;
   constexpr int kSignalBase = 128;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalBase + WTERMSIG(status);
+  code_ = WIFEXITED(status) ? WEXITSTATUS(status) : kSignalBase + WTERMSIG(status);
+  return code_;
 }
 
 void Program::close_input() {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace clca::render {
@@ -66,21 +65,29 @@ Coloring color_by_species(const State& state, std::span<const NamedColor> specie
   return result;
 }
 
-Coloring color_by_layer(const State& state, int layers) {
+LayerRange layer_range(const State& state) {
+  LayerRange range;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      const double height = origin_height(state, id);
+      range.low = std::min(range.low, height);
+      range.high = std::max(range.high, height);
+    }
+  }
+  return range;
+}
+
+Coloring color_by_layer(const State& state, int layers, const LayerRange& begin) {
   if (layers < 1) {
     throw std::invalid_argument("there is at least one layer");
   }
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  std::vector<double> heights(state.particles.size());
-  for (std::size_t id = 0; id < heights.size(); ++id) {
-    heights[id] = origin_height(state, id);
-    low = std::min(low, heights[id]);
-    high = std::max(high, heights[id]);
-  }
+  const LayerRange now = layer_range(state);
+  const double low = std::min(begin.low, now.low);
+  const double high = std::max(begin.high, now.high);
   Coloring result;
   result.colors = colors_by_id(state, [&](std::size_t id) {
-    const double share = high > low ? (heights[id] - low) / (high - low) : 0.0;
+    const bool told = state.particles[id].present && high > low;
+    const double share = told ? (origin_height(state, id) - low) / (high - low) : 0.0;
     return layer_color(std::min(static_cast<int>(share * layers), layers - 1), layers);
   });
   for (int layer = 0; layer < layers; ++layer) {

@@ -53,12 +53,16 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
 
 }  // namespace
 
-double displacement_scale(const automaton::State& state) {
+void begin_stage(PictureHistory& history, const std::string& stage, const automaton::State& state) {
   double highest = 2;
-  for (const lattice::Site origin : state.origins) {
-    highest = std::max(highest, lattice::position(origin).y());
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      highest = std::max(highest, lattice::position(state.origins[id]).y());
+    }
   }
-  return highest / 2;
+  history.stage = stage;
+  history.displacement_scale = highest / 2;
+  history.layers = render::layer_range(state);
 }
 
 render::PngText scene_text(const scene::Scene& scene) {
@@ -71,26 +75,26 @@ render::PngText scene_text(const scene::Scene& scene) {
 FramePainter::FramePainter(const scene::Scene& scene, const automaton::State& state)
     : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state)) {}
 
-Picture FramePainter::draw(const View& view, const std::string& stage, double scale) {
+Picture FramePainter::draw(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   const render::Caption caption = {.title = scene_.title,
-                                   .detail = fmt::format("{}, step {}", stage, step)};
-  render::Coloring colors = coloring(view, scale);
+                                   .detail = fmt::format("{}, step {}", history.stage, step)};
+  render::Coloring colors = coloring(view, history);
   const Drawn drawn = overlay_of(frames_.overlay, view);
   colors.legend.lines = drawn.keys;
   render::PngText text = scene_text(scene_);
-  text["Stage"] = stage;
+  text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
   return {painter_.draw(view.state, view.occupancy, colors, caption, drawn.overlay),
           std::move(text)};
 }
 
-render::Coloring FramePainter::coloring(const View& view, double scale) const {
+render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
-      return render::color_by_layer(view.state, frames_.layers);
+      return render::color_by_layer(view.state, frames_.layers, history.layers);
     case scene::ColorBy::displacement:
-      return render::color_by_displacement(view.state, scale);
+      return render::color_by_displacement(view.state, history.displacement_scale);
     case scene::ColorBy::speed:
       return render::color_by_speed(view.state);
     case scene::ColorBy::id:

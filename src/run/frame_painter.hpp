@@ -1,6 +1,8 @@
 #pragma once
 // Draws states as a scene wants its pictures: while it runs, and from a trajectory.
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "clca/automaton/occupancy.hpp"
@@ -20,9 +22,17 @@ struct View {
   const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
 };
 
-/// Where the colour bar of displacements ends in a stage, in lattice spacings: half the height of
-/// the highest origin. `state`: as the stage begins, with the origins marked.
-double displacement_scale(const automaton::State& state);
+/// What the pictures so far leave to those that come: goes into a checkpoint.
+struct PictureHistory {
+  std::string stage;
+  double displacement_scale = 1;           ///< end of the colour bar, lattice spacings
+  render::LayerRange layers;               ///< as the stage began
+  std::optional<std::uint64_t> last_step;  ///< that was drawn
+};
+
+/// Sets what the pictures of a stage have in common. `state`: as the stage begins, with the origins
+/// marked.
+void begin_stage(PictureHistory& history, const std::string& stage, const automaton::State& state);
 
 struct Picture {
   render::Image image;
@@ -38,11 +48,10 @@ class FramePainter {
   /// it asks for.
   FramePainter(const scene::Scene& scene, const automaton::State& state);
 
-  /// `scale`: the displacement_scale() of the stage.
-  Picture draw(const View& view, const std::string& stage, double scale);
+  Picture draw(const View& view, const PictureHistory& history);
 
  private:
-  render::Coloring coloring(const View& view, double scale) const;
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

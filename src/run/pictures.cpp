@@ -8,8 +8,7 @@ Pictures::Pictures(const scene::Scene& scene, const automaton::State& state)
     : scene_(scene), painter_(scene, state) {}
 
 void Pictures::begin_stage(const std::string& stage, const automaton::State& state) {
-  history_.stage = stage;
-  history_.displacement_scale = displacement_scale(state);
+  run::begin_stage(history_, stage, state);
 }
 
 void Pictures::draw(const automaton::Automaton& automaton, const Records& records,
@@ -19,8 +18,7 @@ void Pictures::draw(const automaton::Automaton& automaton, const Records& record
     return;
   }
   history_.last_step = state.step;
-  Picture picture = painter_.draw({state, automaton.occupancy(), &records.cycles()}, history_.stage,
-                                  history_.displacement_scale);
+  Picture picture = painter_.draw({state, automaton.occupancy(), &records.cycles()}, history_);
   writer_.write(folder.frame(scene_.name, state.step), std::move(picture.image),
                 std::move(picture.text));
 }

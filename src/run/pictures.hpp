@@ -1,8 +1,6 @@
 #pragma once
 // Draws the frames that a scene asks for.
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 #include "clca/automaton/automaton.hpp"
@@ -14,20 +12,6 @@
 #include "run/records.hpp"
 
 namespace clca::run {
-
-/// What the pictures so far leave to those that come.
-struct PictureHistory {
-  std::string stage;
-  double displacement_scale = 1;           ///< see displacement_scale()
-  std::optional<std::uint64_t> last_step;  ///< that was drawn
-
-  static constexpr auto fields() {
-    using fields::field;
-    return std::make_tuple(field("stage", &PictureHistory::stage),
-                           field("displacement_scale", &PictureHistory::displacement_scale),
-                           field("last_step", &PictureHistory::last_step));
-  }
-};
 
 class Pictures {
  public:

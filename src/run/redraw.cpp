@@ -82,13 +82,13 @@ class Redraw::Impl {
   FramePainter painter_;
   PictureTargets targets_;
   std::optional<std::size_t> stage_;
-  double displacement_scale_ = 1;
+  PictureHistory history_;
 };
 
 Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
     : scene_(drawable(scene, options)),
       options_(options),
-      trajectory_(options.run, initial_state(scene_), options.most_bytes),
+      trajectory_(options.run, scene_, initial_state(scene_), options.most_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
       painter_(scene_, initial_state(scene_)),
       targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step) {}
@@ -120,8 +120,7 @@ void Redraw::Impl::draw_frame(std::size_t number) {
   begin_stage(trajectory_.frames()[place].stage);
   const automaton::State state = trajectory_.state(place);
   const automaton::Occupancy occupancy(state);
-  targets_.add(painter_.draw({state, occupancy}, scene_.stages[*stage_].name, displacement_scale_),
-               number, state.step);
+  targets_.add(painter_.draw({state, occupancy}, history_), number, state.step);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {
@@ -132,7 +131,8 @@ void Redraw::Impl::begin_stage(std::size_t stage) {
   const std::vector<Frame>& frames = trajectory_.frames();
   const auto first = std::find_if(frames.begin(), frames.end(),
                                   [&](const Frame& frame) { return frame.stage == stage; });
-  displacement_scale_ = displacement_scale(
+  run::begin_stage(
+      history_, scene_.stages[stage].name,
       trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));
 }
 

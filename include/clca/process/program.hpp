@@ -65,6 +65,7 @@ class Program {
   void close_input();
 
   int child_ = -1;  // process id; -1 when it has ended
+  int code_ = 0;    // when it has ended
   int input_ = -1;  // file descriptor; -1 when there is none
 };
 

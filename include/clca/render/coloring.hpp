@@ -1,6 +1,7 @@
 #pragma once
 // Colours for particles, safe for colour-blind readers.
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +23,20 @@ struct NamedColor {
 };
 
 Coloring color_by_species(const automaton::State& state, std::span<const NamedColor> species);
-/// Horizontal layers of equal thickness by the height of the origins (State::origins).
-Coloring color_by_layer(const automaton::State& state, int layers);
+/// Heights of origins (State::origins), in lattice spacings; `low` above `high` where there is
+/// none.
+struct LayerRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+/// Of the particles that are present.
+LayerRange layer_range(const automaton::State& state);
+
+/// Horizontal layers of equal thickness by the height of the origins: between the lowest and the
+/// highest of those that are present, and of those that were when the stage began (`begin`), so
+/// that particles that leave change no colour.
+Coloring color_by_layer(const automaton::State& state, int layers, const LayerRange& begin = {});
 /// Distance from the origin; the bar ends at `high` lattice spacings.
 Coloring color_by_displacement(const automaton::State& state, double high);
 /// Overlapped sites by particle id, after a force index; the bar ends at `high`. Particles without

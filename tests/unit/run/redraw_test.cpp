@@ -1,0 +1,193 @@
+#include "clca/run/redraw.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "clca/render/png.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/store/file.hpp"
+#include "run/frame_choice.hpp"
+#include "support/runs.hpp"
+#include "support/stored_run.hpp"
+
+namespace clca::run {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::set<std::string> names(const fs::path& folder) {
+  std::set<std::string> result;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    result.insert(entry.path().filename().string());
+  }
+  return result;
+}
+
+/// Two stages, two species, a wall that is removed, an outlet and a source that drains into it.
+const std::string kDrained = R"(clca: 1
+title: Drained
+box: {width: 60, height: 70}
+species:
+  small: {shape: {hexagon: 1}}
+  rod: {shape: {rod: {radius: 0, length: 3}}, orientations: any}
+walls:
+  gate: {box: [30, 0, 31, 60]}
+sources:
+  tap: {at: [15, 60], rate: 0.3}
+outlets:
+  drain: {region: [45, 0, 60, 12]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 45], counts: {small: 60, rod: 40}}
+  - {name: flow, remove: [gate], until: {steps: 60}}
+  - {name: tapped, sources: [tap], until: {steps: 60}}
+output: {frames: {every: 10, width: 200, height: 160, supersampling: 1}}
+)";
+
+const std::string kPushed = R"(clca: 1
+box: {width: 50, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+walls:
+  plate:
+    box: [10, 44, 40, 46]
+    motion: {direction: down, period: 2, distance: 14}
+    passive: overlap
+stages:
+  - name: packing
+    fill: {region: [0, 0, 50, 40], counts: {small: 130}}
+  - {name: push, move: [plate], max_steps: 60}
+output: {frames: {every: 10, width: 200, height: 160, supersampling: 1}}
+)";
+
+class RedrawTest : public ::testing::Test {
+ protected:
+  scene::Scene parse(const std::string& text, const std::vector<std::string>& settings = {}) {
+    return scene::parse(text, "tried.yaml", settings);
+  }
+  /// Draws again what a run with these settings has drawn, and compares all bytes.
+  void expect_same_pictures(const std::string& text, const std::vector<std::string>& settings) {
+    SCOPED_TRACE(::testing::PrintToString(settings));
+    const testing::ScratchFolder scratch;
+    const fs::path run = scratch.path() / "run";
+    const fs::path again = scratch.path() / "again";
+    const scene::Scene scene = parse(text, settings);
+    testing::run_and_store(scene, run, 5);
+    Redraw redraw(scene, {.run = run, .folder = again});
+    EXPECT_EQ(redraw.draw(), redraw.pictures());
+    ASSERT_EQ(names(again), names(run / "frames"));
+    ASSERT_GT(names(again).size(), 5U);
+    for (const std::string& name : names(again)) {
+      EXPECT_EQ(store::read_whole(again / name), store::read_whole(run / "frames" / name)) << name;
+    }
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesForEveryColouring) {
+  for (const char* color : {"species", "stage_layer", "displacement", "speed", "id"}) {
+    expect_same_pictures(kDrained, {std::string("output.frames.color_by=") + color});
+  }
+}
+
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForces) {
+  expect_same_pictures(kPushed, {"output.frames.color_by=force"});
+  expect_same_pictures(kPushed, {"output.frames.overlay=forces"});
+  expect_same_pictures(kPushed, {"output.frames.overlay=forces", "output.frames.drawing=lookup"});
+}
+
+TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
+  const scene::Scene scene = parse(kDrained);
+  testing::run_and_store(scene, folder_.path() / "run", 10);
+  RedrawOptions options = {
+      .run = folder_.path() / "run", .folder = folder_.path() / "some", .from = 10, .to = 20};
+  Redraw(scene, options).draw();
+  EXPECT_THAT(names(options.folder), ElementsAre("tried-000010.png", "tried-000020.png"));
+  options.from = 11;
+  options.to = 19;
+  try {
+    const Redraw nothing(scene, options);
+    FAIL() << "no error";
+  } catch (const RedrawError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no frame to draw in that range; the "));
+  }
+}
+
+TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
+  testing::run_and_store(scene, folder_.path() / "run", 2);
+  const fs::path sheet = folder_.path() / "sheet.png";
+  Redraw redraw(scene, {.run = folder_.path() / "run", .sheet = sheet, .columns = 4});
+  EXPECT_GT(redraw.draw(), 24U);
+  const render::DecodedPng png = render::decode_png(store::read_whole(sheet));
+  EXPECT_EQ(png.text.at("Title"), "Drained");
+  EXPECT_GT(png.image.width, 4 * 480);
+  EXPECT_GT(png.image.height, 6 * 384);
+  EXPECT_LT(png.image.height, 7 * 384 + 400);
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
+}
+
+TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
+  testing::run_and_store(scene, folder_.path() / "run", 1);
+  std::atomic<int> stop = 0;
+  Redraw redraw(scene, {.run = folder_.path() / "run",
+                        .folder = folder_.path() / "some",
+                        .sheet = folder_.path() / "sheet.png",
+                        .stop = &stop});
+  const std::size_t drawn = redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }});
+  EXPECT_GT(drawn, 0U);
+  EXPECT_LT(drawn, redraw.pictures());
+  EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
+  render::decode_png(store::read_whole(folder_.path() / "sheet.png"));
+
+  stop = 2;
+  EXPECT_EQ(
+      Redraw(scene,
+             {.run = folder_.path() / "run", .sheet = folder_.path() / "none.png", .stop = &stop})
+          .draw(),
+      0U);
+  EXPECT_FALSE(fs::exists(folder_.path() / "none.png"));
+}
+
+using Frames = std::vector<store::Trajectory::Frame>;
+
+TEST(FrameChoiceTest, StagesBeginAndEndWithAPictureAndNoStepIsDrawnTwice) {
+  const Frames frames = {{0, 0, 1},  {4, 0, 1},  {8, 0, 1},  {10, 0, 1}, {10, 1, 1},
+                         {14, 1, 1}, {18, 1, 1}, {22, 1, 1}, {26, 1, 1}, {27, 1, 1}};
+  EXPECT_THAT(frame_choice(frames, 1), ElementsAre(0, 1, 2, 3, 5, 6, 7, 8, 9));
+  EXPECT_THAT(frame_choice(frames, 8), ElementsAre(0, 2, 3, 6, 8, 9));
+  EXPECT_THAT(frame_choice(frames, 10), ElementsAre(0, 3, 7, 9));
+  EXPECT_THAT(frame_choice(frames, 1000), ElementsAre(0, 3, 9));
+  EXPECT_THAT(frame_choice({{3, 0, 0}}, 5), ElementsAre(0));
+  EXPECT_TRUE(frame_choice({}, 5).empty());
+}
+
+TEST(FrameChoiceTest, SomeOfManyLieEvenlyWithBothEnds) {
+  for (const std::size_t most : {2, 6, 24, 97}) {
+    for (const std::size_t count : {1, 2, 5, 24, 25, 47, 48, 49, 1000}) {
+      std::vector<std::size_t> chosen;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (is_among(i, count, most)) {
+          chosen.push_back(i);
+        }
+      }
+      ASSERT_EQ(chosen.size(), std::min(most, count)) << most << " of " << count;
+      EXPECT_EQ(chosen.front(), 0U);
+      EXPECT_TRUE(count == 1 || chosen.back() == count - 1);
+      const std::size_t gap = (count - 1) / std::max<std::size_t>(1, chosen.size() - 1);
+      for (std::size_t k = 1; k < chosen.size(); ++k) {
+        EXPECT_LE(chosen[k] - chosen[k - 1], gap + 1) << most << " of " << count;
+        EXPECT_GE(chosen[k] - chosen[k - 1] + 1, gap) << most << " of " << count;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clca::run
