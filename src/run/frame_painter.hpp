@@ -7,6 +7,7 @@
 
 #include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
@@ -28,6 +29,13 @@ struct PictureHistory {
   double displacement_scale = 1;           ///< end of the colour bar, lattice spacings
   render::LayerRange layers;               ///< as the stage began
   std::optional<std::uint64_t> last_step;  ///< that was drawn
+
+  static constexpr auto fields() {
+    return std::make_tuple(fields::field("stage", &PictureHistory::stage),
+                           fields::field("displacement_scale", &PictureHistory::displacement_scale),
+                           fields::field("layers", &PictureHistory::layers),
+                           fields::field("last_step", &PictureHistory::last_step));
+  }
 };
 
 /// Sets what the pictures of a stage have in common. `state`: as the stage begins, with the origins

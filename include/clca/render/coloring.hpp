@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clca/automaton/state.hpp"
+#include "clca/fields/fields.hpp"
 #include "clca/render/painter.hpp"
 
 namespace clca::render {
@@ -28,6 +29,11 @@ Coloring color_by_species(const automaton::State& state, std::span<const NamedCo
 struct LayerRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
+
+  static constexpr auto fields() {
+    return std::make_tuple(fields::field("low", &LayerRange::low),
+                           fields::field("high", &LayerRange::high));
+  }
 };
 
 /// Of the particles that are present.
