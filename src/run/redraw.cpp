@@ -35,7 +35,8 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         "with the overlay none or forces",
         scene.output.frames->place));
   }
-  if (!options.movie.empty() && fs::absolute(options.movie) == fs::absolute(options.sheet)) {
+  const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
+  if (!options.movie.empty() && place(options.movie) == place(options.sheet)) {
     throw RedrawError(
         fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
   }
