@@ -4,39 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "clca/scene/resolve.hpp"
+
 namespace clca::run {
-
-namespace {
-
-class Observer {
- public:
-  explicit Observer(const scene::BoltzmannScene& scene)
-      : bins_(bins_of(scene)), reference_(boltzmann::chi_square_shares(bins_, kGasDegrees)) {}
-
-  GasObservation operator()(const boltzmann::Gas& gas, bool in_histograms) const {
-    GasObservation observation;
-    observation.moments = boltzmann::moments(gas.motions);
-    observation.collisions = gas.collisions_per_particle();
-    boltzmann::EnergyShares shares =
-        boltzmann::energy_shares(gas.motions, observation.moments, bins_);
-    observation.dh_translational = distance(shares.translational);
-    observation.dh_rotational = distance(shares.rotational);
-    if (in_histograms) {
-      observation.shares = std::move(shares);
-    }
-    return observation;
-  }
-
- private:
-  double distance(const std::vector<double>& shares) const {
-    return boltzmann::hellinger_distance(shares, reference_);
-  }
-
-  boltzmann::Bins bins_;
-  std::vector<double> reference_;
-};
-
-}  // namespace
 
 std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
   struct Candidate {
@@ -64,6 +34,20 @@ std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
     times.back().in_histograms |= next.time.in_histograms;
   }
   return times;
+}
+
+std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other) {
+  const auto same = [](const GasTime& a, const GasTime& b) {
+    return a.time == b.time && a.in_histograms == b.in_histograms;
+  };
+  const auto [end, _] = std::mismatch(one.begin(), one.end(), other.begin(), other.end(), same);
+  return static_cast<std::size_t>(end - one.begin());
+}
+
+std::size_t lasting_times(const scene::BoltzmannScene& scene) {
+  scene::BoltzmannScene longer = scene;
+  longer.until += 2 * scene.series_every;
+  return shared_times(gas_times(scene), gas_times(longer));
 }
 
 boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
@@ -101,33 +85,75 @@ std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool
   return columns;
 }
 
-GasMember run_member(const scene::BoltzmannScene& scene, double restitution, std::uint64_t seed,
-                     int threads, const boltzmann::KeepsOn& keeps_on) {
-  const Observer observe(scene);
-  const boltzmann::Process process = {
-      .law = law_of(scene, restitution), .scheme = scene.scheme, .shear_rate = scene.shear_rate};
-  boltzmann::Gas gas = boltzmann::make_gas({.particles = scene.particles,
-                                            .initial = scene.initial,
-                                            .energy_ratio = scene.energy_ratio,
-                                            .exact_moments = scene.exact_moments,
-                                            .quasi = scene.quasi},
-                                           seed);
-  GasMember member;
-  for (const GasTime& time : gas_times(scene)) {
-    // A cold gas comes from one time to the next in a single step, which nothing can stop.
-    if (!keeps_on(gas)) {
-      break;
-    }
-    boltzmann::advance(gas, process, seed, time.time, threads, keeps_on);
-    if (gas.time < time.time) {
-      break;
-    }
-    member.observations.push_back(observe(gas, time.in_histograms));
+void GasMember::count() {
+  steps = gas->step;
+  participations = gas->participations;
+  hash = boltzmann::hash(*gas);
+}
+
+GasCarrier::GasCarrier(const scene::BoltzmannScene& scene)
+    : scene_(scene),
+      times_(gas_times(scene)),
+      lasting_times_(lasting_times(scene)),
+      keeps_lasting_(scene::lasting_bytes(scene) > 0),
+      bins_(bins_of(scene)),
+      reference_(boltzmann::chi_square_shares(bins_, kGasDegrees)) {}
+
+void GasCarrier::carry(GasMember& member, double restitution, std::uint64_t seed, int threads,
+                       const std::function<bool(const GasMember&)>& keeps_on) const {
+  if (member.observations.size() == times_.size()) {
+    return;
   }
-  member.steps = gas.step;
-  member.participations = gas.participations;
-  member.hash = boltzmann::hash(gas);
-  return member;
+  if (!member.gas) {
+    member.gas = boltzmann::make_gas({.particles = scene_.particles,
+                                      .initial = scene_.initial,
+                                      .energy_ratio = scene_.energy_ratio,
+                                      .exact_moments = scene_.exact_moments,
+                                      .quasi = scene_.quasi},
+                                     seed);
+  }
+  const boltzmann::Process process = {
+      .law = law_of(scene_, restitution), .scheme = scene_.scheme, .shear_rate = scene_.shear_rate};
+  boltzmann::Gas& gas = *member.gas;
+  // A cold gas comes from one time to the next in a single step, which nothing can stop.
+  while (member.observations.size() < times_.size() && keeps_on(member)) {
+    const GasTime& next = times_[member.observations.size()];
+    boltzmann::advance(gas, process, seed, next.time, threads,
+                       [&](const boltzmann::Gas& /*gas*/) { return keeps_on(member); });
+    if (gas.time < next.time) {
+      break;
+    }
+    member.observations.push_back(observe(gas, next.in_histograms));
+    keep_lasting(member);
+  }
+  member.count();
+  if (member.observations.size() == times_.size()) {
+    member.gas.reset();
+  }
+}
+
+void GasCarrier::keep_lasting(GasMember& member) const {
+  if (keeps_lasting_ && member.observations.size() == lasting_times_) {
+    member.lasting = member.gas;
+  }
+}
+
+GasObservation GasCarrier::observe(const boltzmann::Gas& gas, bool in_histograms) const {
+  GasObservation observation;
+  observation.moments = boltzmann::moments(gas.motions);
+  observation.collisions = gas.collisions_per_particle();
+  boltzmann::EnergyShares shares =
+      boltzmann::energy_shares(gas.motions, observation.moments, bins_);
+  observation.dh_translational = distance(shares.translational);
+  observation.dh_rotational = distance(shares.rotational);
+  if (in_histograms) {
+    observation.shares = std::move(shares);
+  }
+  return observation;
+}
+
+double GasCarrier::distance(const std::vector<double>& shares) const {
+  return boltzmann::hellinger_distance(shares, reference_);
 }
 
 }  // namespace clca::run

@@ -9,14 +9,17 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
-#include "run/gas_tables.hpp"
+#include "run/gas_saved.hpp"
+#include "run/gas_slots.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
+#include "run/saver.hpp"
 
 namespace clca::run {
 
@@ -30,22 +33,30 @@ std::string case_name(double restitution) {
 
 class GasRun {
  public:
-  GasRun(const scene::BoltzmannScene& scene, const RunOptions& options, const RunEvents& events)
+  GasRun(const scene::BoltzmannScene& scene, const RunOptions& options, const RunEvents& events,
+         store::RunFolder folder, GasCourse course = {})
       : scene_(scene),
         options_(options),
         events_(events),
-        folder_(store::RunFolder::for_new_run(options.folder)),
-        log_(folder_.log(), 0, events) {}
+        folder_(std::move(folder)),
+        log_(folder_.log(), course.log_bytes, events),
+        carrier_(scene),
+        course_(std::move(course)),
+        cases_told_(std::exchange(course_.cases_ended, 0)),
+        seconds_before_(course_.wall_seconds),
+        saver_(scene.checkpoint) {}
 
   store::RunSummary execute();
 
  private:
   void run_cases();
-  GasCase run_case(double restitution);
+  void run_case(GasCase& one);
   /// True while the run goes on; shows progress from the thread that called run().
   bool keeps_on(const boltzmann::Gas& gas, double restitution);
   void show_progress(const boltzmann::Gas& gas, double restitution);
   void finish_case(const GasCase& one);
+  /// Writes a checkpoint; no gas may change meanwhile.
+  void save();
   void warn();
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
@@ -59,10 +70,21 @@ class GasRun {
     }
   }
 
-  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+  bool stop_asked() const {
+    return (options_.stop != nullptr && options_.stop->load() != 0) ||
+           (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
+  }
+  bool complete(const GasCase& one) const {
+    return one.at(carrier_.times().size() - 1).size() == one.members.size();
+  }
+  double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
   /// By one collision.
   double particles_changed() const {
     return std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
+  }
+
+  double collisions(const GasMember& member) const {
+    return static_cast<double>(member.participations) / particles_changed();
   }
 
   const scene::BoltzmannScene& scene_;
@@ -70,23 +92,29 @@ class GasRun {
   const RunEvents& events_;
   store::RunFolder folder_;
   Log log_;
-  WallClock wall_clock_;
+  WallClock wall_clock_;  // since this run began or went on
   Ticker ticker_{std::chrono::milliseconds(100)};
-  std::vector<GasCase> cases_;
+  GasCarrier carrier_;
+  GasCourse course_;
+  std::uint64_t cases_told_;  // by the lines of log.txt that were there
+  double seconds_before_;     // of this run when it last saved itself
   std::vector<store::StageSummary> stages_;
-  std::atomic<double> collisions_ = 0;  // of finished gases
+  std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::atomic<std::uint64_t> gases_done_ = 0;
   Forecast forecast_;
   bool complete_ = true;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
+  Saver saver_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 store::RunSummary GasRun::execute() {
   write_summary("running");
   try {
     store::write_whole(folder_.scene(), scene::to_yaml(scene_));
-    warn();
+    if (log_.bytes() == 0) {
+      warn();
+    }
     run_cases();
   } catch (const std::exception& error) {
     log_.error(error.what());
@@ -114,39 +142,55 @@ void GasRun::warn() {
 }
 
 void GasRun::run_cases() {
-  for (const double restitution : scene_.restitutions) {
-    if (!complete_) {
-      break;
+  course_.cases.reserve(scene_.restitutions.size());
+  for (std::size_t i = 0; i < scene_.restitutions.size() && complete_; ++i) {
+    if (i == course_.cases.size()) {
+      course_.cases.push_back({.restitution = scene_.restitutions[i],
+                               .members = std::vector<GasMember>(scene_.ensemble)});
     }
-    cases_.push_back(run_case(restitution));
-    finish_case(cases_.back());
-    write_tables(scene_, cases_, folder_);
+    GasCase& one = course_.cases[i];
+    run_case(one);
+    complete_ = complete(one);
+    const bool last = i + 1 == scene_.restitutions.size();
+    if (!complete_ || (last && scene_.checkpoint)) {
+      save();
+    }
+    finish_case(one);
+    write_tables(scene_, course_.cases, folder_);
   }
+  saver_.finish();
 }
 
-GasCase GasRun::run_case(double restitution) {
-  GasCase one = {.restitution = restitution, .members = {}};
+void GasRun::run_case(GasCase& one) {
   gases_done_ = 0;
+  for (const GasMember& member : one.members) {
+    collisions_ += collisions(member);
+  }
   forecast_ = Forecast();
-  one.members.resize(scene_.ensemble);
   const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
   const int outer = std::min(options_.threads, members);
   const int inner = std::max(1, options_.threads / outer);
+  GasSlots slots(one.members, saver_, [this] { save(); });
   omp_set_max_active_levels(2);  // gases, and groups of particles in each
   std::atomic<bool> failed = false;
   std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic) num_threads(outer) default(shared)
-  for (int member = 0; member < members; ++member) {
+  for (int i = 0; i < members; ++i) {
     if (failed || stop_asked()) {
       continue;
     }
     try {
-      const auto number = static_cast<std::uint64_t>(member);
-      one.members[number] =
-          run_member(scene_, restitution, boltzmann::member_seed(scene_.seed, number), inner,
-                     [&](const boltzmann::Gas& gas) { return keeps_on(gas, restitution); });
-      collisions_ += static_cast<double>(one.members[number].participations) / particles_changed();
+      const auto number = static_cast<std::uint64_t>(i);
+      GasMember member = slots.begin(number);
+      collisions_ -= collisions(member);
+      carrier_.carry(member, one.restitution, boltzmann::member_seed(scene_.seed, number), inner,
+                     [&](const GasMember& now) {
+                       slots.after_step(number, now);
+                       return !failed && keeps_on(*now.gas, one.restitution);
+                     });
+      collisions_ += collisions(member);
       ++gases_done_;
+      slots.end(number, std::move(member));
     } catch (...) {
 #pragma omp critical(gas_failure)
       failure = failure ? failure : std::current_exception();
@@ -156,7 +200,6 @@ GasCase GasRun::run_case(double restitution) {
   if (failure) {
     std::rethrow_exception(failure);
   }
-  return one;
 }
 
 bool GasRun::keeps_on(const boltzmann::Gas& gas, double restitution) {
@@ -177,13 +220,13 @@ void GasRun::show_progress(const boltzmann::Gas& gas, double restitution) {
   forecast_.update((done + at_work * part) / gases);
   const double running = at_work * static_cast<double>(gas.participations) / particles_changed();
   events_.gas_progress({.stage = case_name(restitution),
-                        .stage_number = cases_.size() + 1,
+                        .stage_number = course_.cases_ended + 1,
                         .stage_count = scene_.restitutions.size(),
                         .time = gas.time,
                         .until = scene_.until,
                         .gases_done = gases_done_,
                         .gases = scene_.ensemble,
-                        .collisions_per_second = (collisions_ + running) / wall_clock_.seconds(),
+                        .collisions_per_second = (collisions_ + running) / wall_seconds(),
                         .seconds_left = forecast_.seconds_left()});
 }
 
@@ -194,14 +237,27 @@ void GasRun::finish_case(const GasCase& one) {
     hash_.add(member.hash);
   }
   steps_ += steps;
-  complete_ = one.at(gas_times(scene_).size() - 1).size() == one.members.size();
   const std::string ended = complete_ ? "time" : "interrupted";
   stages_.push_back({.name = case_name(one.restitution),
                      .steps = steps,
                      .ended = ended,
                      .measures = gas_measures(scene_, one)});
-  log_.info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
-                        one.restitution, one.members.size(), scene_.particles, steps, ended));
+  if (++course_.cases_ended > cases_told_) {
+    log_.info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
+                          one.restitution, one.members.size(), scene_.particles, steps, ended));
+  }
+}
+
+void GasRun::save() {
+  course_.wall_seconds = wall_seconds();
+  course_.log_bytes = log_.bytes();
+  store::Checkpoint checkpoint = {.kind = "boltzmann",
+                                  .scene_name = scene_.name,
+                                  .scene = scene::to_yaml(scene_),
+                                  .summary = store::to_json(summary("running")),
+                                  .fields = {}};
+  fields::encode(kSavedGases, course_, checkpoint.fields);
+  saver_.save(folder_.path(), std::move(checkpoint), [] {});
 }
 
 store::RunSummary GasRun::summary(const std::string& status) const {
@@ -213,9 +269,9 @@ store::RunSummary GasRun::summary(const std::string& status) const {
   summary.status = status;
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
-  summary.wall_seconds = wall_clock_.seconds();
-  summary.step_seconds = wall_clock_.seconds();
-  summary.rate = collisions_ / std::max(wall_clock_.seconds(), kLeastSeconds);
+  summary.wall_seconds = wall_seconds();
+  summary.step_seconds = wall_seconds();
+  summary.rate = collisions_ / std::max(wall_seconds(), kLeastSeconds);
   summary.state_hash = hash_.value();
   summary.stages = stages_;
   return summary;
@@ -225,12 +281,18 @@ store::RunSummary GasRun::summary(const std::string& status) const {
 
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
-  return GasRun(scene, options, events).execute();
+  return GasRun(scene, options, events, store::RunFolder::for_new_run(options.folder)).execute();
 }
 
-store::RunSummary resume_gas(SavedRun& /*saved*/, const RunOptions& /*options*/,
-                             const RunEvents& /*events*/) {
-  throw store::StoreError("not yet");
+store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
+  const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
+  if (!saved.checkpoint) {
+    saved.folder.clear();
+    return GasRun(scene, options, events, std::move(saved.folder)).execute();
+  }
+  GasCourse course = saved_course(saved);
+  saved.checkpoint.reset();  // as large as the gases
+  return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
 }
 
 }  // namespace clca::run

@@ -21,6 +21,12 @@ struct GasCase {
   std::size_t observations() const;
   /// The members that have come to that observation.
   std::vector<const GasMember*> at(std::size_t place) const;
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("restitution", &GasCase::restitution),
+                           field("members", &GasCase::members));
+  }
 };
 
 /// Mean over an ensemble; the error of a single run is NaN.

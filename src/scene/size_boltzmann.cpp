@@ -35,7 +35,19 @@ double table_bytes(const BoltzmannScene& scene) {
           (kBinBytes * gases + kBinTextBytes) * shares);
 }
 
+/// While a checkpoint is written there are, of all that is in it, its columns, the file and the
+/// bytes that go to the disk.
+constexpr double kSavedCopies = 3;
+
 }  // namespace
+
+double lasting_bytes(const BoltzmannScene& scene) {
+  constexpr double kMostBytes = 1024.0 * 1024 * 1024;
+  const double bytes = kMotionBytes * static_cast<double>(scene.particles) *
+                       static_cast<double>(scene.ensemble) *
+                       static_cast<double>(scene.restitutions.size());
+  return scene.checkpoint && bytes <= kMostBytes ? bytes : 0;
+}
 
 double bytes_of(const BoltzmannScene& scene, int threads) {
   const auto members = static_cast<double>(
@@ -46,7 +58,13 @@ double bytes_of(const BoltzmannScene& scene, int threads) {
   if (scene.quasi && std::holds_alternative<boltzmann::OgawaKato>(scene.scheme)) {
     per_particle += kMotionBytes + kOrderBytes;  // it is sorted
   }
-  return members * per_particle * static_cast<double>(scene.particles) + table_bytes(scene);
+  const double saved = kSavedCopies * kMotionBytes;
+  // Between steps the second copy is what goes into the checkpoint; a run that is stopped has no
+  // more need of it.
+  per_particle =
+      scene.checkpoint ? per_particle + saved : std::max(per_particle, saved + kMotionBytes);
+  return members * per_particle * static_cast<double>(scene.particles) +
+         (1 + kSavedCopies) * lasting_bytes(scene) + table_bytes(scene);
 }
 
 }  // namespace clca::scene

@@ -5,6 +5,7 @@
 
 #include "clca/boltzmann/distribution.hpp"
 #include "clca/boltzmann/gas.hpp"
+#include "clca/fields/fields.hpp"
 
 namespace clca::boltzmann {
 
@@ -18,6 +19,17 @@ struct Moments {
   double p_xx = 0;         ///< 3 <v_x^2> / <v^2>, of the pressure tensor
   double p_yy = 0;
   double p_xy = 0;
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("translational", &Moments::translational),
+                           field("rotational", &Moments::rotational),
+                           field("a2_translational", &Moments::a2_translational),
+                           field("a2_rotational", &Moments::a2_rotational),
+                           field("correlation", &Moments::correlation),
+                           field("alignment", &Moments::alignment), field("p_xx", &Moments::p_xx),
+                           field("p_yy", &Moments::p_yy), field("p_xy", &Moments::p_xy));
+  }
 };
 
 /// Sums in a fixed order: the same bits for any number of threads. Zero spin gives zeros.
@@ -27,6 +39,12 @@ Moments moments(const Motions& motions);
 struct EnergyShares {
   std::vector<double> translational;
   std::vector<double> rotational;
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("translational", &EnergyShares::translational),
+                           field("rotational", &EnergyShares::rotational));
+  }
 };
 EnergyShares energy_shares(const Motions& motions, const Moments& moments, const Bins& bins);
 

@@ -22,6 +22,10 @@ struct Size {
 
 Size size_of(const Scene& scene);
 
+/// Memory of the gases that a Boltzmann run keeps as they were at its end, so that the end can be
+/// moved: 0 where that would be more than 1 GiB, or the scene has no checkpoints.
+double lasting_bytes(const BoltzmannScene& scene);
+
 /// Memory of a Boltzmann run on that many threads, in bytes, estimated from above.
 double bytes_of(const BoltzmannScene& scene, int threads);
 

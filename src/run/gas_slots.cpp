@@ -1,0 +1,54 @@
+#include "run/gas_slots.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace clca::run {
+
+GasMember GasSlots::begin(std::size_t number) {
+  const std::lock_guard lock(mutex_);
+  under_way_[number] = collecting_;
+  return std::exchange(members_[number], {});
+}
+
+void GasSlots::after_step(std::size_t number, const GasMember& member) {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock) {
+    return;  // a step later will do
+  }
+  if (!collecting_) {
+    if (!saver_.due(member.gas->step)) {
+      return;
+    }
+    collecting_ = true;
+    for (auto& [_, awaited] : under_way_) {
+      awaited = true;
+    }
+  }
+  if (std::exchange(under_way_[number], false)) {
+    members_[number] = member;
+    save_when_all_are_there();
+  }
+}
+
+void GasSlots::end(std::size_t number, GasMember member) {
+  const std::lock_guard lock(mutex_);
+  members_[number] = std::move(member);
+  under_way_.erase(number);
+  save_when_all_are_there();
+}
+
+void GasSlots::save_when_all_are_there() {
+  const bool complete = collecting_ && std::none_of(under_way_.begin(), under_way_.end(),
+                                                    [](const auto& one) { return one.second; });
+  if (!complete) {
+    return;
+  }
+  collecting_ = false;
+  save_();
+  for (const auto& [number, _] : under_way_) {
+    members_[number] = {};  // its thread has the gas itself
+  }
+}
+
+}  // namespace clca::run
