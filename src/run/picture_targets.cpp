@@ -22,7 +22,7 @@ int cell_width(int columns) {
 
 /// Throws store::StoreError where `file` could not be written.
 void check_writable(const std::filesystem::path& file) {
-  const store::FileAside tried(file);
+  const store::WholeFile tried(file);
 }
 
 render::MovieFormat format_of(const std::filesystem::path& movie) {
@@ -54,7 +54,7 @@ MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::pat
 
 void MovieTarget::finish() {
   movie_.finish();
-  file_.keep();
+  file_.finish();
 }
 
 SheetTarget::SheetTarget(const scene::Scene& scene, std::filesystem::path file, int columns,

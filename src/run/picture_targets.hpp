@@ -8,7 +8,7 @@
 #include "clca/render/contact_sheet.hpp"
 #include "clca/render/movie.hpp"
 #include "clca/run/redraw.hpp"
-#include "clca/store/file.hpp"
+#include "clca/store/whole_file.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_writer.hpp"
 
@@ -39,7 +39,7 @@ class MovieTarget {
   void finish();
 
  private:
-  store::FileAside file_;
+  store::WholeFile file_;
   render::Movie movie_;
 };
 
