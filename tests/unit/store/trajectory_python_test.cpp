@@ -126,7 +126,7 @@ with h5py.File(run + "/trajectory.h5") as index:
 print(len(parts), len(seen))
 )";
   EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}", script.string(), run().string())),
-            "8 24\n");
+            "7 24\n");
 }
 
 }  // namespace

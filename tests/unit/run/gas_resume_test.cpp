@@ -1,0 +1,385 @@
+// Runs of the Boltzmann equation that are stopped, killed or prolonged, and go on.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "clca/run/run.hpp"
+#include "clca/store/file.hpp"
+#include "run/gas_saved.hpp"
+#include "support/runs.hpp"
+
+namespace clca::run {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr double kMostBytes = 1e9;
+
+// About as many steps as there are rows: many for a gas so small.
+constexpr const char* kGas = R"(clca: 1
+seed: 5
+boltzmann:
+  particles: 300
+  restitution: 0.8
+  friction: 0.3
+  until: 2
+output:
+  series: {every: 0.1}
+  histograms: [0, 0.75]
+  bins: q10
+)";
+
+using Overrides = std::vector<scene::Override>;
+
+scene::BoltzmannScene gas(const Overrides& overrides = {}) {
+  return std::get<scene::BoltzmannScene>(scene::parse_any(kGas, "gas.yaml", overrides));
+}
+
+/// As from a file and back.
+template <class T>
+T reread(const T& value) {
+  T result;
+  fields::decode(fields::encode(value), kMostBytes, result);
+  return result;
+}
+
+// --- one gas, stopped exactly ---
+
+struct Kind {
+  const char* name;
+  Overrides overrides;
+};
+
+class AGasThatGoesOn : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(AGasThatGoesOn, HasTheSameBitsHoweverOftenItWasStopped) {
+  const scene::BoltzmannScene scene = gas(GetParam().overrides);
+  const GasCarrier carrier(scene);
+  constexpr std::uint64_t kSeed = 7;
+  GasMember unbroken;
+  carrier.carry(unbroken, 0.8, kSeed, 1, [](const GasMember&) { return true; });
+  ASSERT_EQ(unbroken.observations.size(), carrier.times().size());
+  ASSERT_GT(unbroken.steps, 10U);
+  for (const int asked : {1, 2, 5, 17}) {
+    GasMember member;
+    int stops = 0;
+    while (member.observations.size() < carrier.times().size()) {
+      int left = asked + 1;  // once before there is a step
+      carrier.carry(member, 0.8, kSeed, 1 + stops % 3,
+                    [&](const GasMember&) { return --left > 0; });
+      member = reread(member);
+      ++stops;
+    }
+    EXPECT_GE(stops, 2);
+    EXPECT_EQ(fields::difference(fields::encode(member), fields::encode(unbroken)), "")
+        << "every " << asked;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, AGasThatGoesOn,
+    ::testing::Values(Kind{"majorant", {}}, Kind{"large", {"boltzmann.particles=20000"}},
+                      Kind{"sheared", {"boltzmann.shear_rate=1"}},
+                      Kind{"quasi", {"boltzmann.sampling=quasi", "boltzmann.initial=equal_energy"}},
+                      Kind{"literal", {"boltzmann.scheme=ogawa-kato"}},
+                      Kind{"literal_quasi",
+                           {"boltzmann.scheme=ogawa-kato", "boltzmann.sampling=quasi"}},
+                      Kind{"without_checkpoints", {"output.checkpoint=none"}},
+                      Kind{"ends_between_rows", {"boltzmann.until=1.97"}}),
+    [](const auto& one) { return one.param.name; });
+
+// --- run folders ---
+
+/// All that a run leaves for its reader, without what depends on the clock.
+std::map<std::string, std::string> content(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".csv" || extension == ".yaml") {
+      const auto bytes = store::read_whole(entry.path());
+      files[entry.path().filename()] = std::string(bytes.begin(), bytes.end());
+    }
+  }
+  auto json = nlohmann::json::parse(store::read_whole(folder / "run.json"));
+  for (const char* key : {"wall_seconds", "step_seconds", "collisions_per_second", "threads"}) {
+    json.erase(key);
+  }
+  files["run.json"] = json.dump();
+  return files;
+}
+
+/// Lines of log.txt without their times.
+std::vector<std::string> log_lines(const fs::path& folder) {
+  const auto bytes = store::read_whole(folder / "log.txt");
+  std::vector<std::string> lines;
+  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line.substr(line.find(": ")));
+  }
+  return lines;
+}
+
+class GasResumeTest : public ::testing::Test {
+ protected:
+  /// Runs until an event says that it is enough.
+  store::RunSummary run_until(const scene::BoltzmannScene& scene, int threads,
+                              const std::function<bool(const GasProgress&)>& enough) {
+    std::atomic<int> stop = 0;
+    const RunEvents events = stopping(stop, enough);
+    return run(scene, {.folder = folder_.path(), .threads = threads, .stop = &stop}, events);
+  }
+  store::RunSummary resume_until(int threads,
+                                 const std::function<bool(const GasProgress&)>& enough) {
+    std::atomic<int> stop = 0;
+    const RunEvents events = stopping(stop, enough);
+    return resume(load_run(folder_.path(), kMostBytes),
+                  {.folder = {}, .threads = threads, .stop = &stop}, events);
+  }
+  store::RunSummary resume_to(const std::optional<std::string>& until = {}) {
+    return resume(load_run(folder_.path(), kMostBytes, until), {.folder = {}, .threads = 1});
+  }
+  std::string problem(const std::optional<std::string>& until = {}) {
+    try {
+      resume_to(until);
+    } catch (const store::StoreError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  void expect_as_unbroken(const scene::BoltzmannScene& scene) {
+    const testing::ScratchFolder whole;
+    const auto expected = run(scene, {.folder = whole.path(), .threads = 2});
+    EXPECT_EQ(expected.status, "done");
+    EXPECT_EQ(content(folder_.path()), content(whole.path()));
+  }
+
+  testing::ScratchFolder folder_;
+
+ private:
+  static RunEvents stopping(std::atomic<int>& stop,
+                            const std::function<bool(const GasProgress&)>& enough) {
+    return {.gas_progress = [&stop, enough](const GasProgress& progress) {
+      stop = stop != 0 || enough(progress) ? 2 : 0;
+    }};
+  }
+};
+
+/// Long enough for progress to be shown, in an unoptimised build some ten times as long.
+const Overrides kLong = {"boltzmann.particles=20000",      "boltzmann.until=400",
+                         "boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0",
+                         "boltzmann.ensemble=3",           "output.series.every=4",
+                         "output.histograms=[0, 10]"};
+
+TEST_F(GasResumeTest, StoppedInAnyEnsembleItEndsAsAnUnbrokenRun) {
+  const scene::BoltzmannScene scene = gas(kLong);
+  ASSERT_EQ(run_until(scene, 1, [](const GasProgress& at) { return at.time > 0; }).status,
+            "interrupted");
+  ASSERT_EQ(resume_until(3, [](const GasProgress& at) { return at.stage_number == 2; }).status,
+            "interrupted");
+  const auto interrupted = content(folder_.path());
+  // Stopped before the first step of this process: all as it was.
+  ASSERT_EQ(
+      resume(load_run(folder_.path(), kMostBytes), {.folder = {}, .threads = 2, .time_limit = 0})
+          .status,
+      "interrupted");
+  EXPECT_EQ(content(folder_.path()), interrupted);
+  EXPECT_EQ(resume_to().status, "done");
+  expect_as_unbroken(scene);
+}
+
+TEST_F(GasResumeTest, TheLogTellsOfEachRestitutionOnce) {
+  const scene::BoltzmannScene scene = gas(kLong);
+  run_until(scene, 2, [](const GasProgress& at) { return at.stage_number == 2; });
+  resume_to();
+  const testing::ScratchFolder whole;
+  run(scene, {.folder = whole.path()});
+  EXPECT_EQ(log_lines(folder_.path()), log_lines(whole.path()));
+  EXPECT_EQ(log_lines(folder_.path()).size(), 2U);
+}
+
+// A checkpoint after each step, by a clock that is always due; the newest is taken aside while the
+// run goes on, as it would lie there after a kill.
+TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
+  for (const int threads : {1, 3}) {
+    const scene::BoltzmannScene scene =
+        gas({"boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0", "boltzmann.ensemble=3",
+             "boltzmann.particles=5000", "boltzmann.until=12",
+             "output.checkpoint={seconds: 0.000001}"});
+    const testing::ScratchFolder aside;
+    bool taken = false;
+    const RunEvents events = {.gas_progress = [&](const GasProgress&) {
+      const fs::path saved = folder_.path() / "checkpoint.h5";
+      std::error_code none_yet;
+      taken |= fs::copy_file(saved, aside.path() / "checkpoint.h5",
+                             fs::copy_options::overwrite_existing, none_yet);
+    }};
+    EXPECT_EQ(run(scene, {.folder = folder_.path(), .threads = threads}, events).status, "done");
+    ASSERT_TRUE(taken);
+    fs::copy_file(aside.path() / "checkpoint.h5", folder_.path() / "checkpoint.h5",
+                  fs::copy_options::overwrite_existing);
+    fs::remove(folder_.path() / "checkpoint-previous.h5");
+    resume_to();
+    expect_as_unbroken(scene);
+  }
+}
+
+TEST_F(GasResumeTest, KilledBeforeItsFirstCheckpointItBeginsAnew) {
+  const scene::BoltzmannScene scene = gas();
+  run(scene, {.folder = folder_.path()});
+  fs::remove(folder_.path() / "checkpoint.h5");
+  EXPECT_EQ(resume_to().status, "done");
+  expect_as_unbroken(scene);
+}
+
+TEST_F(GasResumeTest, StoppedWithoutCheckpointsItSavesItselfAllTheSame) {
+  Overrides overrides = kLong;
+  overrides.push_back("output.checkpoint=none");
+  const scene::BoltzmannScene scene = gas(overrides);
+  run_until(scene, 1, [](const GasProgress& at) { return at.time > 0; });
+  EXPECT_TRUE(fs::exists(folder_.path() / "checkpoint.h5"));
+  resume_to();
+  expect_as_unbroken(scene);
+}
+
+TEST_F(GasResumeTest, WhatHasEndedStaysAsItIs) {
+  run(gas({"boltzmann.ensemble=2"}), {.folder = folder_.path()});
+  const auto before = content(folder_.path());
+  EXPECT_EQ(resume_to().status, "done");
+  EXPECT_EQ(content(folder_.path()), before);
+}
+
+TEST_F(GasResumeTest, ProlongedItIsARunThatWasAsLongFromTheBeginning) {
+  // The old end is a row, a histogram, neither, and a multiple that misses a row by rounding.
+  const std::vector<Overrides> ends = {{"boltzmann.until=2"},
+                                       {"boltzmann.until=1.97", "output.histograms=[0, 1.97]"},
+                                       {"boltzmann.until=1.97"},
+                                       {"boltzmann.until=1.7"},
+                                       {"boltzmann.until=1.97", "boltzmann.scheme=ogawa-kato"},
+                                       {"boltzmann.until=0.03", "output.histograms=[]"}};
+  for (Overrides overrides : ends) {
+    SCOPED_TRACE(overrides.front());
+    overrides.insert(overrides.end(), {"boltzmann.restitution=[0.8, 1]", "boltzmann.ensemble=2"});
+    run(gas(overrides), {.folder = folder_.path()});
+    for (const std::string until : {"2.31", "3"}) {
+      EXPECT_EQ(resume_to(until).status, "done");
+      overrides.push_back("boltzmann.until=" + until);
+      expect_as_unbroken(gas(overrides));
+    }
+  }
+}
+
+TEST_F(GasResumeTest, AnInterruptedRunIsProlongedLikewise) {
+  run_until(gas(kLong), 2, [](const GasProgress& at) { return at.stage_number == 2; });
+  resume_to("402");
+  Overrides overrides = kLong;
+  overrides.push_back("boltzmann.until=402");
+  expect_as_unbroken(gas(overrides));
+}
+
+TEST_F(GasResumeTest, AnEndThatWasPassedIsRefused) {
+  run(gas(), {.folder = folder_.path()});
+  const auto before = content(folder_.path());
+  EXPECT_THAT(problem("1"), HasSubstr("until 1: its gases are beyond 1, or on the way there"));
+  EXPECT_EQ(content(folder_.path()), before);
+}
+
+TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
+  run_until(gas(kLong), 1, [](const GasProgress& at) { return at.stage_number == 2; });
+  store::Checkpoint checkpoint = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  GasCourse course;
+  fields::decode(kSavedGases, checkpoint.fields, kMostBytes, course);
+  for (GasCase& one : course.cases) {
+    for (GasMember& member : one.members) {
+      member.lasting.reset();
+    }
+  }
+  fields::encode(kSavedGases, course, checkpoint.fields);
+  store::write_checkpoint(folder_.path(), checkpoint);
+  EXPECT_THAT(problem("500"), HasSubstr("has not kept its gases as they were before the end"));
+}
+
+// --- checkpoints that no run has saved ---
+
+/// What somebody has changed in the course of a run that was stopped.
+struct Forgery {
+  std::function<void(GasCourse&)> change;
+  const char* reason;
+};
+
+GasMember& under_way(GasCourse& course) {
+  for (GasMember& member : course.cases.back().members) {
+    if (member.gas) {
+      return member;
+    }
+  }
+  throw std::logic_error("no gas is under way");
+}
+GasMember& ended(GasCourse& course) {
+  return course.cases.front().members.front();
+}
+
+TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
+  run_until(gas(kLong), 1,
+            [](const GasProgress& at) { return at.stage_number == 2 && at.time > 0; });
+  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Forgery> forgeries = {
+      {[](GasCourse& all) { all.cases.emplace_back(); }, "restitutions are others"},
+      {[](GasCourse& all) { all.cases.front().restitution = 0.3; }, "restitutions are others"},
+      {[](GasCourse& all) { all.cases_ended = 3; }, "restitutions are others"},
+      {[&](GasCourse& all) { all.wall_seconds = nan; }, "its time is none"},
+      {[](GasCourse& all) { all.cases.front().members.pop_back(); }, "ensemble is another"},
+      {[](GasCourse& all) { ended(all).observations.push_back({}); }, "more observations"},
+      {[](GasCourse& all) { ended(all).observations.pop_back(); }, "a gas is missing"},
+      {[](GasCourse& all) { ended(all).observations[0].shares.rotational.pop_back(); },
+       "bins are others"},
+      {[](GasCourse& all) { ended(all).observations[1].shares.translational = {1}; },
+       "bins are others"},
+      {[](GasCourse& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
+      {[](GasCourse& all) { ended(all).lasting->time = 3; }, "at another time"},
+      {[](GasCourse& all) { under_way(all).lasting = under_way(all).gas; }, "ahead of its time"},
+      {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
+      {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
+      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
+      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 20'001); },
+       "number of particles"},
+      {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; }, "speeds that are none"},
+      {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; }, "speeds that are none"},
+      {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "speeds that are none"}};
+  for (const Forgery& forgery : forgeries) {
+    GasCourse course;
+    fields::decode(kSavedGases, sound.fields, kMostBytes, course);
+    forgery.change(course);
+    store::Checkpoint forged = sound;
+    fields::encode(kSavedGases, course, forged.fields);
+    store::write_checkpoint(folder_.path(), forged);
+    EXPECT_THAT(problem(), ::testing::AllOf(HasSubstr("its checkpoint is not of this run"),
+                                            HasSubstr(forgery.reason)));
+  }
+}
+
+TEST_F(GasResumeTest, AnyColumnThatIsMissingOrOfOtherNumbersIsRefused) {
+  run(gas({"boltzmann.ensemble=2"}), {.folder = folder_.path()});
+  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  ASSERT_GT(sound.fields.size(), 20U);
+  for (const auto& [path, column] : sound.fields) {
+    store::Checkpoint forged = sound;
+    forged.fields.erase(path);
+    store::write_checkpoint(folder_.path(), forged);
+    EXPECT_THAT(problem(), HasSubstr(path + " is missing"));
+    forged.fields[path] = std::vector<std::int32_t>{1};
+    store::write_checkpoint(folder_.path(), forged);
+    EXPECT_THAT(problem(), HasSubstr(path + " holds other numbers"));
+  }
+}
+
+}  // namespace
+}  // namespace clca::run
