@@ -7,9 +7,7 @@
 #include <string_view>
 
 #include "bad_scenes.hpp"
-#include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
-#include "clca/scene/walls.hpp"
+#include "support/any_text.hpp"
 
 namespace clca::scene {
 
@@ -19,27 +17,8 @@ using namespace std::string_view_literals;
 
 constexpr double kMostBytes = 1e7;
 
-/// Empty when the text parses or is refused in one printable line with a place in it.
 std::string trouble_with(const std::string& text) {
-  try {
-    const AnyScene any = parse_any(text, "scene.yaml");
-    if (const auto* scene = std::get_if<Scene>(&any);
-        scene != nullptr && size_of(*scene).bytes < kMostBytes) {
-      check_walls(*scene);
-    }
-    const std::string again = std::visit([](const auto& scene) { return to_yaml(scene); }, any);
-    return parse_any(again, "scene.yaml") == any ? "" : "differs after a round trip";
-  } catch (const SceneError& error) {
-    const std::string message = error.what();
-    for (const char letter : message) {
-      if (static_cast<unsigned char>(letter) < 0x20) {
-        return "a control character in: " + message;
-      }
-    }
-    const bool placed = message.starts_with("scene.yaml:") &&
-                        message.find(": error: ") < std::string("scene.yaml:99:9999").size();
-    return placed ? "" : "no place in: " + message;
-  }
+  return clca::testing::trouble_with_text(text, kMostBytes);
 }
 
 /// Numbers that look random and are the same everywhere (Numerical Recipes' generator).

@@ -1,0 +1,37 @@
+// A picture: refused, or the same once written and read again.
+
+#include <stdexcept>
+
+#include "clca/render/png.hpp"
+#include "target.hpp"
+
+namespace {
+
+using namespace clca;
+
+constexpr std::size_t kMostPixels = 1U << 16U;
+
+/// What may stand in a PNG file need not be what we write: text with odd keywords.
+void require_same_again(const render::DecodedPng& decoded) {
+  const render::DecodedPng again = render::decode_png(render::encode_png(decoded.image, {}));
+  fuzz::require(again.image == decoded.image, "other pixels");
+  for (const auto& [keyword, value] : decoded.text) {
+    try {
+      const auto bytes = render::encode_png(render::Image(1, 1, {}), {{keyword, value}});
+      fuzz::require(render::decode_png(bytes).text.at(keyword) == value, "another text");
+    } catch (const std::runtime_error&) {
+      continue;
+    }
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    require_same_again(render::decode_png({data, size}, kMostPixels));
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+  return 0;
+}
