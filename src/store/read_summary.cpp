@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "clca/store/file.hpp"
@@ -34,6 +35,14 @@ std::string text(const Json& object, const char* key) {
 
 std::uint64_t count(const Json& object, const char* key) {
   return field(object, key, &Json::is_number_unsigned).get<std::uint64_t>();
+}
+
+int threads(const Json& object) {
+  const std::uint64_t number = count(object, "threads");
+  if (number > std::numeric_limits<int>::max()) {
+    throw Unsound("'threads' is more than there can be");
+  }
+  return static_cast<int>(number);
 }
 
 /// NaN and infinities are written as null; where a number must stand there are none.
@@ -83,7 +92,7 @@ RunSummary summary_of(const Json& object) {
                         .version = text(object, "clca"),
                         .scene = text(object, "scene"),
                         .seed = count(object, "seed"),
-                        .threads = static_cast<int>(count(object, "threads")),
+                        .threads = threads(object),
                         .status = text(object, "status"),
                         .particles = count(object, "particles"),
                         .steps = count(object, "steps"),

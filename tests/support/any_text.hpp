@@ -1,6 +1,7 @@
 #pragma once
 // Whatever stands in a scene file, the answer is a scene or one clear line.
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,6 +12,20 @@
 
 namespace clca::testing {
 
+/// Whether it begins with `scene.yaml:LINE:COLUMN: error: `.
+inline bool has_place(std::string_view message) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kFile = "scene.yaml:";
+  if (!message.starts_with(kFile)) {
+    return false;
+  }
+  const std::size_t colon =
+      std::min(message.find_first_not_of(kDigits, kFile.size()), message.size());
+  const std::size_t end = std::min(message.find_first_not_of(kDigits, colon + 1), message.size());
+  return colon > kFile.size() && message.substr(colon, 1) == ":" && end > colon + 1 &&
+         message.substr(end).starts_with(": error: ");
+}
+
 /// Empty for one printable line with a place in it.
 inline std::string trouble_with_message(std::string_view message) {
   for (const char letter : message) {
@@ -18,9 +33,7 @@ inline std::string trouble_with_message(std::string_view message) {
       return "a control character in: " + std::string(message);
     }
   }
-  const bool placed = message.starts_with("scene.yaml:") &&
-                      message.find(": error: ") < std::string_view("scene.yaml:99:9999").size();
-  return placed ? "" : "no place in: " + std::string(message);
+  return has_place(message) ? "" : "no place in: " + std::string(message);
 }
 
 /// Empty when the text is refused in one such line, or parses and says the same when it is written

@@ -156,9 +156,10 @@ TEST_F(ReadSummary, WhatIsCutOffAnywhereIsAnError) {
 TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
   const fs::path file = folder_ / "run.json";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"seed", "-1"},    {"seed", "1.5"},           {"steps", "\"many\""},   {"steps", "null"},
-      {"status", "7"},   {"state_hash", "\"xyz\""}, {"state_hash", "12"},    {"stages", "{}"},
-      {"stages", "[3]"}, {"build", "[]"},           {"wall_seconds", "null"}};
+      {"seed", "-1"},       {"seed", "1.5"},          {"steps", "\"many\""},
+      {"steps", "null"},    {"status", "7"},          {"state_hash", "\"xyz\""},
+      {"state_hash", "12"}, {"stages", "{}"},         {"stages", "[3]"},
+      {"build", "[]"},      {"wall_seconds", "null"}, {"threads", "2147483648"}};
   for (const auto& [key, value] : cases) {
     auto json = nlohmann::ordered_json::parse(to_json(full_summary()));
     json[key] = nlohmann::ordered_json::parse(value);
