@@ -1,0 +1,216 @@
+// Trajectories that are sealed as they should be and hold what no run has written: refused, or read
+// as states that an automaton can go on with, and within the limit of memory.
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include "choices.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
+#include "memory_meter.hpp"
+#include "scratch_file.hpp"
+#include "small_run.hpp"
+#include "store/sealed_file.hpp"
+#include "store/trajectory_files.hpp"
+#include "store/trajectory_part.hpp"
+#include "store/trajectory_tables.hpp"
+
+namespace {
+
+using namespace clca;
+
+constexpr std::size_t kWalls = 2;
+constexpr std::size_t kFramesInFirst = 5;
+constexpr std::uint32_t kMostLimit = 1U << 23U;
+constexpr double kBeside = 6e6;  // what HDF5 keeps beside the numbers
+
+/// A run folder whose two parts lie in memory.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "clca-fuzz-XXXXXX").string();
+    fuzz::require(::mkdtemp(name.data()) != nullptr, "no folder");
+    path_ = name;
+    const auto parts = path_ / store::kTrajectoryFolder;
+    std::filesystem::create_directory(parts);
+    for (std::size_t part = 0; part < files_.size(); ++part) {
+      std::filesystem::create_symlink(files_[part].path(), parts / store::part_name(part));
+    }
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  void hold(std::size_t part, std::span<const std::uint8_t> bytes) const {
+    files_.at(part).hold(bytes);
+  }
+
+ private:
+  std::array<fuzz::ScratchFile, 2> files_;
+  std::filesystem::path path_;
+};
+
+using Parts = std::array<store::TrajectoryPart, 2>;
+
+Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
+  Parts parts;
+  store::Extents before;
+  std::size_t entered = 0;
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    const auto& [state, stage, begins] = frames[frame];
+    before = frame < kFramesInFirst ? store::Extents() : parts.front().extents();
+    parts.at(frame < kFramesInFirst ? 0 : 1).add(state, stage, begins ? 0 : entered, before);
+    entered = state.particles.size();
+  }
+  return parts;
+}
+
+/// Calls change(values) for the dataset of that number.
+template <class Change>
+void with_column(store::TrajectoryPart& part, std::size_t number, Change change) {
+  std::size_t at = 0;
+  store::for_each_column(part, kWalls, [&](const store::Column& column, auto& values) {
+    if (at++ == number) {
+      change(column, values);
+    }
+  });
+}
+
+template <class T>
+void change_values(const store::Column& column, std::vector<T>& values, fuzz::Choices& choices) {
+  constexpr std::uint32_t kMostRows = 100;
+  const auto any_place = [&] { return choices.up_to(0xFF) % values.size(); };
+  const std::size_t how = choices.up_to(3);
+  if (how == 0) {
+    values.resize(column.width() * choices.up_to(kMostRows));
+  } else if (!values.empty()) {
+    T& value = values[any_place()];
+    value = how == 1   ? values[any_place()]
+            : how == 2 ? static_cast<T>(choices.up_to(0xFF))
+                       : choices.any<T>();
+  }
+}
+
+/// As long as the numbers of rows have it, which follow each other.
+void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
+  constexpr std::uint64_t kMostRows = 10'000;
+  const auto follow = [](store::RowRanges& ranges, std::uint64_t first) {
+    ranges.count.resize(ranges.first.size());
+    std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
+  };
+  follow(part.frames.particles, before.particles);
+  follow(part.frames.origins, before.origins);
+  follow(part.frames.pushes, before.pushes);
+  const store::Extents extents = part.frames.extents();
+  store::for_each_column(part, kWalls, [&](const store::Column& column, auto& values) {
+    values.resize(column.width() * std::min(extents.along(column.axis), kMostRows));
+  });
+}
+
+/// A dataset that is not written; none is a number beyond all.
+using Omitted = std::size_t;
+constexpr std::size_t kColumns = 25;
+
+/// Changes and says which dataset is to be left out of that part.
+Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::Choices& choices) {
+  for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
+    with_column(part, choices.up_to(kColumns - 1), [&](const store::Column& column, auto& values) {
+      change_values(column, values, choices);
+    });
+  }
+  if (choices.yes()) {
+    make_fit(part, before);
+  }
+  return choices.yes() ? choices.up_to(kColumns - 1) : kColumns;
+}
+
+std::vector<std::uint8_t> sealed(store::TrajectoryPart& part, Omitted omitted) {
+  static const store::SceneTables tables(fuzz::small_scene(),
+                                         run::initial_state(fuzz::small_scene()));
+  store::SealedWriter file(store::kTrajectoryKind);
+  tables.write(file);
+  std::size_t at = 0;
+  store::for_each_column(part, kWalls,
+                         [&]<class T>(const store::Column& column, const std::vector<T>& values) {
+                           if (at++ != omitted) {
+                             file.add<T>(column.path, values, column.width());
+                           }
+                         });
+  return file.seal();
+}
+
+/// An automaton goes on from it, and its frame is that of the file.
+void require_sound(const automaton::State& state, const store::TrajectoryPart& part,
+                   std::size_t frame) {
+  automaton::Automaton(state).step();
+  store::TrajectoryPart again;
+  again.add(state, part.frames.stage[frame], 0, {});
+  const auto same = [](const auto& all, store::RowSpan rows, const auto& some, std::size_t width) {
+    return std::equal(all.begin() + static_cast<std::ptrdiff_t>(width * rows.first),
+                      all.begin() + static_cast<std::ptrdiff_t>(width * rows.end), some.begin(),
+                      some.end());
+  };
+  const store::RowSpan particles = part.frames.particles.rows_of(frame);
+  const store::RowSpan pushes = part.frames.pushes.rows_of(frame);
+  const store::RowSpan itself = {frame, frame + 1};
+  fuzz::require(same(part.frames.step, itself, again.frames.step, 1) &&
+                    same(part.frames.entered, itself, again.frames.entered, 1) &&
+                    same(part.rows.id, particles, again.rows.id, 1) &&
+                    same(part.rows.site, particles, again.rows.site, 2) &&
+                    same(part.rows.kind, particles, again.rows.kind, 1) &&
+                    same(part.rows.move, particles, again.rows.move, 1) &&
+                    same(part.rows.pushed, pushes, again.rows.pushed, 1) &&
+                    same(part.rows.pusher, pushes, again.rows.pusher, 1) &&
+                    same(part.rows.push_source, pushes, again.rows.push_source, 1) &&
+                    same(part.rows.push_direction, pushes, again.rows.push_direction, 1) &&
+                    same(part.rows.wall_present, itself, again.rows.wall_present, kWalls) &&
+                    same(part.rows.wall_offset, itself, again.rows.wall_offset, kWalls),
+                "another frame than that of the file");
+}
+
+/// Reads as many frames as there are, each refused or sound; returns how many were.
+std::size_t read(const Folder& folder, const Parts& parts, double limit) {
+  std::size_t sound = 0;
+  try {
+    const store::Trajectory trajectory(folder.path(), fuzz::small_scene(),
+                                       run::initial_state(fuzz::small_scene()), limit);
+    const std::size_t in_first = parts.front().frames.step.size();
+    for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
+      try {
+        const automaton::State state = trajectory.state(frame);
+        const bool first = frame < in_first;
+        require_sound(state, parts.at(first ? 0 : 1), first ? frame : frame - in_first);
+        ++sound;
+      } catch (const store::StoreError&) {
+        continue;
+      }
+    }
+  } catch (const store::StoreError&) {
+    return sound;
+  }
+  return sound;
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Folder folder;
+  static const std::vector<fuzz::SmallFrame> frames = fuzz::small_run();
+  static const Parts whole = parts_of(frames);
+  fuzz::require(!whole[0].rows.pushed.empty() || !whole[1].rows.pushed.empty(),
+                "nothing is pushed");
+  fuzz::Choices choices({data, size});
+  Parts parts = whole;
+  folder.hold(0, sealed(parts[0], change(parts[0], {}, choices)));
+  folder.hold(1, sealed(parts[1], change(parts[1], parts[0].frames.extents(), choices)));
+  const double limit = kMostLimit - static_cast<double>(choices.up_to(kMostLimit));
+  const fuzz::MemoryMeter meter;
+  const std::size_t sound = read(folder, parts, limit);
+  fuzz::require(size > 0 || sound == frames.size(), "a run is not read");
+  fuzz::require(
+      meter.most_bytes() <= limit + kBeside,
+      "took " + std::to_string(meter.most_bytes()) + " bytes, not " + std::to_string(limit));
+  return 0;
+}
