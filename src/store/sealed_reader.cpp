@@ -63,10 +63,12 @@ class SealedReader::File {
     }
     return H5Lexists(hdf5_->id(), path.c_str(), H5P_DEFAULT) > 0;
   }
-  void check_size(double numbers, double bytes) const {
-    if (numbers * bytes > bytes_left_) {
+  /// All that is read counts: whoever reads keeps it.
+  void take(double bytes) {
+    if (bytes > bytes_left_) {
       throw hdf5::Error("needs more memory than the limit");
     }
+    bytes_left_ -= bytes;
   }
 
  private:
@@ -127,7 +129,7 @@ std::vector<T> SealedReader::read(const std::string& path, std::size_t columns) 
       throw hdf5::Error(fmt::format("has {} columns", extent[1]));
     }
     const double numbers = static_cast<double>(extent[0]) * static_cast<double>(columns);
-    file_->check_size(numbers, sizeof(T));
+    file_->take(numbers * sizeof(T));
     std::vector<T> values(extent[0] * columns);
     check(H5Dread(dataset.id(), number_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           "cannot be read");
@@ -155,8 +157,8 @@ std::vector<std::string> SealedReader::read_texts(const std::string& path) const
     }
     const auto extent = extent_of(Handle(H5Dget_space(dataset.id()), H5Sclose, "extent"));
     const std::size_t size = H5Tget_size(type.id());
-    file_->check_size(2 * static_cast<double>(extent[0]) * static_cast<double>(extent[1]),
-                      static_cast<double>(size));
+    file_->take(2 * static_cast<double>(extent[0]) * static_cast<double>(extent[1]) *
+                static_cast<double>(size));
     std::string cells(extent[0] * extent[1] * size, '\0');
     check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data()),
           "cannot be read");

@@ -23,7 +23,7 @@ using namespace clca;
 constexpr std::size_t kWalls = 2;
 constexpr std::size_t kFramesInFirst = 5;
 constexpr std::uint32_t kMostLimit = 1U << 23U;
-constexpr double kBeside = 6e6;  // what HDF5 keeps beside the numbers
+constexpr double kBeside = 3e6;  // what HDF5 keeps beside the numbers
 
 /// A run folder whose two parts lie in memory.
 class Folder {
