@@ -115,14 +115,13 @@ Bytes sealed(const std::vector<Item>& items) {
 
 /// Bit for bit: NaN is itself.
 template <class T>
-bool same(const std::vector<T>& one, const std::vector<T>& other) {
-  return one.size() == other.size() &&
-         (one.empty() || std::memcmp(one.data(), other.data(), one.size() * sizeof(T)) == 0);
-}
-
-template <class T>
 bool same(const Numbers<T>& one, const Numbers<T>& other) {
-  return same(one.values, other.values);
+  const auto size = one.values.size();
+  return size == other.values.size() &&
+         (size == 0 || std::memcmp(one.values.data(), other.values.data(), size * sizeof(T)) == 0);
+}
+bool same(const Texts& one, const Texts& other) {
+  return one == other;
 }
 
 template <class T>
