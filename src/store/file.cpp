@@ -48,6 +48,9 @@ std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double m
     fail("read", path, errno);
   }
   std::vector<std::uint8_t> bytes;
+  if (const auto size = static_cast<double>(status.st_size); size > 0 && size <= most_bytes) {
+    bytes.reserve(static_cast<std::size_t>(status.st_size));  // growing would take twice as much
+  }
   std::vector<std::uint8_t> block(1U << 16U);
   while (true) {
     const ssize_t count = ::read(file.number(), block.data(), block.size());

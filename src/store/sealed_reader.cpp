@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "clca/store/file.hpp"
 #include "store/hdf5.hpp"
@@ -17,11 +18,15 @@ using hdf5::Handle;
 
 namespace {
 
-Handle open_image(std::vector<std::uint8_t>& content) {
+/// HDF5 copies what it is given, and again when it opens it: never more than two are there at once.
+Handle open_image(std::vector<std::uint8_t> file) {
   constexpr std::size_t kGrowth = 1U << 20U;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
-  check(H5Pset_file_image(access.id(), content.data(), content.size()), "image");
+  check(H5Pset_file_image(access.id(), file.data() + kSealBytes, file.size() - kSealBytes),
+        "image");
+  file.clear();
+  file.shrink_to_fit();
   return {H5Fopen(hdf5::name_in_memory().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose,
           "it is no HDF5 file"};
 }
@@ -41,12 +46,11 @@ std::array<hsize_t, 2> extent_of(const Handle& space) {
 
 class SealedReader::File {
  public:
-  File(const FileKind& kind, const std::filesystem::path& path, double most_bytes)
-      : bytes_(read_whole(path, most_bytes / 2)) {
-    version_ = check_seal(kind, bytes_);
-    bytes_.erase(bytes_.begin(), bytes_.begin() + kSealBytes);
-    bytes_left_ = most_bytes - 2 * static_cast<double>(bytes_.size());  // HDF5 has a copy
-    hdf5_.emplace(open_image(bytes_));
+  File(const FileKind& kind, const std::filesystem::path& path, double most_bytes) {
+    std::vector<std::uint8_t> bytes = read_whole(path, most_bytes / 2);
+    version_ = check_seal(kind, bytes);
+    bytes_left_ = most_bytes - 2 * static_cast<double>(bytes.size());
+    hdf5_.emplace(open_image(std::move(bytes)));
   }
 
   std::uint32_t version() const { return version_; }
@@ -72,7 +76,6 @@ class SealedReader::File {
   }
 
  private:
-  std::vector<std::uint8_t> bytes_;
   double bytes_left_ = 0;  // that may be taken
   std::uint32_t version_ = 0;
   std::optional<Handle> hdf5_;

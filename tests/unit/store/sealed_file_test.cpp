@@ -113,6 +113,13 @@ TEST_F(SealedFileTest, WhatNeedsMoreMemoryThanAllowedIsRefused) {
   EXPECT_EQ(reader.read_text("text"), "zwei\nZeilen");
 }
 
+TEST_F(SealedFileTest, WhatHasBeenReadBeforeCountsToo) {
+  const auto bytes = example();
+  const SealedReader reader(put(bytes), kKind, 2 * static_cast<double>(bytes.size()) + 60'000);
+  EXPECT_NO_THROW(reader.read<double>("reals")) << "40,000 bytes";
+  EXPECT_THROW(reader.read<double>("reals"), StoreError);
+}
+
 TEST_F(SealedFileTest, WhatIsAskedForInVainIsNamed) {
   const SealedReader reader(put(example()), kKind, kMuch);
   const auto why = [](const auto& ask) -> std::string {
