@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 struct RenderOptions {
   run::RedrawOptions redraw;
   SceneOptions scene;
+  std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
 };
 
@@ -55,7 +56,8 @@ scene::Scene scene_of(const RenderOptions& options) {
         fmt::format("{}: '{}' is no name of a scene", (run / "run.json").string(), summary.scene));
   }
   const scene::Scene stored = scene::parse_file(run / "scene.yaml");
-  std::vector<scene::Override> overrides = options.scene.overrides;
+  std::vector<scene::Override> overrides = options.look;
+  overrides.insert(overrides.end(), options.scene.overrides.begin(), options.scene.overrides.end());
   if (!stored.output.frames) {
     overrides.insert(overrides.begin(), "output.frames={}");
   }
@@ -127,7 +129,7 @@ void add_frames_option(CLI::App& command, RenderOptions& options, const char* na
       .add_option_function<std::string>(
           name,
           [&options, key](const std::string& value) {
-            options.scene.overrides.push_back(fmt::format("output.frames.{}={}", key, value));
+            options.look.push_back(fmt::format("output.frames.{}={}", key, value));
           },
           what)
       ->type_name(type);

@@ -36,7 +36,8 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         scene.output.frames->place));
   }
   const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
-  if (!options.movie.empty() && place(options.movie) == place(options.sheet)) {
+  if (!options.movie.empty() && !options.sheet.empty() &&
+      place(options.movie) == place(options.sheet)) {
     throw RedrawError(
         fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
   }

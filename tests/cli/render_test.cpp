@@ -227,7 +227,7 @@ species:
 walls:
   floor: {box: [0, 0, 30, 1], motion: {shake: {amplitude: 2}}}
 stages:
-  - {name: shaking, move: [floor], until: {cycles: 2}}
+  - {name: shaking, move: [floor], until: {cycles: 2}, fill: {region: [0, 2, 30, 40], counts: {grain: 20}}}
 output:
   frames: {width: 200, height: 200, overlay: arrows}
 )",
