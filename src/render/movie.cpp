@@ -66,6 +66,7 @@ Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format
                            int height, int frames_per_second) {
   Arguments arguments = {find_ffmpeg().string(),
                          "-nostdin",
+                         "-xerror",  // a disk that is full at the end is an error, too
                          "-hide_banner",
                          "-loglevel",
                          "error",

@@ -212,7 +212,7 @@ TEST_F(RenderCommandTest, SettingsAreThoseOfTheSceneFormat) {
   expect_refused(render({"run", "--width", "3"}), 2, HasSubstr("output.frames.width"));
   expect_refused(render({"run", "--overlay", "forces"}), 2, HasSubstr("passive: overlap"));
   expect_refused(render({"run", "--set", "rules.inertia=0"}), 2, HasSubstr("run the scene anew"));
-  expect_refused(render({"run", "--set", "output.series.every=3"}), 2,
+  expect_refused(render({"run", "--set", "output.series={every: 3}"}), 2,
                  HasSubstr("run the scene anew"));
   expect_refused(render({"run", "--set", "output.frames=none"}), 2,
                  HasSubstr("run the scene anew"));

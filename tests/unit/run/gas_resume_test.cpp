@@ -173,7 +173,7 @@ class GasResumeTest : public ::testing::Test {
 };
 
 /// Long enough for progress to be shown, in an unoptimised build some ten times as long.
-const Overrides kLong = {"boltzmann.particles=20000",      "boltzmann.until=400",
+const Overrides kLong = {"boltzmann.particles=8000",       "boltzmann.until=400",
                          "boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0",
                          "boltzmann.ensemble=3",           "output.series.every=4",
                          "output.histograms=[0, 10]"};
@@ -210,8 +210,7 @@ TEST_F(GasResumeTest, TheLogTellsOfEachRestitutionOnce) {
 TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
   for (const int threads : {1, 3}) {
     const scene::BoltzmannScene scene =
-        gas({"boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0", "boltzmann.ensemble=3",
-             "boltzmann.particles=5000", "boltzmann.until=12",
+        gas({"boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0", "boltzmann.ensemble=2",
              "output.checkpoint={seconds: 0.000001}"});
     const testing::ScratchFolder aside;
     bool taken = false;
@@ -349,8 +348,7 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
       {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
       {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
       {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
-      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 20'001); },
-       "number of particles"},
+      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 8001); }, "number of particles"},
       {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; }, "speeds that are none"},
       {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; }, "speeds that are none"},
       {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "speeds that are none"}};
