@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <string>
 
 #include "clca/store/file.hpp"
@@ -65,20 +66,31 @@ void map_parts(const Handle& creation, const Handle& whole, const Column& column
   }
 }
 
-void add_dataset(const Handle& file, const Column& column, hid_t type,
-                 const std::vector<Extents>& parts) {
+/// What a reader sees of a part that it cannot open: HDF5 does not tell, so it must not look like
+/// a value.
+template <Number T>
+constexpr T no_value() {
+  using Limits = std::numeric_limits<T>;
+  return Limits::has_quiet_NaN ? Limits::quiet_NaN()
+                               : (Limits::is_signed ? Limits::min() : Limits::max());
+}
+
+template <Number T>
+void add_dataset(const Handle& file, const Column& column, const std::vector<Extents>& parts) {
   std::uint64_t rows = 0;
   for (const Extents& part : parts) {
     rows += part.along(column.axis);
   }
   const Handle whole = space_of(shape_of(column, rows));
   const Handle creation = properties(H5P_DATASET_CREATE);
+  const T fill = no_value<T>();
+  check(H5Pset_fill_value(creation.id(), number_type<T>(), &fill), "fill value");
   map_parts(creation, whole, column, parts);
   const Handle links = properties(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
-  const Handle dataset(
-      H5Dcreate2(file.id(), column.path, type, whole.id(), links.id(), creation.id(), H5P_DEFAULT),
-      H5Dclose, "dataset");
+  const Handle dataset(H5Dcreate2(file.id(), column.path, number_type<T>(), whole.id(), links.id(),
+                                  creation.id(), H5P_DEFAULT),
+                       H5Dclose, "dataset");
 }
 
 std::vector<std::uint8_t> image_of(const Handle& file) {
@@ -103,7 +115,7 @@ void write_index(const std::filesystem::path& run_folder, const std::vector<Exte
       "file");
   const TrajectoryPart none;
   for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
-    add_dataset(file, column, number_type<T>(), parts);
+    add_dataset<T>(file, column, parts);
   });
   check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
                            H5P_DEFAULT),

@@ -129,5 +129,18 @@ print(len(parts), len(seen))
             "7 24\n");
 }
 
+TEST_F(TrajectoryInPython, APartThatIsNotThereIsNotTakenForValues) {
+  std::filesystem::create_directories(run());
+  write(testing::plate_scene());
+  std::filesystem::remove(run() / "trajectory" / "part-000003.h5");
+  EXPECT_EQ(output_of(fmt::format(
+                "/usr/bin/python3 -c 'import h5py, numpy; f = h5py.File(\"{}/trajectory.h5\"); "
+                "x = f[\"particles/position\"][:]; i = f[\"particles/id\"][:]; "
+                "print(numpy.isnan(x).sum(), (i == 2**32 - 1).sum(), (i < 80).sum(), "
+                "(f[\"walls/offset\"][:] == -2**31).sum())'",
+                run().string())),
+            "640 320 1920 4\n");
+}
+
 }  // namespace
 }  // namespace clca::store
