@@ -1,7 +1,10 @@
-// A scene: refused in one line, or the same once written and parsed again.
+// A scene, with an override or without: refused in one line, or the same once written and parsed
+// again.
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
@@ -11,8 +14,6 @@
 namespace {
 
 using namespace clca;
-
-constexpr double kMostBytes = 1e6;
 
 bool is_amount(double bytes) {
   return std::isfinite(bytes) && bytes >= 0;
@@ -30,11 +31,24 @@ void require_sizes(std::string_view text) {
   }
 }
 
+/// A text may begin with a line `--set KEY=VALUE`.
+std::vector<scene::Override> take_override(std::string_view& text) {
+  constexpr std::string_view kOption = "--set ";
+  if (!text.starts_with(kOption)) {
+    return {};
+  }
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const scene::Override override(text.substr(kOption.size(), end - kOption.size()));
+  text.remove_prefix(end);
+  return {override};
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const std::string trouble = testing::trouble_with_text(text, kMostBytes);
+  std::string_view text(reinterpret_cast<const char*>(data), size);
+  const std::vector<scene::Override> overrides = take_override(text);
+  const std::string trouble = testing::trouble_with_text(text, overrides);
   fuzz::require(trouble.empty(), trouble);
   require_sizes(text);
   return 0;

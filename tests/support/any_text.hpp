@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
@@ -26,25 +27,36 @@ inline bool has_place(std::string_view message) {
          message.substr(end).starts_with(": error: ");
 }
 
-/// Empty for one printable line with a place in it.
+/// Empty for one printable line with a place in it: in the file, or in an override.
 inline std::string trouble_with_message(std::string_view message) {
   for (const char letter : message) {
     if (static_cast<unsigned char>(letter) < 0x20) {
       return "a control character in: " + std::string(message);
     }
   }
-  return has_place(message) ? "" : "no place in: " + std::string(message);
+  const bool placed = has_place(message) || (message.starts_with("--set ") &&
+                                             message.find(": error: ") != std::string_view::npos);
+  return placed ? "" : "no place in: " + std::string(message);
+}
+
+/// Checks the walls unless that takes long. Pictures, which need most memory, play no part.
+inline void check_walls_of(scene::Scene scene) {
+  constexpr double kMostBytes = 1e6;
+  scene.output.frames.reset();
+  if (scene::size_of(scene).bytes < kMostBytes) {
+    scene::check_walls(scene);
+  }
 }
 
 /// Empty when the text is refused in one such line, or parses and says the same when it is written
-/// and parsed again. Walls are checked where the scene needs less than `most_bytes`.
-inline std::string trouble_with_text(std::string_view text, double most_bytes) {
+/// and parsed again.
+inline std::string trouble_with_text(std::string_view text,
+                                     const std::vector<scene::Override>& overrides = {}) {
   using namespace scene;
   try {
-    const AnyScene any = parse_any(text, "scene.yaml");
-    if (const auto* scene = std::get_if<Scene>(&any);
-        scene != nullptr && size_of(*scene).bytes < most_bytes) {
-      check_walls(*scene);
+    const AnyScene any = parse_any(text, "scene.yaml", overrides);
+    if (const auto* scene = std::get_if<Scene>(&any)) {
+      check_walls_of(*scene);
     }
     const std::string again = std::visit([](const auto& scene) { return to_yaml(scene); }, any);
     return parse_any(again, "scene.yaml") == any ? "" : "differs after a round trip";

@@ -15,10 +15,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr double kMostBytes = 1e7;
-
 std::string trouble_with(const std::string& text) {
-  return clca::testing::trouble_with_text(text, kMostBytes);
+  return clca::testing::trouble_with_text(text);
 }
 
 /// Numbers that look random and are the same everywhere (Numerical Recipes' generator).
