@@ -13,8 +13,9 @@ namespace clca::exports {
 namespace {
 
 std::vector<double> forces(const automaton::State& state) {
+  std::vector<double> none(state.particles.size(), 0.0);
   if (state.pushes.empty()) {
-    return std::vector<double>(state.particles.size(), 0.0);
+    return none;
   }
   const automaton::Occupancy occupancy(state);
   return measure::force_indices(state.particles.size(), measure::contacts(state, occupancy));

@@ -147,6 +147,8 @@ Program::~Program() {
   }
 }
 
+// Not const: what it is fed changes the program.
+// NOLINTNEXTLINE(readability-make-member-function-const)
 bool Program::feed(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);

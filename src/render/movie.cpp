@@ -29,18 +29,12 @@ void append(Arguments& arguments, const Arguments& more) {
 
 /// Half the colours, as players want it, on sides that can be halved; and which colours they are.
 Arguments video_arguments() {
-  return {"-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,"
-          "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_inp+bitexact,"
-          "format=yuv420p",
-          "-colorspace",
-          "bt709",
-          "-color_primaries",
-          "bt709",
-          "-color_trc",
-          "iec61966-2-1",
-          "-color_range",
-          "tv"};
+  constexpr const char* kFilter =
+      "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,"
+      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_inp+bitexact,"
+      "format=yuv420p";
+  return {"-vf",   kFilter,      "-colorspace",  "bt709",        "-color_primaries",
+          "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"};
 }
 
 Arguments format_arguments(MovieFormat format) {

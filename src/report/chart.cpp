@@ -162,9 +162,9 @@ std::string data_json(const Chart& chart, const PlotFrame& frame) {
     }
     curves.push_back(std::move(points));
   }
-  return Json({{"left", frame.left()},
+  return Json({{"left", PlotFrame::left()},
                {"right", std::round(frame.right())},
-               {"top", frame.top()},
+               {"top", PlotFrame::top()},
                {"bottom", std::round(frame.bottom())},
                {"curves", std::move(curves)}})
       .dump();

@@ -109,7 +109,7 @@ fs::path write_report(const fs::path& run, const Options& options) {
   page.charts = charts_html(tables);
   page.maps = maps_html(tables);
   page.files = tables.files();
-  const fs::path file = options.file.empty() ? run / "report.html" : options.file;
+  fs::path file = options.file.empty() ? run / "report.html" : options.file;
   store::write_whole(file, to_html(page, summary, warnings));
   return file;
 }

@@ -11,7 +11,7 @@ namespace clca::run {
 namespace {
 
 spdlog::logger open_logger(const std::filesystem::path& file, std::uint64_t kept) {
-  store::GrowingFile(file, kept);
+  const store::GrowingFile cut_off(file, kept);
   try {
     return {"clca", std::make_shared<spdlog::sinks::basic_file_sink_st>(file.string())};
   } catch (const spdlog::spdlog_ex& error) {

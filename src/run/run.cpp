@@ -39,14 +39,7 @@ class Run {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
       : Run(scene, options, events, std::move(parts.state)) {
-    folder_.emplace(std::move(saved.folder));
-    course_ = parts.course;
-    history_ = std::move(parts.history);
-    stages_ = std::move(parts.stages);
-    records_.resume_stage(stage(), automaton_, saved.checkpoint->fields, saved.most_bytes);
-    log_.emplace(folder_->log(), course_.log_bytes, events);
-    outputs_.reopen(*folder_, automaton_.state(), parts.outputs);
-    in_stage_ = true;
+    go_on(saved, parts);
   }
 
   store::RunSummary execute();
@@ -62,6 +55,8 @@ class Run {
         records_(scene),
         saver_(scene.output.checkpoint) {}
 
+  /// Takes over where `saved` was.
+  void go_on(SavedRun& saved, SavedParts& parts);
   void run_stages();
   void begin_stage();
   void run_stage();
@@ -127,6 +122,17 @@ store::RunSummary Run::execute() {
   const std::string status = interrupted_ ? "interrupted" : "done";
   write_summary(status);
   return summary(status);
+}
+
+void Run::go_on(SavedRun& saved, SavedParts& parts) {
+  folder_.emplace(std::move(saved.folder));
+  course_ = parts.course;
+  history_ = std::move(parts.history);
+  stages_ = std::move(parts.stages);
+  records_.resume_stage(stage(), automaton_, saved.checkpoint->fields, saved.most_bytes);
+  log_.emplace(folder_->log(), course_.log_bytes, events_);
+  outputs_.reopen(*folder_, automaton_.state(), parts.outputs);
+  in_stage_ = true;
 }
 
 void Run::run_stages() {

@@ -81,8 +81,9 @@ SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
 }
 
 store::StoreError not_of_this_run(const std::filesystem::path& folder, const std::string& reason) {
-  return store::StoreError(fmt::format("cannot go on in {}: its checkpoint is not of this run: {}",
-                                       folder.string(), reason));
+  store::StoreError error(fmt::format("cannot go on in {}: its checkpoint is not of this run: {}",
+                                      folder.string(), reason));
+  return error;
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {

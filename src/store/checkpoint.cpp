@@ -59,13 +59,13 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
   writer.add_text("scene", checkpoint.scene);
   writer.add_text("summary", checkpoint.summary);
   std::vector<std::string> paths;
-  for (const auto& [path, column] : checkpoint.fields) {
-    paths.push_back(path);
+  for (const auto& one : checkpoint.fields) {
+    paths.push_back(one.first);
     std::visit(
         [&]<class T>(const std::vector<T>& values) {
-          writer.add<T>(kFields + path, std::span<const T>(values));
+          writer.add<T>(kFields + one.first, std::span<const T>(values));
         },
-        column);
+        one.second);
   }
   writer.add_texts(kList, paths);
   const fs::path next = run_folder / "checkpoint-next.h5";

@@ -36,23 +36,23 @@ namespace detail {
 
 template <class T>
 struct StoredAs {
-  using type = T;
+  using Type = T;
 };
 template <class T>
 requires std::is_enum_v<T>
 struct StoredAs<T> {
-  using type = typename StoredAs<std::underlying_type_t<T>>::type;
+  using Type = typename StoredAs<std::underlying_type_t<T>>::Type;
 };
 template <>
 struct StoredAs<bool> {
-  using type = std::uint8_t;
+  using Type = std::uint8_t;
 };
 template <>
 struct StoredAs<char> {
-  using type = std::uint8_t;
+  using Type = std::uint8_t;
 };
 template <class T>
-using Stored = typename StoredAs<T>::type;
+using Stored = typename StoredAs<T>::Type;
 
 /// What the elements of a container add to its path.
 template <class T>

@@ -43,28 +43,28 @@ concept Listed = requires {
 
 namespace detail {
 template <class T>
-inline constexpr bool is_optional = false;
+struct IsOptional : std::false_type {};
 template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
+struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
-inline constexpr bool is_map = false;
+struct IsMap : std::false_type {};
 template <class Key, class Value>
-inline constexpr bool is_map<std::map<Key, Value>> = true;
+struct IsMap<std::map<Key, Value>> : std::true_type {};
 template <class T>
-inline constexpr bool is_vector = false;
+struct IsVector : std::false_type {};
 template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
+struct IsVector<std::vector<T>> : std::true_type {};
 template <>
-inline constexpr bool is_vector<std::string> = true;
+struct IsVector<std::string> : std::true_type {};
 }  // namespace detail
 
 template <class T>
-concept Optional = detail::is_optional<T>;
+concept Optional = detail::IsOptional<T>::value;
 template <class T>
-concept Map = detail::is_map<T>;
+concept Map = detail::IsMap<T>::value;
 /// std::vector or std::string.
 template <class T>
-concept Vector = detail::is_vector<T>;
+concept Vector = detail::IsVector<T>::value;
 /// Of numbers, with a size that is known only when it runs.
 template <class T>
 concept DynamicArray = requires {
