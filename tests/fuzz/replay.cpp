@@ -1,4 +1,5 @@
-// Feeds the files of a corpus to a fuzz target. The last line names the file it ends at.
+// Feeds the files of a corpus to a fuzz target, and damaged copies of each: always the same ones.
+// The last line names the file, and the copy, that it ends at.
 
 #include <algorithm>
 #include <exception>
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <random>
 #include <vector>
 
 #include "target.hpp"
@@ -26,6 +28,36 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
+constexpr int kCopies = 10;  // damaged ones of each file
+
+/// Some bytes changed, taken out or said twice.
+std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, std::minstd_rand& random) {
+  const auto below = [&](std::size_t bound) { return random() % std::max<std::size_t>(1, bound); };
+  for (std::size_t times = 1 + below(4); times > 0 && !bytes.empty(); --times) {
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(below(bytes.size()));
+    const auto rest = static_cast<std::size_t>(bytes.end() - begin);
+    const auto end =
+        begin + static_cast<std::ptrdiff_t>(1 + below(std::min<std::size_t>(rest, 16)));
+    switch (below(4)) {
+      case 0:
+        *begin = static_cast<std::uint8_t>(*begin ^ (1U << below(8)));
+        break;
+      case 1:
+        *begin = static_cast<std::uint8_t>(below(256));
+        break;
+      case 2:
+        bytes.erase(begin, std::min(end, bytes.end()));
+        break;
+      default: {
+        const std::vector<std::uint8_t> copy(begin, std::min(end, bytes.end()));
+        bytes.insert(begin, copy.begin(), copy.end());
+      }
+    }
+  }
+  bytes.shrink_to_fit();
+  return bytes;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -41,6 +73,12 @@ int main(int count, char** arguments) try {
     std::cerr << file.filename().string() << '\n';
     const auto bytes = bytes_of(file);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    std::minstd_rand random;
+    for (int copy = 0; copy < kCopies; ++copy) {
+      std::cerr << "  copy " << copy << '\n';
+      const auto changed = damaged(bytes, random);
+      LLVMFuzzerTestOneInput(changed.data(), changed.size());
+    }
   }
   return 0;
 } catch (const std::exception& error) {
