@@ -104,5 +104,29 @@ TEST_F(Killed, AtRandomMomentsARunEndsAsIfNobodyHadDisturbedIt) {
   RecordProperty("kills", kills);
 }
 
+// A table that grows meets the end of the disk first; the checkpoints before it are whole.
+TEST(FullDisk, EndsARunWithACheckpointThatCanBeGoneOnWith) {
+  const testing::ScratchFolder folder;
+  const std::string scene = (folder.path() / "long.yaml").string();
+  std::ofstream(scene) << R"(clca: 1
+box: {width: 30, height: 40}
+species: {grain: {shape: {hexagon: 1}}}
+stages: [{name: fall, fill: {region: [0, 0, 30, 40], counts: {grain: 30}}, until: {steps: 4000}}]
+output: {series: {every: 1}, checkpoint: {every: 300}}
+)";
+  const std::string unbroken = (folder.path() / "unbroken").string();
+  const std::string broken = (folder.path() / "broken").string();
+  ASSERT_EQ(testing::run_program({"run", scene, "-o", unbroken, "--quiet"}).code, 0);
+  constexpr std::size_t kLimit = 100'000;
+  ASSERT_GT(fs::file_size(unbroken + "/series.csv"), kLimit);
+  ASSERT_LT(fs::file_size(unbroken + "/checkpoint.h5"), kLimit);
+  const auto result =
+      testing::run_program({"run", scene, "-o", broken, "--quiet"}, {.file_size_limit = kLimit});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.err, "clca: error: cannot write " + broken + "/series.csv: File too large\n");
+  EXPECT_EQ(testing::run_program({"resume", broken, "--quiet"}).code, 0);
+  EXPECT_EQ(testing::difference_of_runs(unbroken, broken), "");
+}
+
 }  // namespace
 }  // namespace clca
