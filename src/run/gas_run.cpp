@@ -287,7 +287,7 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   if (!saved.checkpoint) {
-    saved.folder.clear();
+    saved.folder.clear_results();
     return GasRun(scene, options, events, std::move(saved.folder)).execute();
   }
   GasCourse course = saved_course(saved);

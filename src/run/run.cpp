@@ -309,7 +309,7 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   }
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (!saved.checkpoint) {
-    saved.folder.clear();
+    saved.folder.clear_results();
     return Run(scene, options, events, std::move(saved.folder)).execute();
   }
   return resumed_run(scene, options, events, saved)->execute();

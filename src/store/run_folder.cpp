@@ -55,11 +55,14 @@ bool is_leftover(const fs::path& file) {
          name.find_first_not_of("0123456789", part + 6) == std::string::npos;
 }
 
+/// But run.json and scene.yaml.
 bool is_file_of_run(const fs::path& file) {
-  constexpr std::array<std::string_view, 12> kWhole = {
-      "checkpoint-next.h5", "trajectory.h5", "report.html",   "series.csv",
-      "cycles.csv",         "fields.csv",    "closure.csv",   "run.json",
-      "scene.yaml",         "log.txt",       "checkpoint.h5", "checkpoint-previous.h5"};
+  constexpr std::array<std::string_view, 10> kWhole = {
+      "checkpoint.h5",      "checkpoint-previous.h5",
+      "checkpoint-next.h5", "trajectory.h5",
+      "report.html",        "series.csv",
+      "cycles.csv",         "fields.csv",
+      "closure.csv",        "log.txt"};
   constexpr std::array<std::string_view, 8> kOfStages = {"profile-",   "convection-", "contacts-",
                                                          "forces-",    "loads-",      "walls-",
                                                          "histogram-", "fluctuation-"};
@@ -115,7 +118,13 @@ RunFolder::RunFolder(fs::path path) : path_(made(std::move(path))), lock_(path_)
 
 RunFolder RunFolder::for_new_run(fs::path path) {
   RunFolder folder(std::move(path));
-  folder.clear();
+  if (fs::exists(folder.summary())) {
+    folder.clear_results();
+    // Last, so that a process that is killed on the way has not forgotten that there is something.
+    for (const fs::path& file : {folder.scene(), folder.summary()}) {
+      checked("remove", file, [&](std::error_code& error) { fs::remove(file, error); });
+    }
+  }
   return folder;
 }
 
@@ -123,15 +132,13 @@ RunFolder RunFolder::for_resumed_run(fs::path path) {
   return RunFolder(std::move(path));
 }
 
-void RunFolder::clear() const {
-  if (fs::exists(summary())) {
-    remove_matching(frames(), is_frame);
-    remove_matching(redrawn_folder(path_), is_frame);
-    remove_matching(path_ / "plots", is_figure);
-    remove_matching(path_ / "export", is_export);
-    remove_matching(path_, is_file_of_run);
-    remove_parts(path_, 0);
-  }
+void RunFolder::clear_results() const {
+  remove_matching(frames(), is_frame);
+  remove_matching(redrawn_folder(path_), is_frame);
+  remove_matching(path_ / "plots", is_figure);
+  remove_matching(path_ / "export", is_export);
+  remove_matching(path_, is_file_of_run);
+  remove_parts(path_, 0);
 }
 
 void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) const {

@@ -30,8 +30,9 @@ class RunFolder {
   /// For a run that goes on: clears nothing. Throws StoreError likewise.
   static RunFolder for_resumed_run(std::filesystem::path path);
 
-  /// Removes what for_new_run() removes.
-  void clear() const;
+  /// For a run that begins anew: removes what for_new_run() removes but scene.yaml and run.json,
+  /// which say what is to be run.
+  void clear_results() const;
 
   const std::filesystem::path& path() const { return path_; }
   /// Makes the folder of pictures if need be. Throws StoreError.
