@@ -173,7 +173,7 @@ class GasResumeTest : public ::testing::Test {
 };
 
 /// Long enough for progress to be shown, in an unoptimised build some ten times as long.
-const Overrides kLong = {"boltzmann.particles=8000",       "boltzmann.until=400",
+const Overrides kLong = {"boltzmann.particles=4000",       "boltzmann.until=300",
                          "boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0",
                          "boltzmann.ensemble=3",           "output.series.every=4",
                          "output.histograms=[0, 10]"};
