@@ -218,7 +218,8 @@ TEST_F(CliTest, AFolderThatCannotBeMadeIsAFailedRun) {
 TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
   write("small.yaml", kScene);
   // Room for run.json and scene.yaml, not for a picture.
-  const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=1280"},
+  const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=1280",
+                           "--set", "output.series=none", "--set", "output.checkpoint=none"},
                           {.file_size_limit = 3000});
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.err, AllOf(HasSubstr("cannot write"), HasSubstr(".png")));
