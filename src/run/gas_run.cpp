@@ -93,7 +93,7 @@ class GasRun {
   store::RunFolder folder_;
   Log log_;
   WallClock wall_clock_;  // since this run began or went on
-  Ticker ticker_{std::chrono::milliseconds(100)};
+  Ticker ticker_{events_.progress_interval};
   GasCarrier carrier_;
   GasCourse course_;
   std::uint64_t cases_told_;  // by the lines of log.txt that were there

@@ -99,7 +99,7 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
-  Ticker ticker(std::chrono::milliseconds(100));
+  Ticker ticker(events.progress_interval);
   Forecast forecast;
   std::size_t number = 0;
   for (; number < chosen_.size() && !stop_asked(); ++number) {

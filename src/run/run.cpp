@@ -100,7 +100,7 @@ class Run {
   Records records_;
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
   std::optional<Log> log_;
-  Ticker ticker_{std::chrono::milliseconds(100)};
+  Ticker ticker_{events_.progress_interval};
   RunCourse course_;
   StageHistory history_;
   bool in_stage_ = false;  // one that goes on

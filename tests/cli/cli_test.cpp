@@ -230,8 +230,8 @@ TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
 TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
   write("gas.yaml", kEndless);
   for (const int signal : {SIGINT, SIGTERM}) {
-    const auto result =
-        run({"run", "gas.yaml", "-o", "out"}, {.signal_after = 0.7, .signal = signal});
+    const auto result = run({"run", "gas.yaml", "-o", "out"},
+                            {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
     EXPECT_EQ(result.code, 128 + signal) << result.err;
     EXPECT_THAT(result.out, StartsWith("interrupted: "));
     const auto json = summary("out");

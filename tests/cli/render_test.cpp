@@ -175,8 +175,10 @@ TEST_F(RenderCommandTest, AFullDiskLeavesNoMovie) {
 
 TEST_F(RenderCommandTest, CtrlCLeavesWhatIsDrawnWhole) {
   store("long", {"output.frames.width=3000", "output.frames.height=3000",
-                 "output.frames.supersampling=4", "output.frames.every=1"});
-  const auto result = render({"long", "-o", "some"}, {.signal_after = 1.5});
+                 "output.frames.supersampling=1", "output.frames.every=1"});
+  const auto result =
+      render({"long", "-o", "some"},
+             {.signal_after = 0.001, .once = "some/small-000000.png", .once_has = "IEND"});
   EXPECT_EQ(result.code, 130) << result.err;
   EXPECT_THAT(result.out, HasSubstr(" pictures drawn"));
   const std::set<std::string> drawn = names(path("some"));

@@ -162,15 +162,15 @@ TEST_F(SweepCommandTest, AfterCtrlCTheSameCallGoesOn) {
       "gas.yaml", "-o",     "out",
       "--seeds",  "1..2",   "--jobs",
       "1",        "--vary", "stages.gas.until.steps=10,100000000"};
+  const std::string long_one = "out/runs/stages.gas.until.steps=100000000,seed=1/run.json";
   for (const int signal : {SIGINT, SIGTERM}) {
-    const auto result = sweep(call, {.signal_after = 1, .signal = signal});
+    const auto result = sweep(call, {.signal_after = 0.3, .once = long_one, .signal = signal});
     EXPECT_EQ(result.code, 128 + signal) << result.err;
     EXPECT_THAT(result.out, HasSubstr("2 interrupted or not begun"));
     EXPECT_THAT(text("out/runs.csv"), AllOf(HasSubstr("\n10,1,done,"), HasSubstr("\n10,2,done,"),
                                             HasSubstr("\n100000000,1,interrupted,"),
                                             HasSubstr("\n100000000,2,waiting,")));
-    EXPECT_THAT(text("out/runs/stages.gas.until.steps=100000000,seed=1/run.json"),
-                HasSubstr("\"interrupted\""));
+    EXPECT_THAT(text(long_one), HasSubstr("\"interrupted\""));
     EXPECT_THAT(result.out, HasSubstr(signal == SIGINT ? "2 done, 0" : "2 done (2 from before)"));
   }
 }

@@ -30,6 +30,16 @@ void redirect(int descriptor, const std::filesystem::path& file) {
   ::close(opened);
 }
 
+/// Until the file has the text or the child has ended.
+void wait_for_text(const std::filesystem::path& file, const std::string& text, pid_t child) {
+  siginfo_t ended = {};
+  while (text_of(file).find(text) == std::string::npos &&
+         ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 }  // namespace
 
 ProgramResult run_program(const std::vector<std::string>& arguments,
@@ -59,6 +69,9 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
     ::_exit(127);
   }
   if (setting.signal_after > 0) {
+    if (!setting.once.empty()) {
+      wait_for_text(std::filesystem::path(setting.folder) / setting.once, setting.once_has, child);
+    }
     std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
     ::kill(child, setting.signal);
   }

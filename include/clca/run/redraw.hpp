@@ -2,6 +2,7 @@
 // Draws a run again from its trajectory, without simulating: pictures, a movie, a contact sheet.
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -43,7 +44,8 @@ struct RedrawProgress {
 
 /// All optional.
 struct RedrawEvents {
-  std::function<void(const RedrawProgress&)> progress = {};  ///< some ten times a second
+  std::function<void(const RedrawProgress&)> progress = {};
+  std::chrono::milliseconds progress_interval{100};  ///< least time between two of them
   std::function<void(const std::string&)> warning = {};
 };
 

@@ -2,6 +2,7 @@
 // Runs a scene from its first stage to its last and leaves a run folder.
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -62,8 +63,10 @@ struct RunOptions {
 
 /// All optional; called from the thread that runs.
 struct RunEvents {
-  std::function<void(const Progress&)> progress = {};  ///< some ten times a second
+  std::function<void(const Progress&)> progress = {};
   std::function<void(const GasProgress&)> gas_progress = {};
+  /// Least time between two calls of one of these; they come after a step.
+  std::chrono::milliseconds progress_interval{100};
   std::function<void(const std::string&)> message = {};
   std::function<void(const std::string&)> warning = {};
 };

@@ -140,7 +140,8 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
                         .folder = folder_.path() / "some",
                         .sheet = folder_.path() / "sheet.png",
                         .stop = &stop});
-  const std::size_t drawn = redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }});
+  const std::size_t drawn =
+      redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }, .progress_interval = {}});
   EXPECT_GT(drawn, 0U);
   EXPECT_LT(drawn, redraw.pictures());
   EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
