@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "automaton/deposit.hpp"
 #include "automaton/fill.hpp"
 #include "automaton/source.hpp"
 #include "automaton/stepper.hpp"
@@ -43,9 +44,12 @@ class Automaton::Impl {
     return report;
   }
 
-  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
+  /// `place` puts the particles into a region: fill_region or deposit_in.
+  template <class Place>
+  FillResult fill(Place place, const lattice::Rectangle& region,
+                  std::span<const std::size_t> counts) {
     const std::size_t before = world.state.particles.size();
-    FillResult result = fill_region(world.state, world.occupancy, region, counts);
+    FillResult result = place(world.state, world.occupancy, region, counts);
     world.welcome_from(before);
     for (std::size_t id = before; id < world.state.particles.size(); ++id) {
       discharge(static_cast<std::uint32_t>(id));
@@ -95,7 +99,12 @@ StepReport Automaton::step() {
 }
 
 FillResult Automaton::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
-  return impl_->fill(region, counts);
+  return impl_->fill(fill_region, region, counts);
+}
+
+FillResult Automaton::deposit(const lattice::Rectangle& region,
+                              std::span<const std::size_t> counts) {
+  return impl_->fill(deposit_in, region, counts);
 }
 
 void Automaton::remove_wall(std::size_t wall) {

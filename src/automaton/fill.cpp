@@ -15,16 +15,6 @@ struct Trial {
   std::uint16_t kind = 0;
 };
 
-std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
-  std::vector<std::uint16_t> kinds;
-  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
-    if (state.kinds[kind].species == species) {
-      kinds.push_back(static_cast<std::uint16_t>(kind));
-    }
-  }
-  return kinds;
-}
-
 /// Species indices with the largest shapes first.
 std::vector<std::size_t> largest_first(const State& state, std::size_t species_count) {
   std::vector<std::size_t> sizes(species_count, 0);
@@ -70,22 +60,17 @@ std::size_t place_species(State& state, Occupancy& occupancy, const lattice::Rec
   return placed;
 }
 
-/// Numbers the particles from `first` on up the columns from the left, so that neighbours in the
-/// box are neighbours in memory.
-void renumber(State& state, Occupancy& occupancy, std::size_t first) {
-  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(begin, state.particles.end(),
-            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
-  for (std::size_t id = first; id < state.particles.size(); ++id) {
-    const Particle& particle = state.particles[id];
-    state.origins[id] = particle.site();
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
+}  // namespace
+
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
+  std::vector<std::uint16_t> kinds;
+  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
+    if (state.kinds[kind].species == species) {
+      kinds.push_back(static_cast<std::uint16_t>(kind));
     }
   }
+  return kinds;
 }
-
-}  // namespace
 
 bool fits(const State& state, const Occupancy& occupancy, const Particle& particle) {
   const auto& parts = state.shape(particle).sites();
@@ -111,6 +96,19 @@ void insert(State& state, Occupancy& occupancy, const Particle& particle) {
   }
   state.particles.push_back(particle);
   state.origins.push_back(particle.site());
+}
+
+void renumber(State& state, Occupancy& occupancy, std::size_t first) {
+  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, state.particles.end(),
+            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
+  for (std::size_t id = first; id < state.particles.size(); ++id) {
+    const Particle& particle = state.particles[id];
+    state.origins[id] = particle.site();
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
+    }
+  }
 }
 
 FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectangle& region,

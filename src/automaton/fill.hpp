@@ -1,7 +1,9 @@
 #pragma once
 // Placing particles at random where there is room.
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "clca/automaton/automaton.hpp"
 
@@ -19,5 +21,12 @@ bool lies_inside(const State& state, const Particle& particle, const lattice::Re
 
 /// Appends the particle, which must fit, and enters it in `occupancy`.
 void insert(State& state, Occupancy& occupancy, const Particle& particle);
+
+/// The kinds of a species: one for each orientation.
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
+
+/// Numbers the particles from `first` on up the columns from the left, so that neighbours in the
+/// box are neighbours in memory.
+void renumber(State& state, Occupancy& occupancy, std::size_t first);
 
 }  // namespace clca::automaton

@@ -59,6 +59,11 @@ class Automaton {
   /// first, each in a random orientation. New ids follow the columns from the left, upwards. A
   /// species that no longer fits anywhere is placed in part.
   FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Sets `counts` (per species) particles down in `region` one after another, in an order drawn,
+  /// each where it comes to rest on those before it (sequential deposition, Visscher & Bolsterli
+  /// 1972): a packing that is settled as it is. Ids as above. Throws std::invalid_argument unless
+  /// gravity points down.
+  FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   /// Takes a wall away; nothing happens when it is gone already.
   void remove_wall(std::size_t wall);
   /// Puts a wall where it is not yet. Returns false and changes nothing when a particle stands in

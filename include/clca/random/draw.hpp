@@ -17,6 +17,10 @@ enum class Purpose : std::uint32_t {
   source_position = 9,
   scatter_direction = 10,
   passive = 11,
+  deposit_species = 12,
+  deposit_kind = 13,
+  deposit_column = 14,
+  deposit_coin = 15,
   // Of the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,

@@ -1,0 +1,304 @@
+#include "automaton/deposit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "automaton/fill.hpp"
+#include "clca/automaton/footprint.hpp"
+#include "clca/random/draw.hpp"
+
+namespace clca::automaton {
+
+namespace {
+
+using lattice::Direction;
+
+/// Least and greatest, both included.
+struct Span {
+  int low = 0;
+  int high = -1;
+
+  bool contains(int value) const { return value >= low && value <= high; }
+  int count() const { return high - low + 1; }
+};
+
+/// The lower side of a kind in one of the columns it covers.
+struct Edge {
+  lattice::Axial bottom;
+  lattice::Axial top;
+};
+
+/// Where the reference site of a kind may stand so that all its sites lie in the region.
+struct Room {
+  Span columns;
+  std::array<Span, 2> rows;  ///< in even and odd columns
+  std::vector<Edge> edges;
+
+  bool contains(lattice::Site site) const {
+    return columns.contains(site.column) &&
+           rows[lattice::is_odd(site.column) ? 1 : 0].contains(site.row);
+  }
+};
+
+std::vector<Edge> edges_of(const lattice::Shape& shape) {
+  std::vector<Edge> edges;
+  for (const lattice::Axial part : shape.sites()) {  // sorted by x, then q
+    if (edges.empty() || edges.back().bottom.x != part.x) {
+      edges.push_back({part, part});
+    }
+    edges.back().top = part;
+  }
+  return edges;
+}
+
+/// The numbers from `low` to `high` for which `inside` holds; they follow one another.
+template <class Inside>
+Span span_where(int low, int high, Inside inside) {
+  Span span = {high + 1, high};
+  for (int value = low; value <= high; ++value) {
+    if (inside(value)) {
+      span.low = std::min(span.low, value);
+      span.high = value;
+    } else if (span.low <= value) {
+      return {span.low, value - 1};
+    }
+  }
+  return span;
+}
+
+/// Fair coins of one particle.
+class Coins {
+ public:
+  Coins(std::uint64_t seed, std::uint32_t id) : seed_(seed), id_(id) {}
+
+  bool heads() {
+    if (left_ == 0) {
+      bits_ = random::draw(seed_, drawn_++, id_, random::Purpose::deposit_coin);
+      left_ = std::numeric_limits<std::uint64_t>::digits;
+    }
+    --left_;
+    const bool result = (bits_ & 1U) != 0;
+    bits_ >>= 1U;
+    return result;
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::uint32_t id_;
+  std::uint64_t drawn_ = 0;
+  std::uint64_t bits_ = 0;
+  int left_ = 0;
+};
+
+class Deposit {
+ public:
+  Deposit(State& state, Occupancy& occupancy, const lattice::Rectangle& region)
+      : state_(state), occupancy_(occupancy), region_(region), footprints_(state) {
+    rooms_.reserve(state.kinds.size());
+    for (const Kind& kind : state.kinds) {
+      rooms_.push_back(room_of(kind.shape));
+    }
+    surface_.resize(static_cast<std::size_t>(state.lattice.columns()));
+    for (int column = 0; column < state.lattice.columns(); ++column) {
+      surface_[static_cast<std::size_t>(column)] = highest_taken(column) + 1;
+    }
+  }
+
+  /// Returns false, with nothing changed, where no column has room.
+  bool place(std::uint16_t kind) {
+    const Room& room = rooms_[kind];
+    const auto id = static_cast<std::uint32_t>(state_.particles.size());
+    if (room.columns.count() <= 0) {
+      return false;
+    }
+    const auto columns = static_cast<std::uint64_t>(room.columns.count());
+    const std::uint64_t drawn =
+        random::below(random::draw(state_.seed, 0, id, random::Purpose::deposit_column), columns);
+    for (std::uint64_t tried = 0; tried < columns; ++tried) {
+      const int column = room.columns.low + static_cast<int>((drawn + tried) % columns);
+      if (const auto start = landing(room, column)) {
+        Particle particle = {.column = column, .row = *start, .kind = kind};
+        roll_down(particle, id);
+        insert(state_, occupancy_, particle);
+        raise_surface(particle);
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  Room room_of(const lattice::Shape& shape) const {
+    Room room;
+    room.edges = edges_of(shape);
+    const lattice::Lattice& lattice = state_.lattice;
+    const auto fits_across = [&](int column) {
+      return std::all_of(room.edges.begin(), room.edges.end(), [&](const Edge& edge) {
+        const int at = lattice.wrapped(column + edge.bottom.x);
+        const double x = lattice::position(lattice::Site{at, 0}).x();
+        return at >= 0 && at < lattice.columns() && x >= region_.left && x < region_.right;
+      });
+    };
+    room.columns = span_where(0, lattice.columns() - 1, fits_across);
+    for (const int parity : {0, 1}) {
+      const auto fits_up = [&](int row) {
+        return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {
+          const lattice::Site site = lattice::Site{parity, row} + part;
+          const double y = lattice::position(site).y();
+          return site.row >= 0 && site.row < lattice.rows() && y >= region_.bottom &&
+                 y < region_.top;
+        });
+      };
+      room.rows[static_cast<std::size_t>(parity)] = span_where(0, lattice.rows() - 1, fits_up);
+    }
+    return room;
+  }
+
+  /// Below the top of the region; one less than the lowest row where there is none.
+  int highest_taken(int column) const {
+    int row = state_.lattice.rows() - 1;
+    while (row >= 0 && (lattice::position(lattice::Site{column, row}).y() >= region_.top ||
+                        !occupancy_.taken(state_.lattice.index({column, row})))) {
+      --row;
+    }
+    return row;
+  }
+
+  std::size_t surface_place(int column) const {
+    return static_cast<std::size_t>(state_.lattice.wrapped(column));
+  }
+
+  /// The lowest row in the column at which all that lies below is under the particle; none above
+  /// the region.
+  std::optional<int> landing(const Room& room, int column) const {
+    const Span& rows = room.rows[lattice::is_odd(column) ? 1 : 0];
+    int lowest = rows.low;
+    for (const Edge& edge : room.edges) {
+      const int bottom = (lattice::Site{column, 0} + edge.bottom).row;
+      lowest = std::max(lowest, surface_[surface_place(column + edge.bottom.x)] - bottom);
+    }
+    return lowest <= rows.high ? std::optional(lowest) : std::nullopt;
+  }
+
+  bool free(const Particle& particle, Direction direction) const {
+    if (!inside(particle, direction)) {
+      return false;
+    }
+    const lattice::Lattice& lattice = state_.lattice;
+    const std::size_t place = lattice.index(particle.site());
+    const int column = lattice.wrapped(particle.column);
+    const auto& lead = footprints_.of(particle).lead[index_of(direction)];
+    return std::none_of(lead.begin(), lead.end(), [&](lattice::Offset offset) {
+      return occupancy_.taken(lattice.at(place, column, offset));
+    });
+  }
+
+  bool inside(const Particle& particle, Direction direction) const {
+    lattice::Site target = particle.site() + unit(direction);
+    target.column = state_.lattice.wrapped(target.column);
+    return rooms_[particle.kind].contains(target);
+  }
+
+  void roll_down(Particle& particle, std::uint32_t id) const {
+    Coins coins(state_.seed, id);
+    while (const auto direction = way_down(particle, coins)) {
+      const lattice::Site target = particle.site() + unit(*direction);
+      particle.column = target.column;
+      particle.row = target.row;
+    }
+  }
+
+  /// None at rest. As the active rule without inertia.
+  std::optional<Direction> way_down(const Particle& particle, Coins& coins) const {
+    if (free(particle, Direction::down)) {
+      return Direction::down;
+    }
+    const bool right = free(particle, Direction::down_right);
+    const bool left = free(particle, Direction::down_left);
+    if (!right && !left) {
+      return std::nullopt;
+    }
+    return (right && left) ? (coins.heads() ? Direction::down_right : Direction::down_left)
+                           : (right ? Direction::down_right : Direction::down_left);
+  }
+
+  void raise_surface(const Particle& particle) {
+    for (const Edge& edge : rooms_[particle.kind].edges) {
+      int& surface = surface_[surface_place(particle.column + edge.top.x)];
+      surface = std::max(surface, (particle.site() + edge.top).row + 1);
+    }
+  }
+
+  State& state_;
+  Occupancy& occupancy_;
+  lattice::Rectangle region_;
+  FootprintTable footprints_;
+  std::vector<Room> rooms_;   // of each kind
+  std::vector<int> surface_;  // of each column: above the highest taken row
+};
+
+/// The species of the next particle: in proportion to how many are still to come.
+std::size_t next_species(const State& state, std::span<const std::size_t> left,
+                         std::uint64_t all_left) {
+  const auto id = static_cast<std::uint32_t>(state.particles.size());
+  std::uint64_t drawn =
+      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_species), all_left);
+  std::size_t species = 0;
+  while (drawn >= left[species]) {
+    drawn -= left[species++];
+  }
+  return species;
+}
+
+/// In an orientation drawn, or in the next one that has room.
+bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds) {
+  const auto id = static_cast<std::uint32_t>(state.particles.size());
+  const std::uint64_t drawn =
+      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), kinds.size());
+  for (std::size_t tried = 0; tried < kinds.size(); ++tried) {
+    if (deposit.place(kinds[(drawn + tried) % kinds.size()])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+FillResult deposit_in(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+                      std::span<const std::size_t> counts) {
+  if (state.rules.gravity != Direction::down) {
+    throw std::invalid_argument("particles are deposited along a gravity that points down");
+  }
+  const std::size_t first = state.particles.size();
+  std::vector<std::size_t> left(counts.begin(), counts.end());
+  std::uint64_t all_left = std::accumulate(left.begin(), left.end(), std::uint64_t{0});
+  state.particles.reserve(first + all_left);
+  state.origins.reserve(first + all_left);
+  std::vector<std::vector<std::uint16_t>> kinds;
+  for (std::size_t species = 0; species < counts.size(); ++species) {
+    kinds.push_back(kinds_of(state, species));
+  }
+  FillResult result{.placed = std::vector<std::size_t>(counts.size(), 0), .complete = true};
+  Deposit deposit(state, occupancy, region);
+  while (all_left > 0) {
+    const std::size_t species = next_species(state, left, all_left);
+    if (place_one(deposit, state, kinds[species])) {
+      ++result.placed[species];
+      --left[species];
+      --all_left;
+    } else {  // nor will it later: what lies there only grows
+      all_left -= std::exchange(left[species], 0);
+      result.complete = false;
+    }
+  }
+  renumber(state, occupancy, first);
+  return result;
+}
+
+}  // namespace clca::automaton
