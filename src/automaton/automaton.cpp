@@ -27,6 +27,7 @@ class Automaton::Impl {
     report.emitted = state.particles.size() - before;
     world.welcome_from(before);
     report.moved = stepper.advance();
+    report.looked_at = stepper.looked_at();
     if (!state.outlets.empty()) {
       std::size_t& removed = report.removed;
       stepper.for_each_moved([&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });

@@ -7,21 +7,17 @@
 
 namespace clca::automaton {
 
-void Stepper::leave_out_engaged() {
-  std::erase_if(looked_at_, [&](std::uint32_t id) { return world_.pushes.engaged(id); });
-}
-
 // All decide from the state at the start of the step; then the pushed have their turn, and what
 // the others wanted is looked at again in the light of that.
-void Stepper::move_engaged() {
+void Stepper::move_engaged(Lane& lane) {
   decide_engaged();
   move_pushed();
-  yield_to_pushed(falling_);
-  yield_to_pushed(sloping_);
+  yield_to_pushed(lane.falling);
+  yield_to_pushed(lane.sloping);
   for (Mover& mover : freed_) {
     mover.engaged = true;
     mover.contested = true;
-    sloping_.push_back(mover);
+    lane.sloping.push_back(mover);
   }
 }
 
@@ -32,14 +28,16 @@ void Stepper::decide_engaged() {
   for (const std::uint32_t id : PushBook::engaged_particles(state)) {
     Particle& particle = state.particles[id];
     quiet_ = quiet_ && particle.previous == kRest;
+    Mover mover = this->mover(id, particle, {});
     if (!PushBook::onto(state, id).empty()) {
-      pushed_.push_back(mover(id, passive_.provisional(id)));
+      mover.move = passive_.provisional(id);
+      pushed_.push_back(mover);
       continue;
     }
     const auto free = [&](lattice::Direction direction) { return is_free(world_, id, direction); };
     const auto back = retreat(world_, id);
-    const Move move = back ? *back : rule_.provisional(id, particle.previous, state.step, free);
-    freed_.push_back(mover(id, move));
+    mover.move = back ? *back : rule_.provisional(id, particle.previous, state.step, free);
+    freed_.push_back(mover);
   }
   for (std::vector<Mover>* movers : {&pushed_, &freed_}) {
     for (const Mover& mover : *movers) {

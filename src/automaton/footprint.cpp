@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "clca/automaton/site_bits.hpp"
+
 namespace clca::automaton {
 
 namespace {
@@ -16,6 +18,51 @@ std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
   result.reserve(sites.size());
   for (const Axial site : sites) {
     result.push_back(lattice.offset(site, odd_column));
+  }
+  return result;
+}
+
+/// Columns and rows that sites cover, seen from the reference site.
+struct Extent {
+  lattice::Site low;
+  lattice::Site high;
+
+  bool fits_a_window() const {
+    return high.column - low.column < kWindow && high.row - low.row < kWindow;
+  }
+};
+
+lattice::Site seen_from(bool odd_column, Axial site) {
+  const lattice::Site from = {odd_column ? 1 : 0, 0};
+  const lattice::Site to = from + site;
+  return {to.column - from.column, to.row};
+}
+
+Extent extent_of(const std::vector<Axial>& sites, bool odd_column) {
+  Extent extent;
+  for (const Axial site : sites) {
+    const lattice::Site at = seen_from(odd_column, site);
+    extent.low = {std::min(extent.low.column, at.column), std::min(extent.low.row, at.row)};
+    extent.high = {std::max(extent.high.column, at.column), std::max(extent.high.row, at.row)};
+  }
+  return extent;
+}
+
+/// The windows that lie side by side from `low` on, as far as they have sites.
+std::vector<Patch> patches(const std::vector<Axial>& sites, bool odd_column, lattice::Site low) {
+  std::vector<Patch> result;
+  for (const Axial site : sites) {
+    const lattice::Site at = seen_from(odd_column, site);
+    const int column = (at.column - low.column) / kWindow * kWindow + low.column;
+    const int row = (at.row - low.row) / kWindow * kWindow + low.row;
+    auto patch = std::find_if(result.begin(), result.end(), [&](const Patch& one) {
+      return one.column == column && one.row == row;
+    });
+    if (patch == result.end()) {
+      patch = result.insert(patch, {.column = column, .row = row, .sites = 0});
+    }
+    const int bit = kWindow * (at.column - column) + at.row - row;
+    patch->sites |= std::uint64_t{1} << static_cast<unsigned>(bit);
   }
   return result;
 }
@@ -38,20 +85,36 @@ std::vector<Axial> upstream(const std::vector<Axial>& vacated,
   return result;
 }
 
+std::vector<Axial> merged(const std::vector<Axial>& first, const std::vector<Axial>& second) {
+  std::vector<Axial> both;
+  std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+  return both;
+}
+
 Footprint make_footprint(const State& state, const lattice::Shape& shape, bool odd_column) {
   const std::span<const Direction> candidates = candidate_directions(state.rules);
+  Footprint::PerDirection<Axial> wake;
+  std::vector<Axial> all = shape.sites();
+  for (const Direction direction : lattice::kDirections) {
+    const std::vector<Axial> swept = merged(shape.sites(), shape.lead(direction));
+    wake[index_of(direction)] = upstream(shape.trail(direction), candidates, swept);
+    all = merged(merged(all, swept), wake[index_of(direction)]);
+  }
+  const Extent extent = extent_of(all, odd_column);
   Footprint footprint;
+  footprint.one_window = extent.fits_a_window();
+  footprint.corner = {.column = extent.low.column, .row = extent.low.row, .sites = 0};
   footprint.body = offsets(state.lattice, shape.sites(), odd_column);
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
     const std::vector<Axial> lead = shape.lead(direction);
     const std::vector<Axial> trail = shape.trail(direction);
-    std::vector<Axial> swept;
-    std::merge(shape.sites().begin(), shape.sites().end(), lead.begin(), lead.end(),
-               std::back_inserter(swept));
     footprint.lead[d] = offsets(state.lattice, lead, odd_column);
     footprint.trail[d] = offsets(state.lattice, trail, odd_column);
-    footprint.wake[d] = offsets(state.lattice, upstream(trail, candidates, swept), odd_column);
+    footprint.wake[d] = offsets(state.lattice, wake[d], odd_column);
+    footprint.lead_patches[d] = patches(lead, odd_column, extent.low);
+    footprint.swapped_patches[d] = patches(merged(lead, trail), odd_column, extent.low);
+    footprint.wake_patches[d] = patches(wake[d], odd_column, extent.low);
   }
   return footprint;
 }

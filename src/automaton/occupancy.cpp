@@ -9,8 +9,6 @@ namespace clca::automaton {
 
 namespace {
 
-constexpr std::size_t kWordBits = 64;
-
 /// Whether `id` may stand on a place that has `owner` already.
 bool may_share(const State& state, std::uint32_t id, Owner owner) {
   return PushBook::find(state, id, owner) != nullptr ||
@@ -74,8 +72,8 @@ bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) 
 }  // namespace
 
 Occupancy::Occupancy(const State& state)
-    : words_((state.lattice.memory_size() + kWordBits - 1) / kWordBits, 0),
-      owners_(state.lattice.memory_size(), kFree),
+    : taken_(state.lattice),
+      owners_(state.lattice.memory_size()),
       seconds_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
@@ -125,6 +123,18 @@ bool Occupancy::remove(std::size_t index, Owner owner) {
   }
   seconds_[index] = kFree;
   return false;
+}
+
+bool Occupancy::operator==(const Occupancy& other) const {
+  if (owners_.size() != other.owners_.size() || seconds_ != other.seconds_) {
+    return false;
+  }
+  for (std::size_t index = 0; index < owners_.size(); ++index) {
+    if (owner(index) != other.owner(index)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace clca::automaton

@@ -1,27 +1,19 @@
 #pragma once
 // Provisional directions, conflicts, moves and waking of one step.
 
+#include <span>
 #include <vector>
 
 #include "automaton/active_rule.hpp"
 #include "automaton/claims.hpp"
+#include "automaton/lane.hpp"
 #include "automaton/passive_rule.hpp"
+#include "automaton/strips.hpp"
 #include "automaton/update_order.hpp"
 #include "automaton/world.hpp"
 #include "clca/automaton/automaton.hpp"
 
 namespace clca::automaton {
-
-/// A particle with a provisional direction.
-struct Mover {
-  std::size_t place = 0;    ///< in memory, of its reference site when the step began
-  std::int32_t column = 0;  ///< of that site, wrapped
-  std::uint32_t id = 0;
-  Move move = kRest;
-  bool contested = false;
-  bool engaged = false;  ///< overlaps with somebody: has its turn among the contested
-  const Footprint* footprint = nullptr;
-};
 
 /// Moves the particles of a world by themselves.
 class Stepper {
@@ -32,6 +24,9 @@ class Stepper {
   /// a free direction is awake afterwards. Returns how many moved.
   std::size_t advance();
 
+  /// How many the last step has looked at.
+  std::size_t looked_at() const { return looked_at_; }
+
   /// True when nothing could be decided otherwise in the next step: no particle that overlaps had
   /// moved in the step before the last.
   bool was_quiet() const { return quiet_; }
@@ -39,10 +34,12 @@ class Stepper {
   /// Calls `visit` with the id of each particle that moved in the last step.
   template <class Visit>
   void for_each_moved(Visit visit) const {
-    for (const std::vector<Mover>* movers : {&falling_, &sloping_}) {
-      for (const Mover& mover : *movers) {
-        if (world_.state.particles[mover.id].previous != kRest) {
-          visit(mover.id);
+    for (const Lane& lane : lanes_) {
+      for (const std::vector<Mover>* movers : {&lane.falling, &lane.sloping}) {
+        for (const Mover& mover : *movers) {
+          if (world_.state.particles[mover.id].previous != kRest) {
+            visit(mover.id);
+          }
         }
       }
     }
@@ -52,41 +49,46 @@ class Stepper {
   }
 
  private:
-  /// A contested mover and its place in the order.
-  struct Turn {
-    UpdateKey key;
-    const Mover* mover = nullptr;
-  };
-
   bool parallel() const {
-    return options_.threads > 1 && looked_at_.size() >= options_.parallel_from;
+    return lanes_.size() > 1 && looked_at_ >= options_.parallel_from && world_.state.pushes.empty();
+  }
+  void wake_all();
+  void step_alone();
+  void step_together();
+
+  // Phases of a step, each for one thread, see lane_moves.cpp.
+  void find_awake(Lane& lane);
+  void look(Lane& lane, std::span<const std::uint32_t> ids);
+  void decide(Lane& lane, std::uint32_t id);
+  void claim(const Lane& lane);
+  void contest_falling(Lane& lane);
+  void contest_sloping(Lane& lane);
+  void move_uncontested(Lane& lane, const std::vector<Mover>& movers);
+  void clear_claims(const Lane& lane);
+  void carry(Lane& lane, const Mover& mover);
+  void carry_inside(Lane& lane, const Mover& mover);
+  void carry_near_border(Lane& lane, const Mover& mover);
+  /// Decides nothing yet.
+  Mover mover(std::uint32_t id, const Particle& particle, Columns inner) const {
+    const int column = world_.state.lattice.wrapped(particle.column);
+    Mover mover = {.site = {column, particle.row},
+                   .footprint = &world_.footprints.of(particle),
+                   .id = id,
+                   .near_border = !inner.contains(column)};
+    if (mover.footprint->one_window && !mover.near_border) {
+      mover.taken = world_.occupancy.window(mover.footprint->corner.corner(mover.site));
+    }
+    return mover;
   }
 
-  // With kShared the work is cut over the threads.
-  template <bool kShared, class Visit>
-  void for_each(std::size_t count, Visit visit) const;
-  template <bool kShared>
-  void carry_out();
-  template <bool kShared>
-  void decide();
-  void collect_movers();
-  template <bool kShared>
-  void find_contested();
-  template <bool kShared>
-  void move_uncontested(const std::vector<Mover>& movers);
-  std::size_t move_contested();
-  template <bool kShared>
-  void carry(const Mover& mover);
-
-  Mover mover(std::uint32_t id, Move move) const;
+  void move_contested();
   UpdateKey key(std::uint32_t id, Move move) const {
     return order_.key(id, world_.state.particles[id].previous, move, world_.state.step);
   }
   void rest(std::uint32_t id);
 
   // Particles that overlap, see engaged_step.cpp.
-  void leave_out_engaged();
-  void move_engaged();
+  void move_engaged(Lane& lane);
   void decide_engaged();
   void move_pushed();
   void yield_to_pushed(std::vector<Mover>& movers);
@@ -97,13 +99,15 @@ class Stepper {
   UpdateOrder order_;
   PassiveRule passive_;
   Claims claims_;
-  std::vector<std::uint32_t> looked_at_;
-  std::vector<Move> wishes_;    // of those looked at, in the same order
-  std::vector<Mover> falling_;  // along gravity
-  std::vector<Mover> sloping_;  // all other directions
+  Strips strips_;
+  std::vector<Lane> lanes_;
+  std::vector<AwakeSet*> awake_;  // of all lanes
   std::vector<Turn> turns_;
   std::vector<Mover> pushed_;  // by the passive rule
   std::vector<Mover> freed_;   // overlap, but go by themselves
+  std::size_t looked_at_;
+  std::size_t contested_moved_ = 0;
+  bool in_parallel_ = false;  // this step
   bool quiet_ = true;
   bool still_ = false;  // nothing moved in the last step, and nothing that overlaps in that before
 };

@@ -73,9 +73,10 @@ void SiteTexture::upload(const automaton::Occupancy& occupancy, const SiteWindow
   // Not Lattice::index, which wraps.
   const auto column_start =
       static_cast<std::size_t>(window.first_column + 1) * static_cast<std::size_t>(stride_);
+  const std::vector<automaton::Owner> owners = occupancy.owners();
   gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, stride_);
   upload_block(0, 0, columns_, rows_,
-               occupancy.owners().data() + column_start + (window.first_row + 1));
+               owners.data() + column_start + (window.first_row + 1));
   gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   if (lattice_.periodic()) {
     repeat_seam(occupancy, window);
@@ -84,10 +85,11 @@ void SiteTexture::upload(const automaton::Occupancy& occupancy, const SiteWindow
 }
 
 void SiteTexture::repeat_seam(const automaton::Occupancy& occupancy, const SiteWindow& window) {
+  const std::vector<automaton::Owner> owners = occupancy.owners();
   for (const int column : {-1, lattice_.columns()}) {
     if (column >= window.first_column && column <= window.last_column) {
       const std::size_t start = lattice_.index({column, window.first_row});
-      upload_block(column - window.first_column, 0, 1, rows_, occupancy.owners().data() + start);
+      upload_block(column - window.first_column, 0, 1, rows_, owners.data() + start);
     }
   }
 }

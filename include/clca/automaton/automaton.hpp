@@ -13,6 +13,7 @@ namespace clca::automaton {
 
 /// What one step did.
 struct StepReport {
+  std::size_t looked_at = 0;  ///< particles that were awake
   std::size_t moved = 0;
   std::size_t emitted = 0;
   std::size_t removed = 0;

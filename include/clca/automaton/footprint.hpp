@@ -2,6 +2,7 @@
 // The site lists of every kind of particle, ready for use on one lattice.
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,14 +10,34 @@
 
 namespace clca::automaton {
 
+/// Sites in a window (see SiteBits) whose lower left corner lies so far from a reference site.
+struct Patch {
+  std::int32_t column = 0;
+  std::int32_t row = 0;
+  std::uint64_t sites = 0;
+
+  lattice::Site corner(lattice::Site reference) const {
+    return {reference.column + column, reference.row + row};
+  }
+};
+
 /// The sites of one kind seen from reference columns of one parity.
 struct Footprint {
+  template <class T>
+  using PerDirection = std::array<std::vector<T>, lattice::kDirectionCount>;
+
   std::vector<lattice::Offset> body;
-  std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> lead;
-  std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> trail;
+  PerDirection<lattice::Offset> lead;
+  PerDirection<lattice::Offset> trail;
   /// Sites whose owners may gain a free direction when the particle has moved that way (seen from
   /// where it stood before).
-  std::array<std::vector<lattice::Offset>, lattice::kDirectionCount> wake;
+  PerDirection<lattice::Offset> wake;
+  // The same by windows. Where one is enough for all of them, it has the same corner in all.
+  PerDirection<Patch> lead_patches;
+  PerDirection<Patch> swapped_patches;  ///< lead and trail: what a move changes
+  PerDirection<Patch> wake_patches;
+  bool one_window = false;
+  Patch corner;  ///< of the first window, without sites
 };
 
 /// Directions that the rules allow: gravity first, then its neighbours clockwise and

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "clca/automaton/lazy_array.hpp"
+#include "clca/automaton/site_bits.hpp"
 #include "clca/automaton/state.hpp"
 
 namespace clca::automaton {
@@ -15,7 +17,8 @@ inline constexpr Owner kFree = -1;
 inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();
 
 /// Owner of each place of a lattice, and whether it is taken as one bit, both indexed as
-/// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing.
+/// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing,
+/// and what is written there means something only while the place is taken.
 /// Where walls let overlap (may_overlap) a place may have two owners, no more.
 class Occupancy {
  public:
@@ -30,15 +33,23 @@ class Occupancy {
     return places * ((overlaps ? 2.0 : 1.0) * sizeof(Owner) + 1.0 / 8.0);
   }
 
-  bool taken(std::size_t index) const { return (words_[index >> 6U] >> (index & 63U) & 1U) != 0; }
-  Owner owner(std::size_t index) const { return owners_[index]; }
-  /// The first owner of each place; a wall comes before particles, a lower id before a higher one.
-  const std::vector<Owner>& owners() const { return owners_; }
+  bool taken(std::size_t index) const { return taken_.test(index); }
+  /// Which sites of a window are taken.
+  std::uint64_t window(lattice::Site corner) const { return taken_.window(corner); }
+  /// The first owner: a wall comes before particles, a lower id before a higher one.
+  Owner owner(std::size_t index) const { return taken(index) ? owners_[index] : kFree; }
+  std::vector<Owner> owners() const {
+    std::vector<Owner> all(owners_.size());
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      all[index] = owner(index);
+    }
+    return all;
+  }
   /// kFree where there is none.
   Owner second_owner(std::size_t index) const { return seconds_.empty() ? kFree : seconds_[index]; }
   /// Whether this is one of the owners.
   bool has(std::size_t index, Owner owner) const {
-    return owners_[index] == owner || second_owner(index) == owner;
+    return this->owner(index) == owner || second_owner(index) == owner;
   }
   /// Takes a place that may have an owner already, but not two. Throws std::logic_error otherwise.
   void add(std::size_t index, Owner owner);
@@ -46,33 +57,36 @@ class Occupancy {
   bool remove(std::size_t index, Owner owner);
 
   void take(std::size_t index, Owner owner) {
-    words_[index >> 6U] |= std::uint64_t{1} << (index & 63U);
+    taken_.set(index);
     owners_[index] = owner;
   }
-  void release(std::size_t index) {
-    words_[index >> 6U] &= ~(std::uint64_t{1} << (index & 63U));
-    owners_[index] = kFree;
-  }
-  /// The same while other threads change other sites.
-  Owner owner_shared(std::size_t index) const {
-    return std::atomic_ref(const_cast<Owner&>(owners_[index])).load(std::memory_order_relaxed);
-  }
-  void take_shared(std::size_t index, Owner owner) {
-    std::atomic_ref word(words_[index >> 6U]);
-    word.fetch_or(std::uint64_t{1} << (index & 63U), std::memory_order_relaxed);
-    std::atomic_ref(owners_[index]).store(owner, std::memory_order_relaxed);
-  }
-  void release_shared(std::size_t index) {
-    std::atomic_ref word(words_[index >> 6U]);
-    word.fetch_and(~(std::uint64_t{1} << (index & 63U)), std::memory_order_relaxed);
-    std::atomic_ref(owners_[index]).store(kFree, std::memory_order_relaxed);
-  }
+  void release(std::size_t index) { taken_.clear(index); }
 
-  bool operator==(const Occupancy&) const = default;
+  // A move in parts: the sites that change, free to taken and taken to free, and who comes.
+  void flip(lattice::Site corner, std::uint64_t window) { taken_.flip(corner, window); }
+  Owner owner_of_taken(std::size_t index) const { return owners_[index]; }
+  /// Places from a column to the next.
+  std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(taken_.stride()); }
+  void set_owner(std::size_t index, Owner owner) { owners_[index] = owner; }
+
+  // The same while other threads change other places.
+  Owner owner_shared(std::size_t index) const {
+    return taken_.test_shared(index)
+               ? std::atomic_ref(const_cast<Owner&>(owners_[index])).load(std::memory_order_relaxed)
+               : kFree;
+  }
+  void take_shared(std::size_t index, Owner owner) {  // who, before anybody looks
+    std::atomic_ref(owners_[index]).store(owner, std::memory_order_relaxed);
+    taken_.set_shared(index);
+  }
+  void release_shared(std::size_t index) { taken_.clear_shared(index); }
+
+  /// The same owners everywhere.
+  bool operator==(const Occupancy& other) const;
 
  private:
-  std::vector<std::uint64_t> words_;
-  std::vector<Owner> owners_;
+  SiteBits taken_;
+  LazyArray<Owner> owners_;
   std::vector<Owner> seconds_;  // empty where nothing may overlap
 };
 
