@@ -1,10 +1,9 @@
 #pragma once
 // The particles to look at in the next step.
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace clca::automaton {
@@ -25,48 +24,28 @@ class AwakeSet {
     empty_ = false;
   }
 
-  /// Calls `visit` with each id of any of the sets once, ascending, and takes those of the sets:
-  /// part number `part` of `parts`. Several threads may do a part each; then each set is to forget.
-  /// All sets have the same bound.
+  /// Takes all ids out, ascending, and calls `visit` with each.
   template <class Visit>
-  static void drain(std::span<AwakeSet* const> sets, std::size_t part, std::size_t parts,
-                    Visit visit) {
-    if (std::all_of(sets.begin(), sets.end(), [](const AwakeSet* set) { return set->empty_; })) {
+  void drain(Visit visit) {
+    if (std::exchange(empty_, true)) {
       return;
     }
-    const std::size_t count = sets.front()->summary_.size();
-    for (std::size_t i = count * part / parts; i < count * (part + 1) / parts; ++i) {
-      drain_entry(sets, i, visit);
+    for (std::size_t entry = 0; entry < summary_.size(); ++entry) {
+      for (std::uint64_t filled = std::exchange(summary_[entry], 0); filled != 0;
+           filled &= filled - 1) {
+        const std::size_t word = kBits * entry + static_cast<std::size_t>(std::countr_zero(filled));
+        for (std::uint64_t ids = std::exchange(words_[word], 0); ids != 0; ids &= ids - 1) {
+          visit(static_cast<std::uint32_t>(kBits * word) +
+                static_cast<std::uint32_t>(std::countr_zero(ids)));
+        }
+      }
     }
   }
-  /// All that was in the set has been taken.
-  void forget() { empty_ = true; }
 
  private:
   static constexpr std::size_t kBits = 64;
 
   static std::uint64_t bit(std::size_t number) { return std::uint64_t{1} << (number % kBits); }
-
-  template <class Visit>
-  static void drain_entry(std::span<AwakeSet* const> sets, std::size_t entry, Visit visit) {
-    std::uint64_t filled = 0;
-    for (AwakeSet* set : sets) {
-      filled |= set->summary_[entry];
-      set->summary_[entry] = 0;
-    }
-    for (; filled != 0; filled &= filled - 1) {
-      const std::size_t word = kBits * entry + static_cast<std::size_t>(std::countr_zero(filled));
-      std::uint64_t ids = 0;
-      for (AwakeSet* set : sets) {
-        ids |= set->words_[word];
-        set->words_[word] = 0;
-      }
-      for (; ids != 0; ids &= ids - 1) {
-        visit(static_cast<std::uint32_t>(kBits * word) +
-              static_cast<std::uint32_t>(std::countr_zero(ids)));
-      }
-    }
-  }
 
   std::vector<std::uint64_t> words_;
   std::vector<std::uint64_t> summary_;

@@ -16,45 +16,42 @@ class Claims {
   static double bytes_for(double places) { return 2 * SiteBits::bytes_for(places); }
 
   void add(lattice::Site corner, std::uint64_t window) {
-    contest(corner, window);
-    wanted_.set(corner, window);
-  }
-  /// Contests those of the sites that are wanted and tells whether there are any.
-  bool contest(lattice::Site corner, std::uint64_t window) {
-    const std::uint64_t both = wanted_.window(corner) & window;
-    if (both != 0) {
+    if (const std::uint64_t both = wanted_.window(corner) & window; both != 0) {
       contested_.set(corner, both);
     }
-    return both != 0;
+    wanted_.set(corner, window);
   }
-  bool contested(lattice::Site corner, std::uint64_t window) const {
-    return (contested_.window(corner) & window) != 0;
-  }
-  /// What was contested says so.
-  void clear(lattice::Site corner, std::uint64_t window, bool contested) {
-    wanted_.clear(corner, window);
-    if (contested) {
-      contested_.clear(corner, window);
-    }
+  /// The sites that are wanted. Nobody adds or clears meanwhile.
+  std::uint64_t wanted(lattice::Site corner) const { return wanted_.window(corner); }
+  bool wanted(std::size_t place) const { return wanted_.test(place); }
+  void contest(lattice::Site corner, std::uint64_t window) { contested_.set(corner, window); }
+  /// Nobody contests meanwhile.
+  std::uint64_t contested(lattice::Site corner) const { return contested_.window(corner); }
+  bool contested(std::size_t place) const { return contested_.test(place); }
+  void clear(lattice::Site corner, std::uint64_t window) { wanted_.clear(corner, window); }
+  void clear_contested(lattice::Site corner, std::uint64_t window) {
+    contested_.clear(corner, window);
   }
 
-  // The same for one site, while other threads are busy with others.
+  // The same while other threads are busy with other sites. A place: a single site.
+  void add_shared(lattice::Site corner, std::uint64_t window) {
+    if (const std::uint64_t both = wanted_.set_shared(corner, window); both != 0) {
+      contested_.set_shared(corner, both);
+    }
+  }
   void add_shared(std::size_t place) {
     if (wanted_.set_shared(place)) {
       contested_.set_shared(place);
     }
   }
-  bool contest_shared(std::size_t place) {
-    const bool both = wanted_.test_shared(place);
-    if (both) {
-      contested_.set_shared(place);
-    }
-    return both;
+  template <class... Where>
+  void contest_shared(Where... where) {
+    contested_.set_shared(where...);
   }
-  bool contested_shared(std::size_t place) const { return contested_.test_shared(place); }
-  void clear_shared(std::size_t place) {
-    wanted_.clear_shared(place);
-    contested_.clear_shared(place);
+  template <class... Where>
+  void clear_shared(Where... where) {
+    wanted_.clear_shared(where...);
+    contested_.clear_shared(where...);
   }
 
  private:

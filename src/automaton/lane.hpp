@@ -12,6 +12,13 @@
 
 namespace clca::automaton {
 
+/// How a particle's bits are to be looked at and changed.
+enum class Access : std::uint8_t {
+  alone,   ///< by windows; nobody else is near
+  shared,  ///< by windows; another thread may be busy in the same blocks
+  seam,    ///< site by site: what is near may lie across the seam of a periodic box
+};
+
 /// A particle with a provisional direction.
 struct Mover {
   lattice::Site site;  ///< the reference site when the step began, wrapped
@@ -19,7 +26,7 @@ struct Mover {
   std::uint64_t taken = 0;  ///< then, in its window, if one is enough
   std::uint32_t id = 0;
   Move move = kRest;
-  bool near_border = false;  ///< of the strip of its thread, or across the seam of a periodic box
+  Access access = Access::alone;
   bool contested = false;
   bool engaged = false;  ///< overlaps with somebody: has its turn among the contested
 };
@@ -33,8 +40,9 @@ struct Turn {
 /// The work of one thread: the particles of one strip, and who wakes through their moves.
 struct alignas(64) Lane {
   std::size_t strip = 0;
-  Columns inner;  ///< of the strip, where nobody else looks at or changes anything in this step
+  Columns inner;  ///< of the strip, where nobody else changes anything in this step
   std::vector<std::vector<std::uint32_t>> found;    ///< awake, by the strip where they stand
+  std::vector<std::uint32_t> taken_over;            ///< found by others and not by itself
   std::vector<std::vector<std::uint32_t>> of_kind;  ///< being looked at
   std::vector<Mover> falling;                       ///< along gravity
   std::vector<Mover> sloping;                       ///< all other directions

@@ -20,11 +20,11 @@ std::size_t place_of(const lattice::Lattice& lattice, const Mover& mover, lattic
   return lattice.at(lattice.index(mover.site), mover.site.column, offset);
 }
 
-/// Calls `window` for the windows of the lead sites or, near a border, `single` for each site.
+/// Calls `window` for the windows of the lead sites or, at a seam, `single` for each site.
 template <class Window, class Single>
 void for_each_lead(const lattice::Lattice& lattice, const Mover& mover, Window window,
                    Single single) {
-  if (mover.near_border) {
+  if (mover.access == Access::seam) {
     for (const lattice::Offset offset : mover.footprint->lead[mover.move]) {
       single(place_of(lattice, mover, offset));
     }
@@ -37,7 +37,7 @@ void for_each_lead(const lattice::Lattice& lattice, const Mover& mover, Window w
 
 bool lead_is_free(const World& world, const Mover& mover, lattice::Direction direction) {
   const std::size_t d = index_of(direction);
-  if (mover.near_border) {
+  if (mover.access == Access::seam) {
     const auto& lead = mover.footprint->lead[d];
     return std::none_of(lead.begin(), lead.end(), [&](lattice::Offset offset) {
       return world.occupancy.taken(place_of(world.state.lattice, mover, offset));
@@ -54,19 +54,34 @@ bool lead_is_free(const World& world, const Mover& mover, lattice::Direction dir
 
 }  // namespace
 
+// Mostly those of its own strip.
 void Stepper::find_awake(Lane& lane) {
   for (std::vector<std::uint32_t>& ids : lane.found) {
     ids.clear();
   }
-  if (!in_parallel_) {
-    AwakeSet::drain(awake_, 0, 1, [&](std::uint32_t id) { lane.found.front().push_back(id); });
-    return;
-  }
   const State& state = world_.state;
-  AwakeSet::drain(awake_, lane.strip, lanes_.size(), [&](std::uint32_t id) {
-    const int column = state.lattice.wrapped(state.particles[id].column);
-    lane.found[strips_.of(column)].push_back(id);
+  lane.awake->drain([&](std::uint32_t id) {
+    const std::size_t strip =
+        in_parallel_ ? strips_.of(state.lattice.wrapped(state.particles[id].column)) : 0;
+    lane.found[strip].push_back(id);
   });
+}
+
+void Stepper::take_over(Lane& lane) {
+  std::vector<std::uint32_t>& own = lane.found[lane.strip];
+  std::vector<std::uint32_t>& more = lane.taken_over;
+  more.clear();
+  for (const Lane& other : lanes_) {
+    if (&other != &lane) {
+      more.insert(more.end(), other.found[lane.strip].begin(), other.found[lane.strip].end());
+    }
+  }
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
+  std::erase_if(more, [&](std::uint32_t id) {
+    return std::binary_search(own.begin(), own.end(), id);  // drained, so ascending
+  });
+  own.insert(own.end(), more.begin(), more.end());
 }
 
 // Kind after kind: what a processor guesses of the way through the lists of sites is right then.
@@ -111,7 +126,10 @@ void Stepper::claim(const Lane& lane) {
   for (const Mover& mover : lane.sloping) {
     for_each_lead(
         world_.state.lattice, mover,
-        [&](lattice::Site corner, std::uint64_t window) { claims_.add(corner, window); },
+        [&](lattice::Site corner, std::uint64_t sites) {
+          mover.access == Access::alone ? claims_.add(corner, sites)
+                                        : claims_.add_shared(corner, sites);
+        },
         [&](std::size_t place) { claims_.add_shared(place); });
   }
 }
@@ -120,11 +138,18 @@ void Stepper::contest_falling(Lane& lane) {
   for (Mover& mover : lane.falling) {
     for_each_lead(
         world_.state.lattice, mover,
-        [&](lattice::Site corner, std::uint64_t window) {
-          mover.contested = claims_.contest(corner, window) || mover.contested;
+        [&](lattice::Site corner, std::uint64_t sites) {
+          if (const std::uint64_t both = claims_.wanted(corner) & sites; both != 0) {
+            mover.contested = true;
+            mover.access == Access::alone ? claims_.contest(corner, both)
+                                          : claims_.contest_shared(corner, both);
+          }
         },
         [&](std::size_t place) {
-          mover.contested = claims_.contest_shared(place) || mover.contested;
+          if (claims_.wanted(place)) {
+            mover.contested = true;
+            claims_.contest_shared(place);
+          }
         });
   }
 }
@@ -133,12 +158,10 @@ void Stepper::contest_sloping(Lane& lane) {
   for (Mover& mover : lane.sloping) {
     for_each_lead(
         world_.state.lattice, mover,
-        [&](lattice::Site corner, std::uint64_t window) {
-          mover.contested = mover.contested || claims_.contested(corner, window);
+        [&](lattice::Site corner, std::uint64_t sites) {
+          mover.contested |= (claims_.contested(corner) & sites) != 0;
         },
-        [&](std::size_t place) {
-          mover.contested = mover.contested || claims_.contested_shared(place);
-        });
+        [&](std::size_t place) { mover.contested |= claims_.contested(place); });
   }
 }
 
@@ -146,8 +169,15 @@ void Stepper::clear_claims(const Lane& lane) {
   for (const Mover& mover : lane.sloping) {
     for_each_lead(
         world_.state.lattice, mover,
-        [&](lattice::Site corner, std::uint64_t window) {
-          claims_.clear(corner, window, mover.contested);
+        [&](lattice::Site corner, std::uint64_t sites) {
+          if (mover.access != Access::alone) {
+            claims_.clear_shared(corner, sites);
+            return;
+          }
+          claims_.clear(corner, sites);
+          if (mover.contested) {  // then it knows
+            claims_.clear_contested(corner, sites);
+          }
         },
         [&](std::size_t place) { claims_.clear_shared(place); });
   }
@@ -167,11 +197,12 @@ void Stepper::move_uncontested(Lane& lane, const std::vector<Mover>& movers) {
 }
 
 // Waking needs only the owners that stay where they are: movers are awake anyway. So it does not
-// matter which of the other moves of this step have been carried out already.
+// matter which of the other moves of this step have been carried out already; and as no site that
+// was taken when the step began gets another owner in it, owners need no protection.
 void Stepper::carry(Lane& lane, const Mover& mover) {
   lane.awake->insert(mover.id);
-  if (mover.near_border) {
-    carry_near_border(lane, mover);
+  if (mover.access == Access::seam) {
+    carry_across_seam(lane, mover);
   } else {
     carry_inside(lane, mover);
   }
@@ -184,22 +215,31 @@ void Stepper::carry_inside(Lane& lane, const Mover& mover) {
   const Footprint& footprint = *mover.footprint;
   const std::size_t place = world_.state.lattice.index(mover.site);
   Occupancy& occupancy = world_.occupancy;
+  if (!footprint.one_window) {
+    wake_by_sites(lane, mover);
+  }
   for (const Patch& swapped : footprint.swapped_patches[mover.move]) {
-    occupancy.flip(swapped.corner(mover.site), swapped.sites);
+    mover.access == Access::alone
+        ? occupancy.flip(swapped.corner(mover.site), swapped.sites)
+        : occupancy.flip_shared(swapped.corner(mover.site), swapped.sites);
   }
   for (const lattice::Offset offset : footprint.lead[mover.move]) {
     occupancy.set_owner(plus(place, offset.linear), static_cast<Owner>(mover.id));
   }
-  for (const Patch& wake : footprint.wake_patches[mover.move]) {
-    // What has moved away since the step began is awake anyway.
-    const std::uint64_t taken =
-        footprint.one_window ? mover.taken : occupancy.window(wake.corner(mover.site));
-    const std::ptrdiff_t stride = occupancy.stride();
-    const std::size_t corner = plus(place, wake.column * stride + wake.row);
-    for (std::uint64_t sites = taken & wake.sites; sites != 0; sites &= sites - 1) {
+  if (footprint.one_window) {
+    wake_in_window(lane, mover, place);
+  }
+}
+
+void Stepper::wake_in_window(Lane& lane, const Mover& mover, std::size_t place) {
+  const std::ptrdiff_t stride = world_.occupancy.stride();
+  const Footprint& footprint = *mover.footprint;
+  const std::size_t corner = plus(place, footprint.corner.column * stride + footprint.corner.row);
+  for (const Patch& wake : footprint.wake_patches[mover.move]) {  // one, or none
+    for (std::uint64_t sites = mover.taken & wake.sites; sites != 0; sites &= sites - 1) {
       const int bit = std::countr_zero(sites);
       const Owner owner =
-          occupancy.owner_of_taken(plus(corner, bit / kWindow * stride + bit % kWindow));
+          world_.occupancy.owner_of_taken(plus(corner, bit / kWindow * stride + bit % kWindow));
       if (is_particle(owner)) {
         lane.awake->insert(static_cast<std::uint32_t>(owner));
       }
@@ -207,20 +247,27 @@ void Stepper::carry_inside(Lane& lane, const Mover& mover) {
   }
 }
 
-void Stepper::carry_near_border(Lane& lane, const Mover& mover) {
+void Stepper::wake_by_sites(Lane& lane, const Mover& mover) {
+  for (const lattice::Offset offset : mover.footprint->wake[mover.move]) {
+    const Owner owner =
+        world_.occupancy.owner_shared(place_of(world_.state.lattice, mover, offset));
+    if (is_particle(owner)) {
+      lane.awake->insert(static_cast<std::uint32_t>(owner));
+    }
+  }
+}
+
+void Stepper::carry_across_seam(Lane& lane, const Mover& mover) {
   const lattice::Lattice& lattice = world_.state.lattice;
   Occupancy& occupancy = world_.occupancy;
+  wake_by_sites(lane, mover);
   for (const lattice::Offset offset : mover.footprint->lead[mover.move]) {
-    occupancy.take_shared(place_of(lattice, mover, offset), static_cast<Owner>(mover.id));
+    const std::size_t place = place_of(lattice, mover, offset);
+    occupancy.set_owner(place, static_cast<Owner>(mover.id));
+    occupancy.set_taken_shared(place);
   }
   for (const lattice::Offset offset : mover.footprint->trail[mover.move]) {
     occupancy.release_shared(place_of(lattice, mover, offset));
-  }
-  for (const lattice::Offset offset : mover.footprint->wake[mover.move]) {
-    const Owner next = occupancy.owner_shared(place_of(lattice, mover, offset));
-    if (is_particle(next)) {
-      lane.awake->insert(static_cast<std::uint32_t>(next));
-    }
   }
 }
 

@@ -25,7 +25,6 @@ Stepper::Stepper(World& world, const Options& options)
     lane.of_kind.resize(world.state.kinds.size());
     lane.load = strips_.no_load();
     lane.awake = strip == 0 ? &world.awake : &lane.own_awake;
-    awake_.push_back(lane.awake);
   }
 }
 
@@ -71,16 +70,13 @@ void Stepper::step_alone() {
   // Where nothing has moved or changed since all that overlap had last looked, they rest again.
   const bool engaged_may_move = overlaps && (!still_ || world_.changed || !options_.sleeping);
   lane.inner = strips_.inner();
-  for (AwakeSet* set : awake_) {
-    set->resize(world_.state.particles.size());
+  for (Lane& each : lanes_) {
+    find_awake(each);
   }
-  find_awake(lane);
+  take_over(lane);
   std::vector<std::uint32_t>& ids = lane.found.front();
   if (overlaps) {
     std::erase_if(ids, [&](std::uint32_t id) { return world_.pushes.engaged(id); });
-  }
-  for (AwakeSet* set : awake_) {
-    set->forget();
   }
   look(lane, ids);
   if (engaged_may_move) {
@@ -106,10 +102,8 @@ void Stepper::step_together() {
     Lane& lane = lanes_[static_cast<std::size_t>(omp_get_thread_num())];
     find_awake(lane);
 #pragma omp barrier
-    lane.awake->forget();
-    for (const Lane& other : lanes_) {
-      look(lane, other.found[lane.strip]);
-    }
+    take_over(lane);
+    look(lane, lane.found[lane.strip]);
     claim(lane);
 #pragma omp barrier
     contest_falling(lane);
@@ -123,6 +117,13 @@ void Stepper::step_together() {
       move_contested();
     }
   }
+  constexpr std::uint64_t kSeldom = 16;  // what a thread has in its cache is to stay there
+  if (world_.state.step % kSeldom == 0) {
+    balance();
+  }
+}
+
+void Stepper::balance() {
   std::vector<std::vector<std::uint32_t>*> loads;
   for (Lane& lane : lanes_) {
     loads.push_back(&lane.load);

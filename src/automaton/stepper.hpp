@@ -55,9 +55,11 @@ class Stepper {
   void wake_all();
   void step_alone();
   void step_together();
+  void balance();
 
   // Phases of a step, each for one thread, see lane_moves.cpp.
   void find_awake(Lane& lane);
+  void take_over(Lane& lane);
   void look(Lane& lane, std::span<const std::uint32_t> ids);
   void decide(Lane& lane, std::uint32_t id);
   void claim(const Lane& lane);
@@ -67,15 +69,19 @@ class Stepper {
   void clear_claims(const Lane& lane);
   void carry(Lane& lane, const Mover& mover);
   void carry_inside(Lane& lane, const Mover& mover);
-  void carry_near_border(Lane& lane, const Mover& mover);
+  void carry_across_seam(Lane& lane, const Mover& mover);
+  void wake_in_window(Lane& lane, const Mover& mover, std::size_t place);
+  void wake_by_sites(Lane& lane, const Mover& mover);
   /// Decides nothing yet.
   Mover mover(std::uint32_t id, const Particle& particle, Columns inner) const {
     const int column = world_.state.lattice.wrapped(particle.column);
     Mover mover = {.site = {column, particle.row},
                    .footprint = &world_.footprints.of(particle),
                    .id = id,
-                   .near_border = !inner.contains(column)};
-    if (mover.footprint->one_window && !mover.near_border) {
+                   .access = inner.contains(column)    ? Access::alone
+                             : strips_.at_seam(column) ? Access::seam
+                                                       : Access::shared};
+    if (mover.footprint->one_window && mover.access != Access::seam) {
       mover.taken = world_.occupancy.window(mover.footprint->corner.corner(mover.site));
     }
     return mover;
@@ -101,7 +107,6 @@ class Stepper {
   Claims claims_;
   Strips strips_;
   std::vector<Lane> lanes_;
-  std::vector<AwakeSet*> awake_;  // of all lanes
   std::vector<Turn> turns_;
   std::vector<Mover> pushed_;  // by the passive rule
   std::vector<Mover> freed_;   // overlap, but go by themselves

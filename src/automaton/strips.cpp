@@ -11,9 +11,9 @@ namespace clca::automaton {
 namespace {
 
 /// Columns from the reference site of a particle to the furthest that its move looks at or changes:
-/// those that it enters or leaves, those who wake beyond, and what else is in a block of bits.
-int reach(const State& state) {
-  constexpr int kBeyond = 3 + kWindow;
+/// those that it enters or leaves, those who wake beyond, and what else is in their blocks of bits.
+int furthest(const State& state) {
+  constexpr int kBeyond = 3 + 2 * kWindow;
   int most = 0;
   for (const Kind& kind : state.kinds) {
     for (const lattice::Axial part : kind.shape.sites()) {
@@ -25,11 +25,10 @@ int reach(const State& state) {
 
 }  // namespace
 
-// Others reach over a cut as far as one's own.
 Strips::Strips(const State& state, std::size_t count)
     : columns_(state.lattice.columns()),
       periodic_(state.lattice.periodic()),
-      margin_(2 * reach(state)) {
+      reach_(furthest(state)) {
   for (std::size_t strip = 1; strip < count; ++strip) {
     cuts_.push_back(static_cast<int>(static_cast<std::size_t>(columns_) * strip / count));
   }
@@ -38,7 +37,9 @@ Strips::Strips(const State& state, std::size_t count)
 Columns Strips::inner_of(int first, int end) const {
   const bool left_end = first == 0 && !periodic_;
   const bool right_end = end == columns_ && !periodic_;
-  return {.first = left_end ? first : first + margin_, .end = right_end ? end : end - margin_};
+  // Others reach over a cut as far as one's own.
+  return {.first = left_end ? first : first + 2 * reach_,
+          .end = right_end ? end : end - 2 * reach_};
 }
 
 Columns Strips::inner(std::size_t strip) const {

@@ -31,11 +31,15 @@ class Strips {
     }
     return strip;
   }
-  /// Where the particles of a strip neither look at nor change what those of another one change,
-  /// nor reach across the seam of a periodic box.
+  /// Where the particles of a strip change no block of bits that those of another one look at or
+  /// change, nor reach across the seam of a periodic box.
   Columns inner(std::size_t strip) const;
   /// The same where one strip is the whole box.
   Columns inner() const { return inner_of(0, columns_); }
+  /// Whether particles there reach across the seam of a periodic box.
+  bool at_seam(int column) const {
+    return periodic_ && (column < reach_ || column >= columns_ - reach_);
+  }
 
   /// Notes work in a column.
   static void note(std::vector<std::uint32_t>& load, int column) {
@@ -53,7 +57,7 @@ class Strips {
 
   int columns_;
   bool periodic_;
-  int margin_;
+  int reach_;
   std::vector<int> cuts_;  // first columns of the second strip and those after it
 };
 

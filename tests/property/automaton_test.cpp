@@ -41,6 +41,21 @@ RC_GTEST_PROP(AutomatonProperty, ThreadsAndSleepingChangeNothing, ()) {
   RC_ASSERT(automaton::hash(threaded.state()) == automaton::hash(plain.state()));
 }
 
+// Wide enough for particles that have a strip for themselves, and for those near a border.
+RC_GTEST_PROP(AutomatonProperty, StripsOfColumnsChangeNothing, ()) {
+  const State state = any_state(false, 0, 600);
+  const int threads = *rc::gen::inRange(2, 5);
+  Automaton plain(state);
+  Automaton threaded(state,
+                     {.threads = threads, .parallel_from = *rc::gen::inRange<std::size_t>(0, 40)});
+  for (int step = 0; step < 60; ++step) {
+    const automaton::StepReport report = plain.step();
+    RC_ASSERT(threaded.step().looked_at == report.looked_at);
+    RC_ASSERT(threaded.state() == plain.state());
+  }
+  RC_ASSERT(threaded.occupancy() == plain.occupancy());
+}
+
 RC_GTEST_PROP(AutomatonProperty, NothingOverlapsAndNothingIsLost, ()) {
   Automaton automaton(any_state(false));
   const std::size_t count = automaton.state().particles.size();

@@ -62,13 +62,13 @@ inline automaton::Rules any_rules(bool downward_only) {
 }
 
 /// A box with `least_walls` to two walls and some particles placed by the fill.
-inline automaton::State any_state(bool downward_only, int least_walls = 0) {
+inline automaton::State any_state(bool downward_only, int least_walls = 0, int most_columns = 50) {
   const automaton::Rules rules = any_rules(downward_only);
   // Where gravity has a sideways part, a periodic box has no floor to come to rest on.
   const bool upright =
       rules.gravity == lattice::Direction::down || rules.gravity == lattice::Direction::up;
   const bool periodic = *rc::gen::arbitrary<bool>() && (upright || !downward_only);
-  const int columns = 2 * *rc::gen::inRange(8, 25);
+  const int columns = 2 * *rc::gen::inRange(8, most_columns / 2);
   const int rows = *rc::gen::inRange(10, 70);
   automaton::State state{.lattice = lattice::Lattice(columns, rows, periodic),
                          .rules = rules,

@@ -1,7 +1,6 @@
 #pragma once
 // Who occupies each site.
 
-#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -62,24 +61,21 @@ class Occupancy {
   }
   void release(std::size_t index) { taken_.clear(index); }
 
-  // A move in parts: the sites that change, free to taken and taken to free, and who comes.
+  // A move in parts: the sites that change, free to taken and taken to free, and who comes. With
+  // `shared` while other threads change other sites.
   void flip(lattice::Site corner, std::uint64_t window) { taken_.flip(corner, window); }
+  void flip_shared(lattice::Site corner, std::uint64_t window) {
+    taken_.flip_shared(corner, window);
+  }
+  Owner owner_shared(std::size_t index) const {
+    return taken_.test_shared(index) ? owners_[index] : kFree;
+  }
+  void set_taken_shared(std::size_t index) { taken_.set_shared(index); }
+  void release_shared(std::size_t index) { taken_.clear_shared(index); }
+  void set_owner(std::size_t index, Owner owner) { owners_[index] = owner; }
   Owner owner_of_taken(std::size_t index) const { return owners_[index]; }
   /// Places from a column to the next.
   std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(taken_.stride()); }
-  void set_owner(std::size_t index, Owner owner) { owners_[index] = owner; }
-
-  // The same while other threads change other places.
-  Owner owner_shared(std::size_t index) const {
-    return taken_.test_shared(index)
-               ? std::atomic_ref(const_cast<Owner&>(owners_[index])).load(std::memory_order_relaxed)
-               : kFree;
-  }
-  void take_shared(std::size_t index, Owner owner) {  // who, before anybody looks
-    std::atomic_ref(owners_[index]).store(owner, std::memory_order_relaxed);
-    taken_.set_shared(index);
-  }
-  void release_shared(std::size_t index) { taken_.clear_shared(index); }
 
   /// The same owners everywhere.
   bool operator==(const Occupancy& other) const;

@@ -1,6 +1,7 @@
 #pragma once
 // A bit for each site of a box, of which 64 are looked at or changed at once.
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -62,16 +63,32 @@ class SiteBits {
   }
 
   // The same while other threads change other sites.
+  /// Tells which of the sites were set before.
+  std::uint64_t set_shared(lattice::Site corner, std::uint64_t window) {
+    return change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
+      return word.fetch_or(bits, std::memory_order_relaxed) & bits;
+    });
+  }
+  void clear_shared(lattice::Site corner, std::uint64_t window) {
+    change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
+      return word.fetch_and(~bits, std::memory_order_relaxed) & bits;
+    });
+  }
+  void flip_shared(lattice::Site corner, std::uint64_t window) {
+    change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
+      return word.fetch_xor(bits, std::memory_order_relaxed) & bits;
+    });
+  }
   bool test_shared(std::size_t place) const {
     const One one(*this, place);
     std::atomic_ref word(const_cast<std::uint64_t&>(words_[one.word]));
-    return (word.load(std::memory_order_acquire) & one.bit) != 0;
+    return (word.load(std::memory_order_relaxed) & one.bit) != 0;
   }
   /// Tells whether the bit was set before.
   bool set_shared(std::size_t place) {
     const One one(*this, place);
     std::atomic_ref word(words_[one.word]);
-    return (word.fetch_or(one.bit, std::memory_order_release) & one.bit) != 0;
+    return (word.fetch_or(one.bit, std::memory_order_relaxed) & one.bit) != 0;
   }
   void clear_shared(std::size_t place) {
     const One one(*this, place);
@@ -122,18 +139,38 @@ class SiteBits {
     std::uint64_t bit = 0;
   };
 
-  template <class Change>
-  void change(lattice::Site corner, std::uint64_t window, Change change) {
-    const Corner at(*this, corner);
-    std::uint64_t* low = words_.data() + at.word;
-    std::uint64_t* high = low + height_;
+  /// What of a window lies in each of the four blocks: at the corner, above it, and to the right of
+  /// these.
+  static std::array<std::uint64_t, 4> parts(const Corner& at, std::uint64_t window) {
     const std::uint64_t left = window << at.columns;
     const std::uint64_t right = window >> 1U >> (63U - at.columns);
     const std::uint64_t up = kEachColumn * (0xFFU << at.rows & 0xFFU);
-    change(low[0], left << at.rows & up);
-    change(low[1], left >> (kSide - at.rows) & ~up);
-    change(high[0], right << at.rows & up);
-    change(high[1], right >> (kSide - at.rows) & ~up);
+    return {left << at.rows & up, left >> (kSide - at.rows) & ~up, right << at.rows & up,
+            right >> (kSide - at.rows) & ~up};
+  }
+  std::array<std::uint64_t*, 4> blocks(const Corner& at) {
+    std::uint64_t* low = words_.data() + at.word;
+    return {low, low + 1, low + height_, low + height_ + 1};
+  }
+  template <class Change>
+  void change(lattice::Site corner, std::uint64_t window, Change change) {
+    const Corner at(*this, corner);
+    const auto bits = parts(at, window);
+    const auto words = blocks(at);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      change(*words[i], bits[i]);
+    }
+  }
+  /// `change` returns those of its bits that were set; so does this.
+  template <class Change>
+  std::uint64_t change_shared(lattice::Site corner, std::uint64_t window, Change change) {
+    const Corner at(*this, corner);
+    auto bits = parts(at, window);
+    const auto words = blocks(at);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      bits[i] = bits[i] == 0 ? 0 : change(std::atomic_ref(*words[i]), bits[i]);
+    }
+    return at.shift_columns(at.join_rows(bits[0], bits[1]), at.join_rows(bits[2], bits[3]));
   }
 
   std::size_t stride_;  ///< places of a column
