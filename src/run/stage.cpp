@@ -12,7 +12,9 @@ namespace {
 
 void fill(automaton::Automaton& automaton, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
-  const automaton::FillResult result = automaton.fill(fill.region, fill.counts);
+  const automaton::FillResult result = fill.method == scene::FillMethod::deposition
+                                           ? automaton.deposit(fill.region, fill.counts)
+                                           : automaton.fill(fill.region, fill.counts);
   if (result.complete) {
     return;
   }

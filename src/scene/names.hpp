@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", 
 inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
 inline constexpr std::array<std::string_view, 8> kStageKeys = {
     "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
-inline constexpr std::array<std::string_view, 2> kFillKeys = {"region", "counts"};
+inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
 inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
@@ -75,6 +75,8 @@ inline constexpr std::array<Named<automaton::UpdateClass>, 3> kUpdateClassNames 
     {{"rest", automaton::UpdateClass::rest},
      {"inertia", automaton::UpdateClass::inertia},
      {"gravity", automaton::UpdateClass::gravity}}};
+inline constexpr std::array<Named<FillMethod>, 2> kFillMethodNames = {
+    {{"random", FillMethod::random}, {"deposition", FillMethod::deposition}}};
 inline constexpr std::array<Named<automaton::Ties>, 2> kTiesNames = {
     {{"particle", automaton::Ties::particle}, {"direction", automaton::Ties::direction}}};
 inline constexpr std::array<Named<automaton::Waveform>, 2> kWaveformNames = {

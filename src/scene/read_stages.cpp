@@ -14,9 +14,14 @@ namespace {
 
 Fill read_fill(const Value& value, const std::string& path, const Scene& scene) {
   const KeyedMap fields(value, path, kFillKeys);
-  Fill fill{.region = read_region(fields.at("region"), fields.path("region"), scene.box),
+  Fill fill{.method = fields.choice("method", kFillMethodNames, FillMethod::random),
+            .region = read_region(fields.at("region"), fields.path("region"), scene.box),
             .counts = std::vector<std::size_t>(scene.species.size(), 0),
             .place = to_string(value.place)};
+  if (fill.method == FillMethod::deposition && scene.rules.gravity != lattice::Direction::down) {
+    fail(fields.at("method").place,
+         fmt::format("{}: deposition needs rules.gravity: down", fields.path("method")));
+  }
   const std::string counts = fields.path("counts");
   for (const Entry& entry : read_map(fields.at("counts"), counts)) {
     const std::size_t species =

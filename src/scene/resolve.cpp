@@ -103,8 +103,9 @@ std::string references(std::string_view key, const std::vector<std::size_t>& pla
 std::string stage_block(const Stage& stage, const Scene& scene) {
   std::string block = fmt::format("  - name: {}\n", name(stage.name));
   if (stage.fill) {
-    block += fmt::format("    fill: {{region: {}, counts: {}}}\n", rectangle(stage.fill->region),
-                         per_species(stage.fill->counts, scene));
+    block += fmt::format("    fill: {{method: {}, region: {}, counts: {}}}\n",
+                         name_of(kFillMethodNames, stage.fill->method),
+                         rectangle(stage.fill->region), per_species(stage.fill->counts, scene));
   }
   block += references("remove", stage.remove, scene.walls);
   block += references("insert", stage.insert, scene.walls);

@@ -13,7 +13,7 @@ auto content(const Box& box) {
 }
 
 auto content(const Fill& fill) {
-  return std::tie(fill.region, fill.counts);
+  return std::tie(fill.method, fill.region, fill.counts);
 }
 
 auto content(const Wall& wall) {

@@ -92,7 +92,8 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   const lattice::Catchment box(lattice);
   double most = 0;
   for (const Stage& stage : scene.stages) {
-    for (std::size_t i = 0; stage.fill && i < scene.species.size(); ++i) {
+    const bool tries = stage.fill && stage.fill->method == FillMethod::random;
+    for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
       const double places = stage.fill->counts[i] > 0 ? most_sites(box, stage.fill->region) : 0;
       most = std::max(most, places * (sizeof(lattice::Site) + kTrialBytes * kinds));

@@ -98,7 +98,12 @@ struct Outlet {
   bool operator==(const Outlet&) const = default;
 };
 
+/// Random sequential addition: a rain that falls in the steps that follow; or sequential
+/// deposition: a packing that is at rest (automaton::Automaton::fill and deposit).
+enum class FillMethod : std::uint8_t { random, deposition };
+
 struct Fill {
+  FillMethod method = FillMethod::random;
   lattice::Rectangle region;
   std::vector<std::size_t> counts;  ///< per species
   std::string place;

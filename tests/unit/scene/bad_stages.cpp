@@ -33,6 +33,10 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "insert, move, sources, until, max_steps); did you mean 'until'?"},
     {"a fill without a region", "stages: [{name: first, fill: {counts: {small: 5}}}]",
      "scene.yaml:10:30: error: stages.first.fill: key 'region' is missing"},
+    {"an unknown method of filling",
+     "stages: [{name: first, fill: {method: rain, region: [0, 0, 50, 50], counts: {small: 5}}}]",
+     "scene.yaml:10:39: error: stages.first.fill.method: expected one of random, deposition, found "
+     "'rain'"},
     {"a fill without counts", "stages: [{name: first, fill: {region: [0, 0, 50, 50]}}]",
      "scene.yaml:10:30: error: stages.first.fill: key 'counts' is missing"},
     {"a fill outside the box",

@@ -228,6 +228,7 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {rules + "gravity", words_of(words(kDirectionNames))},
       {rules + "update_priority/items", words_of(words(kUpdateClassNames))},
       {rules + "ties", words_of(words(kTiesNames))},
+      {"/definitions/stage/properties/fill/properties/method", words_of(words(kFillMethodNames))},
       {"/definitions/automaton/properties/measure/items", words_of(words(kMeasureNames))},
       {"/definitions/boltzmann/properties/initial", words_of(words(kInitialNames))},
       {"/definitions/boltzmann/properties/sampling", words_of(words(kSamplingNames))},
