@@ -23,7 +23,7 @@ std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
 }
 
 /// Columns and rows that sites cover, seen from the reference site.
-struct Extent {
+struct Covered {
   lattice::Site low;
   lattice::Site high;
 
@@ -38,8 +38,8 @@ lattice::Site seen_from(bool odd_column, Axial site) {
   return {to.column - from.column, to.row};
 }
 
-Extent extent_of(const std::vector<Axial>& sites, bool odd_column) {
-  Extent extent;
+Covered extent_of(const std::vector<Axial>& sites, bool odd_column) {
+  Covered extent;
   for (const Axial site : sites) {
     const lattice::Site at = seen_from(odd_column, site);
     extent.low = {std::min(extent.low.column, at.column), std::min(extent.low.row, at.row)};
@@ -100,13 +100,14 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
     wake[index_of(direction)] = upstream(shape.trail(direction), candidates, swept);
     all = merged(merged(all, swept), wake[index_of(direction)]);
   }
-  const Extent extent = extent_of(all, odd_column);
+  const Covered extent = extent_of(all, odd_column);
   Footprint footprint;
   footprint.one_window = extent.fits_a_window();
   footprint.corner = {.column = extent.low.column, .row = extent.low.row, .sites = 0};
   footprint.body = offsets(state.lattice, shape.sites(), odd_column);
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
+    footprint.step[d] = seen_from(odd_column, unit(direction));
     const std::vector<Axial> lead = shape.lead(direction);
     const std::vector<Axial> trail = shape.trail(direction);
     footprint.lead[d] = offsets(state.lattice, lead, odd_column);

@@ -1,7 +1,9 @@
 #pragma once
 // What one thread has at hand in a step.
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "automaton/awake_set.hpp"
@@ -31,6 +33,20 @@ struct Mover {
   bool engaged = false;  ///< overlaps with somebody: has its turn among the contested
 };
 
+/// From `low` to `high`, both included.
+struct Rows {
+  int low = std::numeric_limits<int>::max();
+  int high = std::numeric_limits<int>::min();
+
+  bool contains(int row) const { return row >= low && row <= high; }
+  void include(int row) { include(Rows{row, row}); }
+  void include(Rows other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+  Rows widened(int by) const { return low > high ? Rows() : Rows{low - by, high + by}; }
+};
+
 /// A contested mover and its place in the order.
 struct Turn {
   UpdateKey key;
@@ -47,6 +63,7 @@ struct alignas(64) Lane {
   std::vector<Mover> falling;                       ///< along gravity
   std::vector<Mover> sloping;                       ///< all other directions
   std::vector<Turn> turns;
+  Rows claimed;                     ///< where the reference sites of the sloping movers lie
   std::vector<std::uint32_t> load;  ///< see Strips
   std::size_t looked_at = 0;
   AwakeSet own_awake;

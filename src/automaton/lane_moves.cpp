@@ -122,8 +122,10 @@ void Stepper::decide(Lane& lane, std::uint32_t id) {
 
 // Movers in one direction never want the same site, so those along gravity, mostly the many, need
 // no claims of their own: they only look for those of the others.
-void Stepper::claim(const Lane& lane) {
+void Stepper::claim(Lane& lane) {
+  lane.claimed = {};
   for (const Mover& mover : lane.sloping) {
+    lane.claimed.include(mover.site.row);
     for_each_lead(
         world_.state.lattice, mover,
         [&](lattice::Site corner, std::uint64_t sites) {
@@ -135,7 +137,15 @@ void Stepper::claim(const Lane& lane) {
 }
 
 void Stepper::contest_falling(Lane& lane) {
+  Rows claimed;
+  for (const Lane& each : lanes_) {
+    claimed.include(each.claimed);
+  }
+  claimed = claimed.widened(2 * tallest_);
   for (Mover& mover : lane.falling) {
+    if (!claimed.contains(mover.site.row)) {
+      continue;
+    }
     for_each_lead(
         world_.state.lattice, mover,
         [&](lattice::Site corner, std::uint64_t sites) {
@@ -207,7 +217,9 @@ void Stepper::carry(Lane& lane, const Mover& mover) {
     carry_inside(lane, mover);
   }
   Particle& particle = world_.state.particles[mover.id];
-  particle = moved(particle, static_cast<lattice::Direction>(mover.move));
+  const lattice::Site step = mover.footprint->step[mover.move];
+  particle.column += step.column;
+  particle.row += step.row;
   particle.previous = mover.move;
 }
 

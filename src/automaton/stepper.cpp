@@ -8,6 +8,20 @@
 
 namespace clca::automaton {
 
+namespace {
+
+int tallest(const State& state) {
+  int most = 0;
+  for (const Kind& kind : state.kinds) {
+    for (const lattice::Axial part : kind.shape.sites()) {
+      most = std::max(most, length(part) + 1);
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
 Stepper::Stepper(World& world, const Options& options)
     : world_(world),
       options_(options),
@@ -16,6 +30,7 @@ Stepper::Stepper(World& world, const Options& options)
       passive_(world),
       claims_(world.state.lattice),
       strips_(world.state, static_cast<std::size_t>(options.threads)),
+      tallest_(tallest(world.state)),
       lanes_(static_cast<std::size_t>(options.threads)),
       looked_at_(world.state.particles.size()) {
   for (std::size_t strip = 0; strip < lanes_.size(); ++strip) {

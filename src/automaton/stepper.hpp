@@ -62,7 +62,7 @@ class Stepper {
   void take_over(Lane& lane);
   void look(Lane& lane, std::span<const std::uint32_t> ids);
   void decide(Lane& lane, std::uint32_t id);
-  void claim(const Lane& lane);
+  void claim(Lane& lane);
   void contest_falling(Lane& lane);
   void contest_sloping(Lane& lane);
   void move_uncontested(Lane& lane, const std::vector<Mover>& movers);
@@ -106,6 +106,7 @@ class Stepper {
   PassiveRule passive_;
   Claims claims_;
   Strips strips_;
+  int tallest_;  ///< sites from the reference site of a particle to any other, at the most
   std::vector<Lane> lanes_;
   std::vector<Turn> turns_;
   std::vector<Mover> pushed_;  // by the passive rule

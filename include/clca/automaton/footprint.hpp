@@ -27,6 +27,7 @@ struct Footprint {
   using PerDirection = std::array<std::vector<T>, lattice::kDirectionCount>;
 
   std::vector<lattice::Offset> body;
+  std::array<lattice::Site, lattice::kDirectionCount> step;  ///< columns and rows of a step
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
   /// Sites whose owners may gain a free direction when the particle has moved that way (seen from

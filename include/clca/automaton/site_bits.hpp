@@ -33,7 +33,7 @@ class SiteBits {
   /// Places of a column.
   std::size_t stride() const { return stride_; }
 
-  std::uint64_t window(lattice::Site corner) const {
+  [[gnu::always_inline]] std::uint64_t window(lattice::Site corner) const {
     const Corner at(*this, corner);
     const std::uint64_t* low = words_.data() + at.word;
     const std::uint64_t* high = low + height_;
