@@ -1,5 +1,5 @@
 #pragma once
-// What one thread has at hand in a step.
+// What a thread has at hand for a strip of the box.
 
 #include <algorithm>
 #include <cstdint>
@@ -53,7 +53,7 @@ struct Turn {
   const Mover* mover = nullptr;
 };
 
-/// The work of one thread: the particles of one strip, and who wakes through their moves.
+/// The work on one strip: its particles, and who wakes through their moves. One thread at a time.
 struct alignas(64) Lane {
   std::size_t strip = 0;
   Columns inner;  ///< of the strip, where nobody else changes anything in this step

@@ -12,6 +12,9 @@ namespace {
 /// Ids that are sorted by kind together.
 constexpr std::size_t kBatch = 1024;
 
+/// What a move costs beside a look.
+constexpr std::uint32_t kMoveLoad = 3;
+
 std::size_t plus(std::size_t place, std::ptrdiff_t offset) {
   return place + static_cast<std::size_t>(offset);
 }
@@ -100,12 +103,19 @@ void Stepper::look(Lane& lane, std::span<const std::uint32_t> ids) {
   }
 }
 
+void Stepper::note(Lane& lane, int column, std::uint32_t load) const {
+  if (in_parallel_) {
+    Strips::note(lane.load, column, load);
+  }
+}
+
 void Stepper::decide(Lane& lane, std::uint32_t id) {
   Particle& particle = world_.state.particles[id];
   if (!particle.present) {
     return;
   }
   Mover mover = this->mover(id, particle, lane.inner);
+  note(lane, mover.site.column, 1);
   mover.move = rule_.provisional(
       id, particle.previous, world_.state.step,
       [&](lattice::Direction direction) { return lead_is_free(world_, mover, direction); });
@@ -113,9 +123,7 @@ void Stepper::decide(Lane& lane, std::uint32_t id) {
     particle.previous = kRest;
     return;
   }
-  if (in_parallel_) {
-    Strips::note(lane.load, mover.site.column);
-  }
+  note(lane, mover.site.column, kMoveLoad);
   const Move gravity = static_cast<Move>(world_.state.rules.gravity);
   (mover.move == gravity ? lane.falling : lane.sloping).push_back(mover);
 }

@@ -1,7 +1,5 @@
 #include "automaton/stepper.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 
 #include "automaton/retreat.hpp"
@@ -106,6 +104,15 @@ void Stepper::step_alone() {
   move_contested();
 }
 
+// Called by all threads, each takes a lane; all lanes are done when it returns.
+template <class Work>
+void Stepper::for_each_lane(Work work) {
+#pragma omp for schedule(static, 1)
+  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+    work(lanes_[lane]);
+  }
+}
+
 // Each phase looks at what all threads have done in the one before.
 void Stepper::step_together() {
   for (Lane& lane : lanes_) {
@@ -114,23 +121,21 @@ void Stepper::step_together() {
   }
 #pragma omp parallel num_threads(options_.threads)
   {
-    Lane& lane = lanes_[static_cast<std::size_t>(omp_get_thread_num())];
-    find_awake(lane);
-#pragma omp barrier
-    take_over(lane);
-    look(lane, lane.found[lane.strip]);
-    claim(lane);
-#pragma omp barrier
-    contest_falling(lane);
-#pragma omp barrier
-    contest_sloping(lane);
-    move_uncontested(lane, lane.falling);
-    move_uncontested(lane, lane.sloping);
-#pragma omp barrier
-    clear_claims(lane);
-    if (lane.strip == 0) {
-      move_contested();
-    }
+    for_each_lane([this](Lane& lane) { find_awake(lane); });
+    for_each_lane([this](Lane& lane) {
+      take_over(lane);
+      look(lane, lane.found[lane.strip]);
+      claim(lane);
+    });
+    for_each_lane([this](Lane& lane) { contest_falling(lane); });
+    for_each_lane([this](Lane& lane) {
+      contest_sloping(lane);
+      move_uncontested(lane, lane.falling);
+      move_uncontested(lane, lane.sloping);
+    });
+#pragma omp single nowait
+    move_contested();
+    for_each_lane([this](Lane& lane) { clear_claims(lane); });
   }
   constexpr std::uint64_t kSeldom = 16;  // what a thread has in its cache is to stay there
   if (world_.state.step % kSeldom == 0) {

@@ -55,6 +55,8 @@ class Stepper {
   void wake_all();
   void step_alone();
   void step_together();
+  template <class Work>
+  void for_each_lane(Work work);
   void balance();
 
   // Phases of a step, each for one thread, see lane_moves.cpp.
@@ -62,6 +64,7 @@ class Stepper {
   void take_over(Lane& lane);
   void look(Lane& lane, std::span<const std::uint32_t> ids);
   void decide(Lane& lane, std::uint32_t id);
+  void note(Lane& lane, int column, std::uint32_t load) const;
   void claim(Lane& lane);
   void contest_falling(Lane& lane);
   void contest_sloping(Lane& lane);

@@ -42,8 +42,8 @@ class Strips {
   }
 
   /// Notes work in a column.
-  static void note(std::vector<std::uint32_t>& load, int column) {
-    ++load[static_cast<std::size_t>(column) / kBinColumns];
+  static void note(std::vector<std::uint32_t>& load, int column, std::uint32_t amount) {
+    load[static_cast<std::size_t>(column) / kBinColumns] += amount;
   }
   /// An empty record of work.
   std::vector<std::uint32_t> no_load() const;

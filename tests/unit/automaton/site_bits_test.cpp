@@ -127,7 +127,7 @@ TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
   EXPECT_EQ(strips.of(1599), 3U);
   std::vector<std::vector<std::uint32_t>> loads(4, strips.no_load());
   for (int column = 800; column < 1600; ++column) {
-    Strips::note(loads[static_cast<std::size_t>(column) % 4], column);
+    Strips::note(loads[static_cast<std::size_t>(column) % 4], column, 1);
   }
   std::vector<std::vector<std::uint32_t>*> all;
   for (auto& load : loads) {
