@@ -1,0 +1,180 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace clca::bench {
+
+namespace {
+
+using store::Cell;
+
+constexpr double kNano = 1e-9;
+
+std::string_view name(automaton::Ties ties) {
+  return ties == automaton::Ties::particle ? "particle" : "direction";
+}
+
+std::vector<std::string> with_key(const std::vector<std::string>& further) {
+  std::vector<std::string> columns = {"case", "particles", "threads", "ties", "sleeping"};
+  columns.insert(columns.end(), further.begin(), further.end());
+  return columns;
+}
+
+std::vector<Cell> with_key(const Measurement& one, const std::vector<Cell>& further) {
+  std::vector<Cell> cells = {name(one.a_case), std::uint64_t{one.particles},
+                             static_cast<std::uint64_t>(one.variant.threads),
+                             std::string(name(one.variant.ties)),
+                             std::uint64_t{one.variant.sleeping ? 1U : 0U}};
+  cells.insert(cells.end(), further.begin(), further.end());
+  return cells;
+}
+
+/// What follows from a piece of work on so many particles.
+struct Rates {
+  Rates(const Work& work, std::size_t particles)
+      : effective(static_cast<double>(particles) * static_cast<double>(work.steps) / work.seconds),
+        looked_at(static_cast<double>(work.looked_at) / work.seconds),
+        moving_share(static_cast<double>(work.moved) /
+                     (static_cast<double>(particles) * static_cast<double>(work.steps))),
+        seconds_per_move(work.moved > 0 ? work.seconds / static_cast<double>(work.moved) : NAN) {}
+
+  double effective;  // particle-updates per second
+  double looked_at;  // particles per second
+  double moving_share;
+  double seconds_per_move;
+};
+
+/// A part of a step. Lines and the times that the machine needs for them are of one run.
+struct Phase {
+  std::string name;
+  double seconds = 0;
+  double lines = 0;
+  double copy_seconds = 0;  ///< to read and write each line once
+  double wait_seconds = 0;  ///< when each line is waited for on its own, threads side by side
+};
+
+/// The whole step, from the samples.
+Phase step_phase(const Measurement& one, const Machine& machine) {
+  const Work& work = one.work();
+  Phase phase = {.name = "step", .seconds = work.seconds};
+  double moved = 0;
+  for (const Sample& sample : one.samples) {
+    const auto lines = static_cast<double>(sample.lines);
+    const double bytes = lines * static_cast<double>(kLine);
+    moved += static_cast<double>(sample.moved);
+    phase.lines += lines;
+    phase.copy_seconds += 2 * bytes / machine.copy_rate(bytes, one.variant.threads);
+    phase.wait_seconds += lines * machine.latency(bytes) / one.variant.threads;
+  }
+  const double scale = static_cast<double>(work.moved) / moved;
+  phase.lines *= scale;
+  phase.copy_seconds *= scale;
+  phase.wait_seconds *= scale;
+  return phase;
+}
+
+std::vector<Phase> phases(const Measurement& one, const Machine& machine) {
+  if (one.samples.empty()) {
+    return {};
+  }
+  return {step_phase(one, machine)};
+}
+
+}  // namespace
+
+store::Table automaton_table(const std::vector<Measurement>& measurements) {
+  store::Table table(with_key({"steps", "at_rest", "runs", "step_s_best", "step_s_median",
+                               "step_s_worst", "moved", "looked_at", "moving_share",
+                               "effective_per_s", "looked_at_per_s", "ns_per_move", "speedup"}));
+  for (const Measurement& one : measurements) {
+    const Work& work = one.work();
+    const Rates rates(work, one.particles);
+    const Run& run = one.runs.front();
+    table.add_row(with_key(
+        one, {work.steps, std::uint64_t{run.at_rest ? 1U : 0U}, std::uint64_t{one.runs.size()},
+              one.best(), one.median(), one.worst(), work.moved, work.looked_at, rates.moving_share,
+              rates.effective, rates.looked_at, rates.seconds_per_move / kNano, one.speedup}));
+  }
+  return table;
+}
+
+store::Table share_table(const std::vector<Measurement>& measurements) {
+  store::Table table(
+      with_key({"moving_share", "steps", "moved", "step_s", "effective_per_s", "ns_per_move"}));
+  for (const Measurement& one : measurements) {
+    for (std::size_t bin = 0; bin < kShareBins; ++bin) {
+      Work work = one.runs.front().by_share[bin];
+      if (work.steps == 0) {
+        continue;
+      }
+      for (const Run& run : one.runs) {
+        work.seconds = std::min(work.seconds, run.by_share[bin].seconds);
+      }
+      const Rates rates(work, one.particles);
+      table.add_row(with_key(one, {rates.moving_share, work.steps, work.moved,
+                                   work.seconds / static_cast<double>(work.steps), rates.effective,
+                                   rates.seconds_per_move / kNano}));
+    }
+  }
+  return table;
+}
+
+store::Table phase_table(const std::vector<Measurement>& measurements, const Machine& machine) {
+  store::Table table(with_key({"phase", "steps", "moved", "run_s", "run_bytes", "copy_s", "wait_s",
+                               "share_of_run", "near_copy", "near_wait"}));
+  for (const Measurement& one : measurements) {
+    for (const Phase& phase : phases(one, machine)) {
+      table.add_row(
+          with_key(one, {phase.name, one.work().steps, one.work().moved, phase.seconds,
+                         2 * phase.lines * static_cast<double>(kLine), phase.copy_seconds,
+                         phase.wait_seconds, phase.seconds / one.work().seconds,
+                         phase.copy_seconds / phase.seconds, phase.wait_seconds / phase.seconds}));
+    }
+  }
+  return table;
+}
+
+std::string markdown(const std::vector<Measurement>& measurements) {
+  std::string text =
+      "| case | particles | threads | ties | sleeping | steps | at rest | moving | ms a step "
+      "(median, worst) | updates/s | looked at/s | ns a move | against 1 thread |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const Measurement& one : measurements) {
+    const Work& work = one.work();
+    const Rates rates(work, one.particles);
+    const std::string cost =
+        work.moved > 0 ? fmt::format("{:.1f}", rates.seconds_per_move / kNano) : "";
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.4g} ({:.3g}, {:.3g}) | {:.3g} | {:.3g} | "
+        "{} | {:.2f} |\n",
+        name(one.a_case), one.particles, one.variant.threads, name(one.variant.ties),
+        one.variant.sleeping ? "on" : "off", work.steps, one.runs.front().at_rest ? "yes" : "no",
+        rates.moving_share, 1e3 * one.best(), 1e3 * one.median(), 1e3 * one.worst(),
+        rates.effective, rates.looked_at, cost, one.speedup);
+  }
+  return text;
+}
+
+std::string markdown(const Machine& machine, int threads) {
+  std::string text = "| working set | dependent load, ns |";
+  std::string rule = "|---|---|";
+  for (int team = 1; team <= threads; ++team) {
+    text += fmt::format(" copy, GB/s, {} thread{} |", team, team == 1 ? "" : "s");
+    rule += "---|";
+  }
+  text += "\n" + rule + "\n";
+  for (const std::size_t bytes : machine.working_sets()) {
+    const auto set = static_cast<double>(bytes);
+    text += fmt::format("| {} KiB | {:.1f} |", bytes >> 10U, machine.latency(set) / kNano);
+    for (int team = 1; team <= threads; ++team) {
+      text += fmt::format(" {:.1f} |", machine.copy_rate(set, team) * kNano);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace clca::bench

@@ -1,0 +1,33 @@
+#pragma once
+// Which cache lines a step has to touch at least.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/automaton/footprint.hpp"
+#include "clca/automaton/state.hpp"
+
+namespace clca::bench {
+
+/// Cache lines that the moves of one step change: each is read and written once, however many
+/// particles share it.
+class Traffic {
+ public:
+  explicit Traffic(const automaton::State& state);
+
+  /// Of the step that has led to `state`: lines of the particles that moved, of the bits (see
+  /// SiteBits) of the sites that they entered or left, and of the owners of those they entered.
+  std::size_t lines(const automaton::State& state);
+
+ private:
+  void mark(const automaton::State& state, const automaton::Particle& particle);
+  void mark_bits(const automaton::State& state, std::size_t place);
+
+  automaton::FootprintTable footprints_;
+  std::size_t bit_lines_high_;  // of eight columns
+  std::vector<bool> owners_;    // by line
+  std::vector<bool> bits_;
+  std::vector<bool> particles_;
+};
+
+}  // namespace clca::bench
