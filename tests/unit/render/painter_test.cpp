@@ -115,7 +115,7 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
     style.drawing = drawing;
     automaton::State state = automaton.state();
     Painter painter(style, state.lattice, state.kinds);
-    const Coloring coloring = color_by_id(state);
+    const Coloring coloring = color_by_id();
     const Image before = painter.draw(state, automaton::Occupancy(state), coloring, {});
     EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), coloring, {}), before);
     state.walls[0].present = false;
@@ -143,7 +143,7 @@ TEST(Painter, DrawsTinyPictures) {
     style.height = height;
     Painter painter(style, state.lattice, state.kinds);
     const Image image =
-        painter.draw(state, automaton::Occupancy(state), color_by_displacement(state, 5),
+        painter.draw(state, automaton::Occupancy(state), color_by_displacement(5),
                      {"A title that is much too long for this", "and a detail too"});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -179,13 +179,16 @@ TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
   }
 }
 
-TEST(Painter, RefusesAnotherLatticeAndTooFewColors) {
+TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
   const automaton::State state = one_hexagon(1);
   Painter painter({}, state.lattice, state.kinds);
   const automaton::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
+  Coloring coloring = color_by_id();
+  coloring.palette.resize(kMostShades + 1);
+  EXPECT_THROW(painter.draw(state, occupancy, coloring, {}), std::invalid_argument);
   const automaton::State other = packed(60, 40, false).state();
-  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(other), {}),
+  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(), {}),
                std::invalid_argument);
 }
 
@@ -205,7 +208,7 @@ TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
   Painter one(style, first.lattice, first.kinds);
   Painter two(style, second.lattice, second.kinds);
   const auto draw = [](Painter& painter, const automaton::State& state) {
-    return painter.draw(state, automaton::Occupancy(state), color_by_id(state), {"a", "b"});
+    return painter.draw(state, automaton::Occupancy(state), color_by_id(), {"a", "b"});
   };
   const Image one_alone = draw(one, first);
   const Image two_alone = draw(two, second);
