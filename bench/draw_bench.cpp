@@ -15,17 +15,17 @@ namespace automaton = clca::automaton;
 namespace lattice = clca::lattice;
 namespace render = clca::render;
 
-/// Small and large hexagons, 1:1, at random all over a box of 16:9, half of whose sites they take;
-/// after some steps of their fall.
-automaton::Automaton crowd(std::size_t particles) {
-  const double sites = 26.0 * static_cast<double>(particles);
+/// Small and large hexagons, 1:1, at random over the lower `share` of a box of 16:9, half of whose
+/// sites they take there; after some steps of their fall.
+automaton::Automaton crowd(std::size_t particles, double share) {
+  const double sites = 26.0 * static_cast<double>(particles) / share;
   const double height = std::sqrt(sites * lattice::kColumnPitch * 9 / 16);
   automaton::State state{.lattice = lattice::Lattice::covering(height * 16 / 9, height, false),
                          .seed = 2001};
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   automaton::Automaton result(std::move(state));
   const std::vector<std::size_t> counts = {particles / 2, particles / 2};
-  result.fill({0, 0, height * 16 / 9, height}, counts);
+  result.fill({0, 0, height * 16 / 9, height * share}, counts);
   for (int step = 0; step < 5; ++step) {
     result.step();
   }
@@ -37,13 +37,14 @@ struct Subject {
   automaton::Automaton subject;
   render::Painter painter;
 
-  Subject(std::size_t particles, int width, render::Drawing drawing)
-      : subject(crowd(particles)),
+  Subject(std::size_t particles, int width, int threads, render::Drawing drawing, double share = 1)
+      : subject(crowd(particles, share)),
         painter({.width = width,
                  .height = width * 9 / 16,
                  .drawing = drawing,
                  .view = {},
-                 .annotations = false},
+                 .annotations = false,
+                 .threads = threads},
                 subject.state().lattice, subject.state().kinds) {}
 
   render::Exposure expose(const render::Coloring& coloring) {
@@ -51,9 +52,10 @@ struct Subject {
   }
 };
 
-/// Range 0: particles, 1: picture width.
+/// Range 0: particles, 1: picture width, 2: threads that share what the simulation waits for.
 Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
-  return {static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)), drawing};
+  return {static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
+          static_cast<int>(bench.range(2)), drawing};
 }
 
 void expose(benchmark::State& bench, render::Drawing drawing, const render::Coloring& coloring) {
@@ -77,6 +79,14 @@ void expose_polygons(benchmark::State& bench) {
 }
 void expose_lookup(benchmark::State& bench) {
   expose(bench, render::Drawing::lookup, render::color_by_id());
+}
+/// A picture of which four fifths are empty, as of a bed with room to flow.
+void expose_bed(benchmark::State& bench) {
+  Subject subject(static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
+                  static_cast<int>(bench.range(2)), render::Drawing::lookup, 0.2);
+  for (auto _ : bench) {
+    benchmark::DoNotOptimize(subject.expose(render::color_by_id()));
+  }
 }
 void expose_displacement(benchmark::State& bench) {
   expose(bench, render::Drawing::lookup, render::color_by_displacement(100));
@@ -105,17 +115,18 @@ void png(benchmark::State& bench) {
 
 void few_and_many(benchmark::internal::Benchmark* benchmark) {
   for (const int particles : {540, 10'000, 100'000}) {
-    benchmark->Args({particles, 1280});
+    benchmark->Args({particles, 1280, 1});
   }
-  benchmark->Args({100'000, 3840})->Unit(benchmark::kMillisecond);
+  benchmark->Args({100'000, 3840, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
 void any_number(benchmark::internal::Benchmark* benchmark) {
   few_and_many(benchmark);
-  benchmark->Args({1'000'000, 1280});
+  benchmark->Args({1'000'000, 1280, 1})->Args({1'000'000, 1280, 2});
 }
 
 BENCHMARK(expose_lookup)->Apply(any_number);
+BENCHMARK(expose_bed)->Apply(any_number);
 BENCHMARK(expose_displacement)->Apply(any_number);
 BENCHMARK(expose_layers)->Apply(any_number);
 BENCHMARK(expose_polygons)->Apply(few_and_many);

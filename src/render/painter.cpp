@@ -105,9 +105,11 @@ class Painter::Impl {
     if (any_wall_moves(state)) {
       return false;
     }
-    // Both ways give the same picture, so the faster one is taken. Measured with llvmpipe on one
-    // thread: a triangle of an instance costs as much as some six samples of the lookup.
-    constexpr std::size_t kSamplesPerTriangle = 6;
+    // Both ways give the same picture. Measured with llvmpipe on one thread, a triangle of an
+    // instance costs as much as some 32 samples of the lookup; but that is developing only, and
+    // three quarters of a lookup are exposing, which a simulation waits for. So polygons may cost
+    // twice as much.
+    constexpr std::size_t kSamplesPerTriangle = 16;
     const std::size_t samples =
         static_cast<std::size_t>(projection_.width) * static_cast<std::size_t>(projection_.height);
     return polygons_->need_at_most(samples / kSamplesPerTriangle, projection_, state);

@@ -34,6 +34,9 @@ class WallSites {
     const Owner owner = occupancy_.owner(place);
     return automaton::is_particle(owner) ? automaton::kFree : owner;
   }
+  bool any_taken(std::size_t first, std::size_t end) const {
+    return occupancy_.any_taken(first, end);
+  }
   /// The owner that its seams belong to.
   Owner whole(Owner owner) const {
     if (!automaton::is_wall(owner) || owner == kMovingWall) {
@@ -240,9 +243,27 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
   const std::size_t left = lattice_.index({pair.left, 0});
   const std::size_t right = lattice_.index({pair.right, 0});
   look_up(0, floor, near_border);
-  look_up(floor, lid, [&](bool on_right, int row) {
+  const auto between = [&](bool on_right, int row) {
     return sites.owner((on_right ? right : left) + static_cast<std::size_t>(std::ptrdiff_t{row}));
-  });
+  };
+  const auto any_taken = [&](std::size_t first, std::size_t end) {
+    const auto low = static_cast<std::size_t>(std::ptrdiff_t{rows_[first] + pair.lift.whole});
+    const auto high = static_cast<std::size_t>(std::ptrdiff_t{
+        std::min(lattice_.rows(), rows_[end - 1] + pair.lift.whole + 2 + pair.right_rows_more)});
+    return sites.any_taken(left + low, left + high + 1) ||
+           sites.any_taken(right + low, right + high + 1);
+  };
+  // Much of a picture is empty, and seen to be so in a few words.
+  constexpr std::size_t kManySamples = 64;
+  for (std::size_t first = floor; first < lid; first += kManySamples) {
+    const std::size_t end = std::min(lid, first + kManySamples);
+    if (any_taken(first, end)) {
+      look_up(first, end, between);
+    } else {
+      std::fill_n(codes.begin() + static_cast<std::ptrdiff_t>(first), end - first,
+                  code_of(Ground::paper));
+    }
+  }
   look_up(lid, rows_.size(), near_border);
 }
 

@@ -31,6 +31,18 @@ class Occupancy {
   }
 
   bool taken(std::size_t index) const { return (words_[index >> 6U] >> (index & 63U) & 1U) != 0; }
+  /// Whether one of the places from `first` to before `end` is taken.
+  bool any_taken(std::size_t first, std::size_t end) const {
+    const std::uint64_t from_first = ~std::uint64_t{0} << (first & 63U);
+    const std::uint64_t before_end = ~(~std::uint64_t{0} << (end & 63U));
+    const std::size_t last = end >> 6U;
+    std::uint64_t taken = 0;
+    for (std::size_t word = first >> 6U; word < last; ++word) {
+      taken |= words_[word] & (word == first >> 6U ? from_first : ~std::uint64_t{0});
+    }
+    const std::uint64_t from = first >> 6U == last ? from_first : ~std::uint64_t{0};
+    return taken != 0 || ((end & 63U) != 0 && (words_[last] & before_end & from) != 0);
+  }
   Owner owner(std::size_t index) const { return owners_[index]; }
   /// The first owner of each place; a wall comes before particles, a lower id before a higher one.
   const std::vector<Owner>& owners() const { return owners_; }

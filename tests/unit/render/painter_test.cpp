@@ -134,6 +134,29 @@ TEST(Painter, ChoosesPolygonsForFewAndLookupForManyParticles) {
             picture(many, Drawing::lookup, 30, 20, 1));
 }
 
+TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
+  for (const Drawing drawing : kBothWays) {
+    automaton::Automaton automaton = packed(60, 40, true);
+    Style style;
+    style.drawing = drawing;
+    Painter painter(style, automaton.state().lattice, automaton.state().kinds);
+    const auto exposed = [&] {
+      return painter.expose(automaton.state(), automaton.occupancy(), color_by_displacement(20));
+    };
+    const Image before = painter.develop(exposed(), {});
+    const Exposure kept = exposed();
+    for (int step = 0; step < 20; ++step) {
+      automaton.step();
+    }
+    Image developed;
+    std::thread beside([&] { developed = painter.develop(kept, {}); });
+    const Exposure later = exposed();
+    beside.join();
+    EXPECT_EQ(developed, before);
+    EXPECT_NE(painter.develop(later, {}), before);
+  }
+}
+
 TEST(Painter, DrawsTinyPictures) {
   const automaton::State state = packed(60, 40, false).state();
   for (const auto& [width, height] :
