@@ -1,71 +1,111 @@
-// Frames and PNG files.
+// Frames and PNG files: what they cost the thread that simulates, and what the thread that draws.
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
+#include "clca/automaton/automaton.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
-#include "columns.hpp"
 
 namespace {
 
+namespace automaton = clca::automaton;
+namespace lattice = clca::lattice;
 namespace render = clca::render;
 
-/// A packed column of so many particles and how to draw it.
+/// Small and large hexagons, 1:1, at random over the lower `share` of a box of 16:9, half of whose
+/// sites they take there; after some steps of their fall.
+automaton::Automaton crowd(std::size_t particles, double share) {
+  const double sites = 26.0 * static_cast<double>(particles) / share;
+  const double height = std::sqrt(sites * lattice::kColumnPitch * 9 / 16);
+  automaton::State state{.lattice = lattice::Lattice::covering(height * 16 / 9, height, false),
+                         .seed = 2001};
+  state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
+  automaton::Automaton result(std::move(state));
+  const std::vector<std::size_t> counts = {particles / 2, particles / 2};
+  result.fill({0, 0, height * 16 / 9, height * share}, counts);
+  for (int step = 0; step < 5; ++step) {
+    result.step();
+  }
+  return result;
+}
+
+/// Draws it at 16:9, 2 x 2 samples a pixel, without a caption.
 struct Subject {
-  clca::automaton::Automaton automaton;
+  automaton::Automaton subject;
   render::Painter painter;
-  render::Coloring coloring;
 
-  Subject(std::size_t particles, int width, int height, render::Drawing drawing)
-      : automaton(settled(particles)),
-        painter(style(automaton.state().lattice, width, height, drawing), automaton.state().lattice,
-                automaton.state().kinds),
-        coloring(render::color_by_id(automaton.state())) {}
+  Subject(std::size_t particles, int width, int threads, render::Drawing drawing, double share = 1)
+      : subject(crowd(particles, share)),
+        painter({.width = width,
+                 .height = width * 9 / 16,
+                 .drawing = drawing,
+                 .view = {},
+                 .annotations = false,
+                 .threads = threads},
+                subject.state().lattice, subject.state().kinds) {}
 
-  render::Image draw() {
-    return painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
-  }
-
- private:
-  static clca::automaton::Automaton settled(std::size_t particles) {
-    auto automaton = clca::bench::rain(particles, clca::automaton::Ties::particle, 1);
-    clca::bench::run_steps(automaton, 1000);
-    return automaton;
-  }
-  static render::Style style(const clca::lattice::Lattice& lattice, int width, int height,
-                             render::Drawing drawing) {
-    const double right = 0.87 * lattice.columns();
-    return {.width = width,
-            .height = height,
-            .drawing = drawing,
-            .view = {.left = 0, .bottom = 0, .right = right, .top = right * 9 / 16},
-            .annotations = false};
+  render::Exposure expose(const render::Coloring& coloring) {
+    return painter.expose(subject.state(), subject.occupancy(), coloring);
   }
 };
 
-/// Range 0: particles, 1: picture width (16:9).
-void frame(benchmark::State& bench, render::Drawing drawing) {
-  const int width = static_cast<int>(bench.range(1));
-  Subject subject(static_cast<std::size_t>(bench.range(0)), width, width * 9 / 16, drawing);
-  subject.draw();  // compiles the shaders
+/// Range 0: particles, 1: picture width, 2: threads that share what the simulation waits for.
+Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
+  return {static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
+          static_cast<int>(bench.range(2)), drawing};
+}
+
+void expose(benchmark::State& bench, render::Drawing drawing, const render::Coloring& coloring) {
+  Subject subject = subject_of(bench, drawing);
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.draw());
+    benchmark::DoNotOptimize(subject.expose(coloring));
   }
 }
 
-void frame_polygons(benchmark::State& bench) {
-  frame(bench, render::Drawing::polygons);
+void develop(benchmark::State& bench, render::Drawing drawing) {
+  Subject subject = subject_of(bench, drawing);
+  const render::Exposure exposure = subject.expose(render::color_by_id());
+  subject.painter.develop(exposure, {});  // compiles the shaders
+  for (auto _ : bench) {
+    benchmark::DoNotOptimize(subject.painter.develop(exposure, {}));
+  }
 }
-void frame_lookup(benchmark::State& bench) {
-  frame(bench, render::Drawing::lookup);
+
+void expose_polygons(benchmark::State& bench) {
+  expose(bench, render::Drawing::polygons, render::color_by_id());
+}
+void expose_lookup(benchmark::State& bench) {
+  expose(bench, render::Drawing::lookup, render::color_by_id());
+}
+/// A picture of which four fifths are empty, as of a bed with room to flow.
+void expose_bed(benchmark::State& bench) {
+  Subject subject(static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
+                  static_cast<int>(bench.range(2)), render::Drawing::lookup, 0.2);
+  for (auto _ : bench) {
+    benchmark::DoNotOptimize(subject.expose(render::color_by_id()));
+  }
+}
+void expose_displacement(benchmark::State& bench) {
+  expose(bench, render::Drawing::lookup, render::color_by_displacement(100));
+}
+void expose_layers(benchmark::State& bench) {
+  const std::vector<automaton::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
+                                              {lattice::Shape::hexagon(2), 1}};
+  expose(bench, render::Drawing::lookup, render::color_by_layer(kinds, 8, {0, 2000}));
+}
+void develop_polygons(benchmark::State& bench) {
+  develop(bench, render::Drawing::polygons);
+}
+void develop_lookup(benchmark::State& bench) {
+  develop(bench, render::Drawing::lookup);
 }
 
 void png(benchmark::State& bench) {
-  const int width = static_cast<int>(bench.range(1));
-  Subject subject(static_cast<std::size_t>(bench.range(0)), width, width * 9 / 16,
-                  render::Drawing::automatic);
-  const render::Image image = subject.draw();
+  Subject subject = subject_of(bench, render::Drawing::automatic);
+  const render::Image image = subject.painter.develop(subject.expose(render::color_by_id()), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {
     bytes = render::encode_png(image, {}).size();
@@ -73,17 +113,25 @@ void png(benchmark::State& bench) {
   bench.counters["bytes"] = static_cast<double>(bytes);
 }
 
-void sizes(benchmark::internal::Benchmark* benchmark) {
-  for (const int width : {1280, 3840}) {
-    for (const int particles : {540, 10'000, 100'000}) {
-      benchmark->Args({particles, width});
-    }
+void few_and_many(benchmark::internal::Benchmark* benchmark) {
+  for (const int particles : {540, 10'000, 100'000}) {
+    benchmark->Args({particles, 1280, 1});
   }
-  benchmark->Unit(benchmark::kMillisecond)->UseRealTime();
+  benchmark->Args({100'000, 3840, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-BENCHMARK(frame_polygons)->Apply(sizes);
-BENCHMARK(frame_lookup)->Apply(sizes);
-BENCHMARK(png)->Apply(sizes);
+void any_number(benchmark::internal::Benchmark* benchmark) {
+  few_and_many(benchmark);
+  benchmark->Args({1'000'000, 1280, 1})->Args({1'000'000, 1280, 2});
+}
+
+BENCHMARK(expose_lookup)->Apply(any_number);
+BENCHMARK(expose_bed)->Apply(any_number);
+BENCHMARK(expose_displacement)->Apply(any_number);
+BENCHMARK(expose_layers)->Apply(any_number);
+BENCHMARK(expose_polygons)->Apply(few_and_many);
+BENCHMARK(develop_lookup)->Apply(any_number);
+BENCHMARK(develop_polygons)->Apply(few_and_many);
+BENCHMARK(png)->Apply(any_number);
 
 }  // namespace

@@ -216,7 +216,7 @@ void Stepper::move_uncontested(Lane& lane, const std::vector<Mover>& movers) {
 
 // Waking needs only the owners that stay where they are: movers are awake anyway. So it does not
 // matter which of the other moves of this step have been carried out already; and as no site that
-// was taken when the step began gets another owner in it, owners need no protection.
+// was taken when the step began gets another owner in it, nobody reads a wrong one.
 void Stepper::carry(Lane& lane, const Mover& mover) {
   lane.awake->insert(mover.id);
   if (mover.access == Access::seam) {
@@ -244,7 +244,10 @@ void Stepper::carry_inside(Lane& lane, const Mover& mover) {
         : occupancy.flip_shared(swapped.corner(mover.site), swapped.sites);
   }
   for (const lattice::Offset offset : footprint.lead[mover.move]) {
-    occupancy.set_owner(plus(place, offset.linear), static_cast<Owner>(mover.id));
+    occupancy.set_owner_shared(plus(place, offset.linear), static_cast<Owner>(mover.id));
+  }
+  for (const lattice::Offset offset : footprint.trail[mover.move]) {
+    occupancy.set_owner_shared(plus(place, offset.linear), kFree);
   }
   if (footprint.one_window) {
     wake_in_window(lane, mover, place);
@@ -259,7 +262,7 @@ void Stepper::wake_in_window(Lane& lane, const Mover& mover, std::size_t place) 
     for (std::uint64_t sites = mover.taken & wake.sites; sites != 0; sites &= sites - 1) {
       const int bit = std::countr_zero(sites);
       const Owner owner =
-          world_.occupancy.owner_of_taken(plus(corner, bit / kWindow * stride + bit % kWindow));
+          world_.occupancy.owner_shared(plus(corner, bit / kWindow * stride + bit % kWindow));
       if (is_particle(owner)) {
         lane.awake->insert(static_cast<std::uint32_t>(owner));
       }
@@ -283,11 +286,13 @@ void Stepper::carry_across_seam(Lane& lane, const Mover& mover) {
   wake_by_sites(lane, mover);
   for (const lattice::Offset offset : mover.footprint->lead[mover.move]) {
     const std::size_t place = place_of(lattice, mover, offset);
-    occupancy.set_owner(place, static_cast<Owner>(mover.id));
+    occupancy.set_owner_shared(place, static_cast<Owner>(mover.id));
     occupancy.set_taken_shared(place);
   }
   for (const lattice::Offset offset : mover.footprint->trail[mover.move]) {
-    occupancy.release_shared(place_of(lattice, mover, offset));
+    const std::size_t place = place_of(lattice, mover, offset);
+    occupancy.set_owner_shared(place, kFree);
+    occupancy.set_free_shared(place);
   }
 }
 

@@ -73,7 +73,7 @@ bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) 
 
 Occupancy::Occupancy(const State& state)
     : taken_(state.lattice),
-      owners_(state.lattice.memory_size()),
+      not_owners_(state.lattice.memory_size()),
       seconds_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
@@ -108,8 +108,8 @@ void Occupancy::add(std::size_t index, Owner owner) {
   if (seconds_.empty() || seconds_[index] != kFree) {
     throw std::logic_error("a place has no room for another owner");
   }
-  const Owner first = owners_[index];
-  owners_[index] = std::min(first, owner);
+  const Owner first = this->owner(index);
+  set_owner(index, std::min(first, owner));
   seconds_[index] = std::max(first, owner);
 }
 
@@ -118,23 +118,18 @@ bool Occupancy::remove(std::size_t index, Owner owner) {
     release(index);
     return true;
   }
-  if (owners_[index] == owner) {
-    owners_[index] = seconds_[index];
+  if (this->owner(index) == owner) {
+    set_owner(index, seconds_[index]);
   }
   seconds_[index] = kFree;
   return false;
 }
 
 bool Occupancy::operator==(const Occupancy& other) const {
-  if (owners_.size() != other.owners_.size() || seconds_ != other.seconds_) {
-    return false;
-  }
-  for (std::size_t index = 0; index < owners_.size(); ++index) {
-    if (owner(index) != other.owner(index)) {
-      return false;
-    }
-  }
-  return true;
+  return std::equal(not_owners_.data(), not_owners_.data() + not_owners_.size(),
+                    other.not_owners_.data(),
+                    other.not_owners_.data() + other.not_owners_.size()) &&
+         seconds_ == other.seconds_;
 }
 
 }  // namespace clca::automaton

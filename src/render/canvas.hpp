@@ -1,9 +1,10 @@
 #pragma once
 // An off-screen picture with several samples a pixel.
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "clca/render/image.hpp"
 #include "render/context.hpp"
 #include "render/gl.hpp"
 
@@ -28,27 +29,19 @@ class Canvas {
 
   /// Throws RenderError when a picture of this size is more than the driver can draw.
   void require_size(int width, int height, int samples) const;
-  /// Keeps a copy of what is drawn now, to start later pictures from.
-  void keep_backdrop();
-  void restore_backdrop();
-  /// Mean colour of the samples of each pixel.
-  Image read();
+  /// Red, green, blue and alpha of all samples by rows from the lower left one, until the next
+  /// call.
+  std::span<const std::uint8_t> read();
 
  private:
-  struct Target {
-    GLuint framebuffer = 0;
-    GLuint renderbuffer = 0;
-  };
-  Target target() const;
-  void copy(const Target& from, const Target& to) const;
+  void add_target();
 
   int width_;
   int height_;
   int samples_;
   Context context_;
   Gl gl_;
-  Target drawing_;
-  Target backdrop_;
+  GLuint framebuffer_ = 0;
   std::vector<std::uint8_t> rgba_;
 };
 

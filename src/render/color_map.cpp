@@ -57,11 +57,11 @@ Rgb map_color(double share) {
   return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
 }
 
-Rgb outline_color(Rgb fill) {
+Rgb outline_color(Rgb fill, double strength) {
   const bool dark = 0.299 * fill.red + 0.587 * fill.green + 0.114 * fill.blue < 0.25 * 255;
-  const auto shaded = [dark](std::uint8_t channel) {
-    return static_cast<std::uint8_t>(
-        std::lround(dark ? 0.65 * channel + 0.35 * 255 : 0.55 * channel));
+  const auto shaded = [dark, strength](std::uint8_t channel) {
+    const double towards = dark ? 0.35 * strength * (255 - channel) : -0.45 * strength * channel;
+    return static_cast<std::uint8_t>(std::lround(channel + towards));
   };
   return {shaded(fill.red), shaded(fill.green), shaded(fill.blue)};
 }

@@ -7,22 +7,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render/shade.hpp"
+
 namespace clca::render {
 
 namespace {
 
-using automaton::Particle;
 using automaton::State;
-
-template <class ColorOf>
-std::vector<Rgb> colors_by_id(const State& state, ColorOf color_of) {
-  std::vector<Rgb> colors;
-  colors.reserve(state.particles.size());
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    colors.push_back(color_of(id));
-  }
-  return colors;
-}
 
 Rgb mixed(Rgb color, Rgb other, double share) {
   const auto mix = [share](std::uint8_t from, std::uint8_t to) {
@@ -44,110 +35,130 @@ std::string layer_label(int layer, int layers) {
   return fmt::format("{}{}{}", layer == 0 ? "layer " : "", layer + 1, where);
 }
 
-double origin_height(const State& state, std::size_t id) {
-  const Particle& particle = state.particles[id];
-  return lattice::position(state.origins[id]).y() + state.shape(particle).centroid().y();
+std::vector<double> centroid_heights(std::span<const automaton::Kind> kinds) {
+  std::vector<double> heights;
+  for (const automaton::Kind& kind : kinds) {
+    heights.push_back(kind.shape.centroid().y());
+  }
+  return heights;
+}
+
+Rgb id_color(std::size_t id) {
+  // Steps of the golden ratio round a circle never come close to a step shortly before.
+  constexpr double kGoldenRatio = 0.61803398874989484820;
+  const double turn = static_cast<double>(id) * kGoldenRatio;
+  const double place = (turn - std::floor(turn)) * 7;
+  const auto number = static_cast<std::size_t>(place);
+  const Rgb color = mixed(palette_color(number), palette_color((number + 1) % 7),
+                          place - static_cast<double>(number));
+  return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 
 }  // namespace
 
-Coloring color_by_species(const State& state, std::span<const NamedColor> species) {
-  const auto color_of = [&](std::size_t number) {
-    return number < species.size() ? species[number].color : palette_color(number);
-  };
-  Coloring result;
-  result.colors = colors_by_id(state, [&](std::size_t id) {
-    return color_of(state.kinds[state.particles[id].kind].species);
-  });
+Rgb color(const Coloring& coloring, const State& state, const automaton::Occupancy& occupancy,
+          std::size_t id) {
+  const Shading shading = {state, occupancy};
+  const std::size_t shade =
+      std::visit([&](const auto& rule) { return shading.shade(rule, id); }, coloring.rule);
+  return coloring.palette[in_palette(shade, coloring.palette.size())];
+}
+
+Coloring color_by_species(std::span<const automaton::Kind> kinds,
+                          std::span<const NamedColor> species) {
+  Coloring result = {.rule = BySpecies{}, .palette = {}, .legend = {}};
   for (const NamedColor& named : species) {
+    result.palette.push_back(named.color);
     result.legend.patches.push_back({named.name, named.color});
+  }
+  for (const automaton::Kind& kind : kinds) {
+    while (result.palette.size() <= kind.species) {
+      result.palette.push_back(palette_color(result.palette.size()));
+    }
   }
   return result;
 }
 
-LayerRange layer_range(const State& state) {
+LayerRange layer_range(const State& state, std::span<const std::size_t> sources) {
+  const std::vector<double> centroids = centroid_heights(state.kinds);
   LayerRange range;
+  const auto add = [&](lattice::Site origin, std::size_t kind) {
+    const double height = lattice::position(origin).y() + centroids[kind];
+    range.low = std::min(range.low, height);
+    range.high = std::max(range.high, height);
+  };
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
-      const double height = origin_height(state, id);
-      range.low = std::min(range.low, height);
-      range.high = std::max(range.high, height);
+      add(state.origins[id], state.particles[id].kind);
+    }
+  }
+  for (const std::size_t number : sources) {
+    const automaton::Source& source = state.sources[number];
+    for (std::size_t kind = 0; kind < source.weights.size(); ++kind) {
+      for (const lattice::Site site : source.sites) {
+        if (source.weights[kind] > 0) {
+          add(site, kind);
+        }
+      }
     }
   }
   return range;
 }
 
-Coloring color_by_layer(const State& state, int layers, const LayerRange& begin) {
+Coloring color_by_layer(std::span<const automaton::Kind> kinds, int layers,
+                        const LayerRange& range) {
   if (layers < 1) {
     throw std::invalid_argument("there is at least one layer");
   }
-  const LayerRange now = layer_range(state);
-  const double low = std::min(begin.low, now.low);
-  const double high = std::max(begin.high, now.high);
-  Coloring result;
-  result.colors = colors_by_id(state, [&](std::size_t id) {
-    const bool told = state.particles[id].present && high > low;
-    const double share = told ? (origin_height(state, id) - low) / (high - low) : 0.0;
-    return layer_color(std::min(static_cast<int>(share * layers), layers - 1), layers);
-  });
+  Coloring result = {
+      .rule = ByLayer{layers, range, centroid_heights(kinds)}, .palette = {}, .legend = {}};
   for (int layer = 0; layer < layers; ++layer) {
-    result.legend.patches.push_back({layer_label(layer, layers), layer_color(layer, layers)});
+    result.palette.push_back(layer_color(layer, layers));
+    result.legend.patches.push_back({layer_label(layer, layers), result.palette.back()});
   }
   return result;
 }
 
-Coloring color_by_displacement(const State& state, double high) {
+Coloring color_by_displacement(double high) {
   if (!(high > 0)) {
     throw std::invalid_argument("the displacement at the end of the colour bar is positive");
   }
-  Coloring result;
-  result.colors = colors_by_id(state, [&](std::size_t id) {
-    const lattice::Axial moved = state.particles[id].site() - state.origins[id];
-    return map_color(lattice::position(moved).norm() / high);
-  });
+  Coloring result = {.rule = ByDisplacement{high}, .palette = {}, .legend = {}};
+  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
+    result.palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
+  }
   result.legend.bars.push_back({"displacement (spacings)", 0, high});
   return result;
 }
 
-Coloring color_by_force(const State& state, std::span<const double> index, double high) {
+Coloring color_by_force(int high) {
   constexpr Rgb kFree = {228, 230, 233};
-  if (!(high > 0)) {
-    throw std::invalid_argument("the force at the end of the colour bar is positive");
+  constexpr int kHighest = 1000;
+  if (high < 1 || high > kHighest) {
+    throw std::invalid_argument("the force at the end of the colour bar is 1 to 1000 sites");
   }
-  if (index.size() < state.particles.size()) {
-    throw std::invalid_argument("a colouring by force needs one index for each particle");
+  Coloring result = {.rule = ByForce{}, .palette = {kFree}, .legend = {}};
+  for (int sites = 1; sites <= high; ++sites) {
+    result.palette.push_back(map_color(static_cast<double>(sites) / high));
   }
-  Coloring result;
-  result.colors = colors_by_id(
-      state, [&](std::size_t id) { return index[id] > 0 ? map_color(index[id] / high) : kFree; });
-  result.legend.bars.push_back({"overlapped sites", 0, high});
+  result.legend.bars.push_back({"overlapped sites", 0, static_cast<double>(high)});
   result.legend.patches.push_back({"none", kFree});
   return result;
 }
 
-Coloring color_by_speed(const State& state) {
+Coloring color_by_speed() {
   constexpr Rgb kMoving = {213, 94, 0};
   constexpr Rgb kResting = {176, 196, 214};
-  Coloring result;
-  result.colors = colors_by_id(state, [&](std::size_t id) {
-    return state.particles[id].previous == automaton::kRest ? kResting : kMoving;
-  });
+  Coloring result = {.rule = BySpeed{}, .palette = {kMoving, kResting}, .legend = {}};
   result.legend.patches = {{"moving", kMoving}, {"at rest", kResting}};
   return result;
 }
 
-Coloring color_by_id(const State& state) {
-  // Steps of the golden ratio round a circle never come close to a step shortly before.
-  constexpr double kGoldenRatio = 0.61803398874989484820;
-  Coloring result;
-  result.colors = colors_by_id(state, [&](std::size_t id) {
-    const double turn = static_cast<double>(id) * kGoldenRatio;
-    const double place = (turn - std::floor(turn)) * 7;
-    const auto number = static_cast<std::size_t>(place);
-    const Rgb color = mixed(palette_color(number), palette_color((number + 1) % 7),
-                            place - static_cast<double>(number));
-    return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
-  });
+Coloring color_by_id() {
+  Coloring result = {.rule = ById{}, .palette = {}, .legend = {}};
+  for (std::size_t id = 0; id < kIdShades; ++id) {
+    result.palette.push_back(id_color(id));
+  }
   return result;
 }
 

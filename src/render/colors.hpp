@@ -20,7 +20,7 @@ vec3 outline_color(vec3 fill, float strength) {
 }
 )";
 
-/// The same at full strength.
-Rgb outline_color(Rgb fill);
+/// The same of a colour with channels from 0 to 255.
+Rgb outline_color(Rgb fill, double strength);
 
 }  // namespace clca::render

@@ -63,16 +63,6 @@ GLuint Gl::vertex_array() const {
   return name;
 }
 
-GLuint Gl::texture() const {
-  GLuint name = 0;
-  GenTextures(1, &name);
-  BindTexture(GL_TEXTURE_2D, name);
-  TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  return name;
-}
-
 GLuint Gl::program(Source vertex, Source fragment) const {
   const GLuint result = CreateProgram();
   for (const GLuint shader :

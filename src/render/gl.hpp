@@ -10,14 +10,11 @@
 
 // Name without "gl", and the type of the function.
 #define CLCA_GL_FUNCTIONS(X)                          \
-  X(ActiveTexture, ACTIVETEXTURE)                     \
   X(AttachShader, ATTACHSHADER)                       \
   X(BindBuffer, BINDBUFFER)                           \
   X(BindFramebuffer, BINDFRAMEBUFFER)                 \
   X(BindRenderbuffer, BINDRENDERBUFFER)               \
-  X(BindTexture, BINDTEXTURE)                         \
   X(BindVertexArray, BINDVERTEXARRAY)                 \
-  X(BlitFramebuffer, BLITFRAMEBUFFER)                 \
   X(BufferData, BUFFERDATA)                           \
   X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS)   \
   X(Clear, CLEAR)                                     \
@@ -27,7 +24,6 @@
   X(CreateShader, CREATESHADER)                       \
   X(DeleteShader, DELETESHADER)                       \
   X(Disable, DISABLE)                                 \
-  X(DrawArrays, DRAWARRAYS)                           \
   X(DrawElementsInstanced, DRAWELEMENTSINSTANCED)     \
   X(Enable, ENABLE)                                   \
   X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
@@ -35,7 +31,6 @@
   X(GenBuffers, GENBUFFERS)                           \
   X(GenFramebuffers, GENFRAMEBUFFERS)                 \
   X(GenRenderbuffers, GENRENDERBUFFERS)               \
-  X(GenTextures, GENTEXTURES)                         \
   X(GenVertexArrays, GENVERTEXARRAYS)                 \
   X(GetError, GETERROR)                               \
   X(GetIntegerv, GETINTEGERV)                         \
@@ -45,18 +40,12 @@
   X(GetShaderiv, GETSHADERIV)                         \
   X(GetUniformLocation, GETUNIFORMLOCATION)           \
   X(LinkProgram, LINKPROGRAM)                         \
-  X(PixelStorei, PIXELSTOREI)                         \
   X(ReadPixels, READPIXELS)                           \
   X(RenderbufferStorage, RENDERBUFFERSTORAGE)         \
   X(Scissor, SCISSOR)                                 \
   X(ShaderSource, SHADERSOURCE)                       \
-  X(TexImage2D, TEXIMAGE2D)                           \
-  X(TexParameteri, TEXPARAMETERI)                     \
-  X(TexSubImage2D, TEXSUBIMAGE2D)                     \
   X(Uniform1f, UNIFORM1F)                             \
-  X(Uniform1i, UNIFORM1I)                             \
   X(Uniform2f, UNIFORM2F)                             \
-  X(Uniform2i, UNIFORM2I)                             \
   X(Uniform4f, UNIFORM4F)                             \
   X(UseProgram, USEPROGRAM)                           \
   X(VertexAttribDivisor, VERTEXATTRIBDIVISOR)         \
@@ -78,8 +67,6 @@ struct Gl {
   GLint integer(GLenum name) const;
   GLuint buffer() const;
   GLuint vertex_array() const;
-  /// A texture for texelFetch, bound to the active unit.
-  GLuint texture() const;
   /// From the parts of two shaders in GLSL 3.30. Throws RenderError with the compiler's words.
   using Source = std::initializer_list<const char*>;
   GLuint program(Source vertex, Source fragment) const;

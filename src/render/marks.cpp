@@ -40,7 +40,7 @@ void draw_hexagon_pixel(Rgb& pixel, double dx, double dy, double radius, double 
     bare += norm > radius ? 1 : 0;
     dark += norm <= radius && norm > radius - outline ? 1 : 0;
   }
-  const Rgb edge = outline_color(color);
+  const Rgb edge = outline_color(color, 1);
   pixel = {mixed(pixel.red, color.red, edge.red, bare, dark, kCount),
            mixed(pixel.green, color.green, edge.green, bare, dark, kCount),
            mixed(pixel.blue, color.blue, edge.blue, bare, dark, kCount)};

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "render/annotations.hpp"
 #include "render/canvas.hpp"
 #include "render/colors.hpp"
 #include "render/framing.hpp"
 #include "render/layout.hpp"
-#include "render/lookup_painter.hpp"
 #include "render/polygon_painter.hpp"
 #include "render/seen_walls.hpp"
+#include "render/site_lookup.hpp"
 #include "render/strokes.hpp"
 
 namespace clca::render {
@@ -28,6 +29,13 @@ void paste(const Image& panel, const PixelBox& place, Image& picture) {
 
 }  // namespace
 
+struct Exposure::Content {
+  std::shared_ptr<const SampleGrid> samples;  ///< without particles where there are polygons
+  std::optional<PolygonPainter::Instances> polygons;
+  std::vector<Rgb> palette;
+  Legend legend;
+};
+
 class Painter::Impl {
  public:
   Impl(const Style& style, const lattice::Lattice& lattice,
@@ -38,10 +46,11 @@ class Painter::Impl {
         layout_(
             arrange(style.width, style.height, view_, style.annotations && font_problem().empty())),
         projection_(projection_of(view_, layout_, style.supersampling, lattice, style.height)),
-        canvas_(layout_.panel.width, layout_.panel.height, style.supersampling) {
-    Canvas::Session session(canvas_);
+        canvas_(layout_.panel.width, layout_.panel.height, style.supersampling),
+        lookup_(lattice, projection_, style.threads),
+        grids_(projection_.width, projection_.height) {
+    const Canvas::Session session(canvas_);
     canvas_.require_size(style.width, style.height, style.supersampling);
-    lookup_.emplace(canvas_.gl(), lattice);
     polygons_.emplace(canvas_.gl(), lattice, kinds);
     if (layout_.text_size > 0) {
       annotator_.emplace();
@@ -49,28 +58,42 @@ class Painter::Impl {
     kind_count_ = kinds.size();
   }
 
-  Image draw(const automaton::State& state, const automaton::Occupancy& occupancy,
-             const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
-    require_match(state, occupancy, coloring);
+  Exposure expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+                  const Coloring& coloring) {
+    require_match(state, coloring);
+    auto content = std::make_shared<Exposure::Content>();
+    if (by_polygons(state)) {
+      content->samples = backdrop(state, occupancy);
+      content->polygons = polygons_->instances(projection_, state, occupancy, coloring);
+    } else {
+      const std::shared_ptr<SampleGrid> samples = grids_.take();
+      lookup_.particles(state, occupancy, coloring, *samples);
+      content->samples = samples;
+    }
+    content->palette = coloring.palette;
+    content->legend = coloring.legend;
+    return Exposure(std::move(content));
+  }
+
+  Image develop(const Exposure::Content& exposure, const Caption& caption, const Overlay& overlay) {
     Image picture(style_.width, style_.height, kPaper);
-    Image panel = draw_panel(state, occupancy, coloring.colors);
+    Image panel = developed_panel(exposure);
     draw_overlay(panel, overlay, projection_.corner, layout_.scale);
     paste(panel, layout_.panel, picture);
     if (annotator_) {
-      annotator_->draw(picture, layout_, caption, coloring.legend, overlay.fade);
+      annotator_->draw(picture, layout_, caption, exposure.legend, overlay.fade);
     }
     return picture;
   }
 
  private:
-  void require_match(const automaton::State& state, const automaton::Occupancy& occupancy,
-                     const Coloring& coloring) const {
-    if (state.lattice != lattice_ || state.kinds.size() != kind_count_ ||
-        occupancy.owners().size() != lattice_.memory_size()) {
+  void require_match(const automaton::State& state, const Coloring& coloring) const {
+    if (state.lattice != lattice_ || state.kinds.size() != kind_count_) {
       throw std::invalid_argument("the painter was made for another lattice or other kinds");
     }
-    if (coloring.colors.size() < state.particles.size()) {
-      throw std::invalid_argument("a coloring needs one colour for each particle");
+    const std::size_t colors = coloring.palette.size();
+    if ((colors == 0 && !state.particles.empty()) || colors > kMostShades) {
+      throw std::invalid_argument("particles need a coloring of 1 to 32000 colours");
     }
   }
 
@@ -82,52 +105,59 @@ class Painter::Impl {
     if (any_wall_moves(state)) {
       return false;
     }
-    // Both ways give the same picture, so the faster one is taken. Measured with llvmpipe on one
-    // thread: a triangle of an instance costs as much as some six samples of the lookup.
-    constexpr std::size_t kSamplesPerTriangle = 6;
+    // Both ways give the same picture. Measured with llvmpipe on one thread, a triangle of an
+    // instance costs as much as some 32 samples of the lookup; but that is developing only, and
+    // three quarters of a lookup are exposing, which a simulation waits for. So polygons may cost
+    // twice as much.
+    constexpr std::size_t kSamplesPerTriangle = 16;
     const std::size_t samples =
         static_cast<std::size_t>(projection_.width) * static_cast<std::size_t>(projection_.height);
-    return kSamplesPerTriangle * polygons_->triangles(projection_, state) < samples;
+    return polygons_->need_at_most(samples / kSamplesPerTriangle, projection_, state);
   }
 
-  Image draw_panel(const automaton::State& state, const automaton::Occupancy& occupancy,
-                   std::span<const Rgb> colors) {
-    Canvas::Session session(canvas_);
-    if (by_polygons(state)) {
-      draw_backdrop(state, occupancy);
-      clip_to_box();
-      polygons_->draw(projection_, state, colors);
-    } else {
-      clear();
-      lookup_->draw(projection_, whole_box(lattice_), occupancy,
-                    colors.first(state.particles.size()), moving_wall_sites(state));
+  /// Walls rarely change, and looking them up costs as much as looking up everything.
+  std::shared_ptr<const SampleGrid> backdrop(const automaton::State& state,
+                                             const automaton::Occupancy& occupancy) {
+    if (!backdrop_walls_ || !backdrop_walls_->match(state)) {
+      const std::shared_ptr<SampleGrid> walls = grids_.take();
+      lookup_.walls(state, occupancy, *walls);
+      backdrop_ = walls;
+      backdrop_walls_.emplace(state);
     }
-    return canvas_.read();
+    return backdrop_;
   }
 
-  /// Walls rarely change, and drawing them costs as much as drawing everything by lookup.
-  void draw_backdrop(const automaton::State& state, const automaton::Occupancy& occupancy) {
-    if (backdrop_walls_ && backdrop_walls_->match(state)) {
-      canvas_.restore_backdrop();
-      return;
+  Image developed_panel(const Exposure::Content& exposure) {
+    const SampleGrid& samples = *exposure.samples;
+    const std::vector<Rgb> colors = colors_by_code(exposure.palette, projection_.outline_strength);
+    const auto looked_up = [&](int x, int y) { return colors[samples.at(x, y)]; };
+    if (!exposure.polygons) {
+      return mean_picture(layout_.panel.width, layout_.panel.height, style_.supersampling,
+                          looked_up);
     }
-    clear();
-    lookup_->draw(projection_, whole_box(lattice_), occupancy, {}, moving_wall_sites(state));
-    canvas_.keep_backdrop();
-    backdrop_walls_.emplace(state);
+    const Canvas::Session session(canvas_);
+    draw_polygons(*exposure.polygons);
+    const std::span<const std::uint8_t> drawn = canvas_.read();
+    return mean_picture(
+        layout_.panel.width, layout_.panel.height, style_.supersampling, [&](int x, int y) {
+          const std::size_t at =
+              4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width()) +
+                   static_cast<std::size_t>(x));
+          return drawn[at + 3] == 0 ? looked_up(x, y)
+                                    : Rgb{drawn[at], drawn[at + 1], drawn[at + 2]};
+        });
   }
 
-  void clear() {
+  /// Inside the box; what they leave free is transparent.
+  void draw_polygons(const PolygonPainter::Instances& instances) {
     const Gl& gl = canvas_.gl();
     gl.Disable(GL_SCISSOR_TEST);
-    gl.ClearColor(1, 1, 1, 1);
+    gl.ClearColor(0, 0, 0, 0);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-  }
-
-  void clip_to_box() {
     const SampleBox box = projection_.samples_in(whole_box(lattice_));
-    canvas_.gl().Scissor(box.x, box.y, box.width, box.height);
-    canvas_.gl().Enable(GL_SCISSOR_TEST);
+    gl.Scissor(box.x, box.y, box.width, box.height);
+    gl.Enable(GL_SCISSOR_TEST);
+    polygons_->draw(projection_, instances);
   }
 
   Style style_;
@@ -135,12 +165,17 @@ class Painter::Impl {
   lattice::Rectangle view_;
   Layout layout_;
   Projection projection_;
-  Canvas canvas_;
-  std::optional<LookupPainter> lookup_;
-  std::optional<PolygonPainter> polygons_;
-  std::optional<Annotator> annotator_;
-  std::optional<SeenWalls> backdrop_walls_;  // those of the kept backdrop
   std::size_t kind_count_ = 0;
+  // Exposing changes these.
+  std::shared_ptr<const SampleGrid> backdrop_;
+  std::optional<SeenWalls> backdrop_walls_;  // those of the backdrop
+  // Developing changes these.
+  Canvas canvas_;
+  std::optional<Annotator> annotator_;
+  // Neither.
+  SiteLookup lookup_;
+  std::optional<PolygonPainter> polygons_;
+  GridPool grids_;
 };
 
 Painter::Painter(const Style& style, const lattice::Lattice& lattice,
@@ -150,9 +185,18 @@ Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
+Exposure Painter::expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+                         const Coloring& coloring) {
+  return impl_->expose(state, occupancy, coloring);
+}
+
+Image Painter::develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay) {
+  return impl_->develop(exposure.content(), caption, overlay);
+}
+
 Image Painter::draw(const automaton::State& state, const automaton::Occupancy& occupancy,
                     const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
-  return impl_->draw(state, occupancy, coloring, caption, overlay);
+  return develop(expose(state, occupancy, coloring), caption, overlay);
 }
 
 }  // namespace clca::render

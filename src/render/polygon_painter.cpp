@@ -106,11 +106,24 @@ PolygonPainter::Model PolygonPainter::model(const lattice::Shape& shape) const {
   return result;
 }
 
-void PolygonPainter::collect(const Projection& projection, const automaton::State& state,
-                             std::span<const Rgb> colors) {
-  for (Model& model : models_) {
-    model.instances.clear();
+bool PolygonPainter::need_at_most(std::size_t triangles, const Projection& projection,
+                                  const automaton::State& state) const {
+  // Not looked at one by one where they are more than that, be they present or not.
+  if (state.particles.size() > triangles) {
+    return false;
   }
+  std::size_t indices = 0;
+  for (const automaton::Particle& particle : state.particles) {
+    indices += particle.present ? index_count(models_[particle.kind].mesh, projection) : 0;
+  }
+  return indices <= 3 * triangles;
+}
+
+PolygonPainter::Instances PolygonPainter::instances(const Projection& projection,
+                                                    const automaton::State& state,
+                                                    const automaton::Occupancy& occupancy,
+                                                    const Coloring& coloring) const {
+  Instances result(models_.size());
   const GridWindow window(projection);
   const GridPoint anchor = grid_point(projection.anchor);
   const int columns = lattice_.columns();
@@ -123,50 +136,40 @@ void PolygonPainter::collect(const Projection& projection, const automaton::Stat
     if (!particle.present) {
       continue;
     }
-    Model& model = models_[particle.kind];
+    const Mesh& mesh = models_[particle.kind].mesh;
     const GridPoint home = grid_point({lattice_.wrapped(particle.column), particle.row});
     // Across a periodic seam a particle shows at both ends of the box.
-    const int first = lattice_.periodic() && home.u + model.mesh.high.u >= 2 * columns ? -1 : 0;
-    const int last = lattice_.periodic() && home.u + model.mesh.low.u < -1 ? 1 : 0;
+    const int first = lattice_.periodic() && home.u + mesh.high.u >= 2 * columns ? -1 : 0;
+    const int last = lattice_.periodic() && home.u + mesh.low.u < -1 ? 1 : 0;
     for (int image = first; image <= last; ++image) {
       const GridPoint place = {home.u + 2 * columns * image - anchor.u, home.v - anchor.v};
-      if (window.shows(place, model.mesh)) {
-        const Rgb color = colors[id];
-        model.instances.push_back({place.u, place.v, color.red, color.green, color.blue, 255});
+      if (window.shows(place, mesh)) {
+        const Rgb fill = color(coloring, state, occupancy, id);
+        result[particle.kind].push_back({place.u, place.v, fill.red, fill.green, fill.blue, 255});
       }
     }
   }
+  return result;
 }
 
 std::size_t PolygonPainter::index_count(const Mesh& mesh, const Projection& projection) {
   return projection.outline_strength > 0 ? mesh.indices.size() : mesh.fill_indices;
 }
 
-std::size_t PolygonPainter::triangles(const Projection& projection,
-                                      const automaton::State& state) const {
-  std::size_t indices = 0;
-  for (const automaton::Particle& particle : state.particles) {
-    indices += particle.present ? index_count(models_[particle.kind].mesh, projection) : 0;
-  }
-  return indices / 3;
-}
-
-void PolygonPainter::draw(Model& model, std::size_t index_count) const {
-  if (model.instances.empty()) {
+void PolygonPainter::draw(const Model& model, std::size_t index_count,
+                          std::span<const Instance> instances) const {
+  if (instances.empty()) {
     return;
   }
   gl_->BindVertexArray(model.vertex_array);
   gl_->BindBuffer(GL_ARRAY_BUFFER, model.instance_buffer);
-  gl_->BufferData(GL_ARRAY_BUFFER,
-                  static_cast<GLsizeiptr>(model.instances.size() * sizeof(Instance)),
-                  model.instances.data(), GL_STREAM_DRAW);
+  gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()),
+                  instances.data(), GL_STREAM_DRAW);
   gl_->DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(index_count), GL_UNSIGNED_INT,
-                             nullptr, static_cast<GLsizei>(model.instances.size()));
+                             nullptr, static_cast<GLsizei>(instances.size()));
 }
 
-void PolygonPainter::draw(const Projection& projection, const automaton::State& state,
-                          std::span<const Rgb> colors) {
-  collect(projection, state, colors);
+void PolygonPainter::draw(const Projection& projection, const Instances& instances) const {
   gl_->UseProgram(program_);
   const auto clip = projection.clip_from_grid();
   gl_->Uniform4f(place("clip_from_grid"), static_cast<float>(clip[0]), static_cast<float>(clip[1]),
@@ -175,8 +178,8 @@ void PolygonPainter::draw(const Projection& projection, const automaton::State& 
   gl_->Uniform2f(place("clip_from_inward"), static_cast<float>(inset / projection.width),
                  static_cast<float>(inset / projection.height));
   gl_->Uniform1f(place("outline_strength"), static_cast<float>(projection.outline_strength));
-  for (Model& model : models_) {
-    draw(model, index_count(model.mesh, projection));
+  for (std::size_t kind = 0; kind < models_.size(); ++kind) {
+    draw(models_[kind], index_count(models_[kind].mesh, projection), instances[kind]);
   }
   gl_->check("drawing polygons");
 }

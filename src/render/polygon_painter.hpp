@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clca/automaton/state.hpp"
-#include "clca/render/image.hpp"
+#include "clca/render/coloring.hpp"
 #include "render/gl.hpp"
 #include "render/mesh.hpp"
 #include "render/projection.hpp"
@@ -18,29 +18,32 @@ class PolygonPainter {
   PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
                  std::span<const automaton::Kind> kinds);
 
-  void draw(const Projection& projection, const automaton::State& state,
-            std::span<const Rgb> colors);
-  /// Number of triangles that draw() would draw, were all particles in view.
-  std::size_t triangles(const Projection& projection, const automaton::State& state) const;
-
- private:
+  /// A particle in view.
   struct Instance {
     std::int32_t u = 0;  ///< of the reference site from the anchor, as GridPoint
     std::int32_t v = 0;
     std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
   };
+  using Instances = std::vector<std::vector<Instance>>;  ///< by kind
+
+  /// Whether drawing all particles takes no more than so many triangles. Soon knows where it does.
+  bool need_at_most(std::size_t triangles, const Projection& projection,
+                    const automaton::State& state) const;
+  /// Needs no OpenGL.
+  Instances instances(const Projection& projection, const automaton::State& state,
+                      const automaton::Occupancy& occupancy, const Coloring& coloring) const;
+  void draw(const Projection& projection, const Instances& instances) const;
+
+ private:
   struct Model {
     Mesh mesh;
     GLuint vertex_array = 0;
     GLuint instance_buffer = 0;
-    std::vector<Instance> instances;
   };
 
   Model model(const lattice::Shape& shape) const;
-  void collect(const Projection& projection, const automaton::State& state,
-               std::span<const Rgb> colors);
   static std::size_t index_count(const Mesh& mesh, const Projection& projection);
-  void draw(Model& model, std::size_t index_count) const;
+  void draw(const Model& model, std::size_t index_count, std::span<const Instance> instances) const;
   GLint place(const char* name) const { return gl_->GetUniformLocation(program_, name); }
 
   const Gl* gl_;

@@ -4,29 +4,12 @@
 
 namespace clca::render {
 
-namespace {
-
 bool moves(const automaton::Wall& wall) {
   return wall.present && wall.motion.has_value();
 }
 
-}  // namespace
-
 bool any_wall_moves(const automaton::State& state) {
   return std::any_of(state.walls.begin(), state.walls.end(), moves);
-}
-
-std::vector<lattice::Site> moving_wall_sites(const automaton::State& state) {
-  std::vector<lattice::Site> sites;
-  for (const automaton::Wall& wall : state.walls) {
-    if (moves(wall)) {
-      const std::vector<lattice::Site> now = automaton::sites_now(state.lattice, wall);
-      sites.insert(sites.end(), now.begin(), now.end());
-    }
-  }
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-  return sites;
 }
 
 SeenWalls::SeenWalls(const automaton::State& state) {

@@ -7,11 +7,10 @@
 
 namespace clca::render {
 
-/// Whether some wall is there that has a motion.
+/// Whether the wall is there and has a motion.
+bool moves(const automaton::Wall& wall);
+/// Whether some wall does.
 bool any_wall_moves(const automaton::State& state);
-
-/// The sites inside the box where such walls stand now, up the columns, none twice.
-std::vector<lattice::Site> moving_wall_sites(const automaton::State& state);
 
 /// Remembers walls, to tell whether those of another state look the same. The clock of a motion
 /// goes on at every step and is not seen.

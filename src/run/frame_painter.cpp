@@ -12,6 +12,9 @@ namespace clca::run {
 
 namespace {
 
+// Fixed, so that pictures of a sequence compare.
+constexpr int kHighestIndex = 8;  // overlapped sites
+
 render::Drawing drawing_of(scene::Drawing drawing) {
   switch (drawing) {
     case scene::Drawing::polygons:
@@ -24,14 +27,16 @@ render::Drawing drawing_of(scene::Drawing drawing) {
   return render::Drawing::automatic;
 }
 
-render::Painter make_painter(const scene::Scene& scene, const automaton::State& state) {
+render::Painter make_painter(const scene::Scene& scene, const automaton::State& state,
+                             int threads) {
   const scene::Frames& frames = *scene.output.frames;
   const render::Style style = {.width = frames.width,
                                .height = frames.height,
                                .supersampling = frames.supersampling,
                                .drawing = drawing_of(frames.drawing),
                                .view = frames.view.value_or(render::whole_box(state.lattice)),
-                               .annotations = frames.caption};
+                               .annotations = frames.caption,
+                               .threads = threads};
   try {
     return {style, state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
@@ -53,16 +58,17 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
 
 }  // namespace
 
-void begin_stage(PictureHistory& history, const std::string& stage, const automaton::State& state) {
+void begin_stage(PictureHistory& history, const scene::Stage& stage,
+                 const automaton::State& state) {
   double highest = 2;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
       highest = std::max(highest, lattice::position(state.origins[id]).y());
     }
   }
-  history.stage = stage;
+  history.stage = stage.name;
   history.displacement_scale = highest / 2;
-  history.layers = render::layer_range(state);
+  history.layers = render::layer_range(state, stage.sources);
 }
 
 render::PngText scene_text(const scene::Scene& scene) {
@@ -72,39 +78,45 @@ render::PngText scene_text(const scene::Scene& scene) {
           {"Seed", fmt::format("{}", scene.seed)}};
 }
 
-FramePainter::FramePainter(const scene::Scene& scene, const automaton::State& state)
-    : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state)) {}
+FramePainter::FramePainter(const scene::Scene& scene, const automaton::State& state, int threads)
+    : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state, threads)) {}
 
-Picture FramePainter::draw(const View& view, const PictureHistory& history) {
+Negative FramePainter::expose(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
-  const render::Caption caption = {.title = scene_.title,
-                                   .detail = fmt::format("{}, step {}", history.stage, step)};
-  render::Coloring colors = coloring(view, history);
-  const Drawn drawn = overlay_of(frames_.overlay, view);
-  colors.legend.lines = drawn.keys;
+  render::Coloring colors = coloring(view.state, history);
+  Drawn drawn = overlay_of(frames_.overlay, view);
+  colors.legend.lines = std::move(drawn.keys);
   render::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
-  return {painter_.draw(view.state, view.occupancy, colors, caption, drawn.overlay),
-          std::move(text)};
+  return {
+      .exposure = painter_.expose(view.state, view.occupancy, colors),
+      .caption = {.title = scene_.title, .detail = fmt::format("{}, step {}", history.stage, step)},
+      .overlay = std::move(drawn.overlay),
+      .text = std::move(text)};
 }
 
-render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
+Picture FramePainter::develop(const Negative& negative) {
+  return {painter_.develop(negative.exposure, negative.caption, negative.overlay), negative.text};
+}
+
+render::Coloring FramePainter::coloring(const automaton::State& state,
+                                        const PictureHistory& history) const {
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
-      return render::color_by_layer(view.state, frames_.layers, history.layers);
+      return render::color_by_layer(state.kinds, frames_.layers, history.layers);
     case scene::ColorBy::displacement:
-      return render::color_by_displacement(view.state, history.displacement_scale);
+      return render::color_by_displacement(history.displacement_scale);
     case scene::ColorBy::speed:
-      return render::color_by_speed(view.state);
+      return render::color_by_speed();
     case scene::ColorBy::id:
-      return render::color_by_id(view.state);
+      return render::color_by_id();
     case scene::ColorBy::force:
-      return color_by_index(view);
+      return render::color_by_force(kHighestIndex);
     case scene::ColorBy::species:
       break;
   }
-  return render::color_by_species(view.state, species_colors(scene_));
+  return render::color_by_species(state.kinds, species_colors(scene_));
 }
 
 }  // namespace clca::run

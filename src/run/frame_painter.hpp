@@ -26,8 +26,8 @@ struct View {
 /// What the pictures so far leave to those that come: goes into a checkpoint.
 struct PictureHistory {
   std::string stage;
-  double displacement_scale = 1;           ///< end of the colour bar, lattice spacings
-  render::LayerRange layers;               ///< as the stage began
+  double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
+  render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
 
   static constexpr auto fields() {
@@ -38,9 +38,17 @@ struct PictureHistory {
   }
 };
 
-/// Sets what the pictures of a stage have in common. `state`: as the stage begins, with the origins
-/// marked.
-void begin_stage(PictureHistory& history, const std::string& stage, const automaton::State& state);
+/// Sets what the pictures of a stage have in common, by a look at all particles. `state`: as the
+/// stage begins, with the origins marked.
+void begin_stage(PictureHistory& history, const scene::Stage& stage, const automaton::State& state);
+
+/// A picture before it is developed, with what is written around it.
+struct Negative {
+  render::Exposure exposure;
+  render::Caption caption;
+  render::Overlay overlay;
+  render::PngText text;
+};
 
 struct Picture {
   render::Image image;
@@ -50,16 +58,19 @@ struct Picture {
 /// Where a picture comes from, without stage and step.
 render::PngText scene_text(const scene::Scene& scene);
 
+/// One thread may expose the next picture while another one develops.
 class FramePainter {
  public:
-  /// `scene` has frames and outlives this. Throws ScenePlaceError when the driver cannot draw what
-  /// it asks for.
-  FramePainter(const scene::Scene& scene, const automaton::State& state);
+  /// `scene` has frames and outlives this. `threads` share the work of exposing. Throws
+  /// ScenePlaceError when the driver cannot draw what it asks for.
+  FramePainter(const scene::Scene& scene, const automaton::State& state, int threads);
 
-  Picture draw(const View& view, const PictureHistory& history);
+  /// Takes what the picture needs of the state, which may go on then.
+  Negative expose(const View& view, const PictureHistory& history);
+  Picture develop(const Negative& negative);
 
  private:
-  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  render::Coloring coloring(const automaton::State& state, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

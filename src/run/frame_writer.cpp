@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include "clca/render/png.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::run {
 
 namespace {
-constexpr std::size_t kMostWaiting = 4;
+constexpr std::size_t kMostWaiting = 2;
 }
 
 FrameWriter::FrameWriter() : thread_([this] { work(); }) {}
@@ -21,11 +22,11 @@ FrameWriter::~FrameWriter() {
   thread_.join();
 }
 
-void FrameWriter::write(std::filesystem::path path, render::Image image, render::PngText text) {
+void FrameWriter::write(std::filesystem::path path, std::function<Picture()> picture) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
   rethrow_failure();
-  jobs_.push_back({std::move(path), std::move(image), std::move(text)});
+  jobs_.push_back({std::move(path), std::move(picture)});
   changed_.notify_all();
 }
 
@@ -48,7 +49,8 @@ void FrameWriter::work() {
     lock.unlock();
     std::exception_ptr failure;
     try {
-      store::write_whole(job.path, render::encode_png(job.image, job.text));
+      const Picture picture = job.picture();
+      store::write_whole(job.path, render::encode_png(picture.image, picture.text));
     } catch (...) {
       failure = std::current_exception();
     }

@@ -1,14 +1,15 @@
 #pragma once
-// Encodes and writes pictures beside the simulation.
+// Develops, encodes and writes pictures beside the simulation.
 
 #include <condition_variable>
 #include <deque>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <thread>
 
-#include "clca/render/png.hpp"
+#include "run/frame_painter.hpp"
 
 namespace clca::run {
 
@@ -22,16 +23,15 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Rethrows what went wrong with an earlier picture.
-  void write(std::filesystem::path path, render::Image image, render::PngText text);
+  /// `picture` is called once, on that thread. Rethrows what went wrong with an earlier one.
+  void write(std::filesystem::path path, std::function<Picture()> picture);
   /// Waits until everything is written. Rethrows likewise.
   void finish();
 
  private:
   struct Job {
     std::filesystem::path path;
-    render::Image image;
-    render::PngText text;
+    std::function<Picture()> picture;
   };
 
   void work();

@@ -13,10 +13,11 @@ constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at 
 
 }  // namespace
 
-Outputs::Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only)
-    : scene_(scene), last_picture_only_(last_picture_only) {
+Outputs::Outputs(const scene::Scene& scene, const automaton::State& state,
+                 const RunOptions& options)
+    : scene_(scene), last_picture_only_(options.last_picture_only) {
   if (scene.output.frames) {
-    pictures_.emplace(scene, state);
+    pictures_.emplace(scene, state, options.threads);
   }
   if (scene.output.series) {
     series_.emplace(scene);
@@ -95,7 +96,7 @@ void Outputs::write_rows(Records& records, std::size_t least) {
 void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                           const Records& records) {
   if (pictures_) {
-    pictures_->begin_stage(stage.name, automaton.state());
+    pictures_->begin_stage(stage, automaton.state());
   }
   if (pictures_ && !last_picture_only_) {
     pictures_->draw(automaton, records, *folder_);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/growing_file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -43,7 +44,7 @@ struct OutputHistory {
 class Outputs {
  public:
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
-  Outputs(const scene::Scene& scene, const automaton::State& state, bool last_picture_only);
+  Outputs(const scene::Scene& scene, const automaton::State& state, const RunOptions& options);
 
   /// From here on files go to `folder`, which must outlive this object; `state` is one of the run.
   void open(const store::RunFolder& folder, const automaton::State& state);

@@ -12,8 +12,7 @@ namespace clca::run {
 namespace {
 
 // Fixed, so that pictures of a sequence compare: more sites than this in one contact are rare.
-constexpr double kStrongest = 6;     // sites
-constexpr double kHighestIndex = 8;  // sites
+constexpr double kStrongest = 6;  // sites
 // Cells where grains come by only now and then say little.
 constexpr double kLeastWeight = 0.2;  // of the fullest cell's
 constexpr double kShortest = 1e-3;    // spacings per cycle
@@ -82,12 +81,6 @@ Drawn overlay_of(scene::Overlay overlay, const View& view) {
       break;
   }
   return {};
-}
-
-render::Coloring color_by_index(const View& view) {
-  const auto index = measure::force_indices(view.state.particles.size(),
-                                            measure::contacts(view.state, view.occupancy));
-  return render::color_by_force(view.state, index, kHighestIndex);
 }
 
 }  // namespace clca::run

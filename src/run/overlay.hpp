@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "clca/render/coloring.hpp"
+#include "clca/render/legend.hpp"
 #include "clca/render/overlays.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/frame_painter.hpp"
@@ -17,8 +17,5 @@ struct Drawn {
 
 /// The force network of the present overlaps, or the mean displacement per cycle in this stage.
 Drawn overlay_of(scene::Overlay overlay, const View& view);
-
-/// Particles by the sites that they share with others.
-render::Coloring color_by_index(const View& view);
 
 }  // namespace clca::run

@@ -43,8 +43,8 @@ FilesTarget::FilesTarget(const scene::Scene& scene, std::filesystem::path folder
 }
 
 void FilesTarget::add(Picture picture, std::uint64_t step) {
-  writer_.write(folder_ / store::frame_name(scene_, step), std::move(picture.image),
-                std::move(picture.text));
+  writer_.write(folder_ / store::frame_name(scene_, step),
+                [picture = std::move(picture)] { return picture; });
 }
 
 MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,

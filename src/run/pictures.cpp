@@ -4,10 +4,10 @@
 
 namespace clca::run {
 
-Pictures::Pictures(const scene::Scene& scene, const automaton::State& state)
-    : scene_(scene), painter_(scene, state) {}
+Pictures::Pictures(const scene::Scene& scene, const automaton::State& state, int threads)
+    : scene_(scene), painter_(scene, state, threads) {}
 
-void Pictures::begin_stage(const std::string& stage, const automaton::State& state) {
+void Pictures::begin_stage(const scene::Stage& stage, const automaton::State& state) {
   run::begin_stage(history_, stage, state);
 }
 
@@ -18,9 +18,9 @@ void Pictures::draw(const automaton::Automaton& automaton, const Records& record
     return;
   }
   history_.last_step = state.step;
-  Picture picture = painter_.draw({state, automaton.occupancy(), &records.cycles()}, history_);
-  writer_.write(folder.frame(scene_.name, state.step), std::move(picture.image),
-                std::move(picture.text));
+  Negative negative = painter_.expose({state, automaton.occupancy(), &records.cycles()}, history_);
+  writer_.write(folder.frame(scene_.name, state.step),
+                [this, negative = std::move(negative)] { return painter_.develop(negative); });
 }
 
 }  // namespace clca::run

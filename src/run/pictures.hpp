@@ -1,8 +1,6 @@
 #pragma once
 // Draws the frames that a scene asks for.
 
-#include <string>
-
 #include "clca/automaton/automaton.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/scene/scene.hpp"
@@ -16,11 +14,12 @@ namespace clca::run {
 class Pictures {
  public:
   /// Throws ScenePlaceError when the driver cannot draw what the scene asks for.
-  Pictures(const scene::Scene& scene, const automaton::State& state);
+  Pictures(const scene::Scene& scene, const automaton::State& state, int threads);
 
   /// Sets what the stage's pictures have in common; call when the origins are marked.
-  void begin_stage(const std::string& stage, const automaton::State& state);
-  /// Draws the state and hands the picture over to be written. A step is drawn once.
+  void begin_stage(const scene::Stage& stage, const automaton::State& state);
+  /// Takes what the picture needs of the state; drawing and writing it is for another thread. A
+  /// step is drawn once.
   void draw(const automaton::Automaton& automaton, const Records& records,
             const store::RunFolder& folder);
   /// Waits until all pictures are written.
@@ -32,8 +31,8 @@ class Pictures {
  private:
   const scene::Scene& scene_;
   FramePainter painter_;
-  FrameWriter writer_;
   PictureHistory history_;
+  FrameWriter writer_;  // last: at the end it waits for its thread, which uses the painter
 };
 
 }  // namespace clca::run

@@ -92,7 +92,7 @@ Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
       options_(options),
       trajectory_(options.run, scene_, initial_state(scene_), options.most_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
-      painter_(scene_, initial_state(scene_)),
+      painter_(scene_, initial_state(scene_), 1),
       targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step) {}
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
@@ -122,7 +122,7 @@ void Redraw::Impl::draw_frame(std::size_t number) {
   begin_stage(trajectory_.frames()[place].stage);
   const automaton::State state = trajectory_.state(place);
   const automaton::Occupancy occupancy(state);
-  targets_.add(painter_.draw({state, occupancy}, history_), number, state.step);
+  targets_.add(painter_.develop(painter_.expose({state, occupancy}, history_)), number, state.step);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {
@@ -134,7 +134,7 @@ void Redraw::Impl::begin_stage(std::size_t stage) {
   const auto first = std::find_if(frames.begin(), frames.end(),
                                   [&](const Frame& frame) { return frame.stage == stage; });
   run::begin_stage(
-      history_, scene_.stages[stage].name,
+      history_, scene_.stages[stage],
       trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));
 }
 

@@ -51,7 +51,7 @@ class Run {
         options_(options),
         events_(events),
         automaton_(std::move(state), {.threads = options.threads}),
-        outputs_(scene, automaton_.state(), options.last_picture_only),
+        outputs_(scene, automaton_.state(), options),
         records_(scene),
         saver_(scene.output.checkpoint) {}
 

@@ -18,7 +18,9 @@ constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
 constexpr double kTrajectoryRowBytes = 6 * 45;
-constexpr double kPixelBytes = 8;  // colour and depth
+// A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
+// picture on its way, of three that wait, and of the walls.
+constexpr double kSampleBytes = 2 * 4 + 5 * 2;
 
 double filled(const Scene& scene) {
   double sum = 0;
@@ -107,7 +109,7 @@ double picture_bytes(const Output& output) {
     return 0;
   }
   const Frames& frames = *output.frames;
-  return kPixelBytes * frames.width * frames.height * frames.supersampling * frames.supersampling;
+  return kSampleBytes * frames.width * frames.height * frames.supersampling * frames.supersampling;
 }
 
 /// A part is written once it is large enough: it has one frame too many at the most.

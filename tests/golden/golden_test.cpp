@@ -172,7 +172,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
                                  .view = {-4, -4, 188, 104},
                                  .annotations = false};
     render::Painter painter(style, changed.lattice, changed.kinds);
-    const render::Coloring coloring = render::color_by_id(changed);
+    const render::Coloring coloring = render::color_by_id();
     const render::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
     const render::Image after = painter.draw(changed, automaton::Occupancy(changed), coloring, {});

@@ -1,6 +1,7 @@
 #pragma once
 // Who occupies each site.
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -16,8 +17,7 @@ inline constexpr Owner kFree = -1;
 inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();
 
 /// Owner of each place of a lattice, and whether it is taken as one bit, both indexed as
-/// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing,
-/// and what is written there means something only while the place is taken.
+/// lattice::Lattice::index. The bits are what moves look at; the owners serve waking and drawing.
 /// Where walls let overlap (may_overlap) a place may have two owners, no more.
 class Occupancy {
  public:
@@ -33,17 +33,12 @@ class Occupancy {
   }
 
   bool taken(std::size_t index) const { return taken_.test(index); }
+  /// Whether one of the places of a column from `first` to before `end` is taken.
+  bool any_taken(std::size_t first, std::size_t end) const { return taken_.any(first, end); }
   /// Which sites of a window are taken.
   std::uint64_t window(lattice::Site corner) const { return taken_.window(corner); }
   /// The first owner: a wall comes before particles, a lower id before a higher one.
-  Owner owner(std::size_t index) const { return taken(index) ? owners_[index] : kFree; }
-  std::vector<Owner> owners() const {
-    std::vector<Owner> all(owners_.size());
-    for (std::size_t index = 0; index < all.size(); ++index) {
-      all[index] = owner(index);
-    }
-    return all;
-  }
+  Owner owner(std::size_t index) const { return ~not_owners_[index]; }
   /// kFree where there is none.
   Owner second_owner(std::size_t index) const { return seconds_.empty() ? kFree : seconds_[index]; }
   /// Whether this is one of the owners.
@@ -57,23 +52,27 @@ class Occupancy {
 
   void take(std::size_t index, Owner owner) {
     taken_.set(index);
-    owners_[index] = owner;
+    set_owner(index, owner);
   }
-  void release(std::size_t index) { taken_.clear(index); }
+  void release(std::size_t index) {
+    taken_.clear(index);
+    set_owner(index, kFree);
+  }
 
-  // A move in parts: the sites that change, free to taken and taken to free, and who comes. With
-  // `shared` while other threads change other sites.
+  // A move in parts: the sites that change, free to taken and taken to free, and who comes or has
+  // left. With `shared` while other threads are busy with other sites.
   void flip(lattice::Site corner, std::uint64_t window) { taken_.flip(corner, window); }
   void flip_shared(lattice::Site corner, std::uint64_t window) {
     taken_.flip_shared(corner, window);
   }
-  Owner owner_shared(std::size_t index) const {
-    return taken_.test_shared(index) ? owners_[index] : kFree;
-  }
   void set_taken_shared(std::size_t index) { taken_.set_shared(index); }
-  void release_shared(std::size_t index) { taken_.clear_shared(index); }
-  void set_owner(std::size_t index, Owner owner) { owners_[index] = owner; }
-  Owner owner_of_taken(std::size_t index) const { return owners_[index]; }
+  void set_free_shared(std::size_t index) { taken_.clear_shared(index); }
+  void set_owner_shared(std::size_t index, Owner owner) {
+    std::atomic_ref(not_owners_[index]).store(~owner, std::memory_order_relaxed);
+  }
+  Owner owner_shared(std::size_t index) const {
+    return ~std::atomic_ref(const_cast<Owner&>(not_owners_[index])).load(std::memory_order_relaxed);
+  }
   /// Places from a column to the next.
   std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(taken_.stride()); }
 
@@ -81,9 +80,11 @@ class Occupancy {
   bool operator==(const Occupancy& other) const;
 
  private:
+  void set_owner(std::size_t index, Owner owner) { not_owners_[index] = ~owner; }
+
   SiteBits taken_;
-  LazyArray<Owner> owners_;
-  std::vector<Owner> seconds_;  // empty where nothing may overlap
+  LazyArray<Owner> not_owners_;  // ~ of each, so that untouched memory is free places
+  std::vector<Owner> seconds_;   // empty where nothing may overlap
 };
 
 }  // namespace clca::automaton

@@ -1,6 +1,7 @@
 #pragma once
 // A bit for each site of a box, of which 64 are looked at or changed at once.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -47,6 +48,23 @@ class SiteBits {
   }
   void flip(lattice::Site corner, std::uint64_t window) {
     change(corner, window, [](std::uint64_t& word, std::uint64_t bits) { word ^= bits; });
+  }
+
+  /// Whether a place of one column from `first` to before `end` is set.
+  bool any(std::size_t first, std::size_t end) const {
+    const std::size_t column = first / stride_ + kSide;
+    const std::size_t low = first % stride_ + kSide;
+    const std::size_t high = low + (end - first);
+    const std::uint64_t* words = words_.data() + column / kSide * height_;
+    const std::size_t shift = column % kSide * kSide;
+    for (std::size_t row = low; row < high; row = (row / kSide + 1) * kSide) {
+      const std::size_t rows = std::min(high - row, kSide - row % kSide);
+      const std::uint64_t wanted = ((std::uint64_t{1} << rows) - 1) << (shift + row % kSide);
+      if ((words[row / kSide] & wanted) != 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   bool test(std::size_t place) const {

@@ -1,14 +1,18 @@
 #pragma once
 // Colours for particles, safe for colour-blind readers.
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
-#include "clca/render/painter.hpp"
+#include "clca/render/image.hpp"
+#include "clca/render/legend.hpp"
 
 namespace clca::render {
 
@@ -23,7 +27,6 @@ struct NamedColor {
   Rgb color;
 };
 
-Coloring color_by_species(const automaton::State& state, std::span<const NamedColor> species);
 /// Heights of origins (State::origins), in lattice spacings; `low` above `high` where there is
 /// none.
 struct LayerRange {
@@ -36,21 +39,52 @@ struct LayerRange {
   }
 };
 
-/// Of the particles that are present.
-LayerRange layer_range(const automaton::State& state);
+/// Of the particles that are present, and of all that the `sources` (State::sources) may emit.
+LayerRange layer_range(const automaton::State& state, std::span<const std::size_t> sources = {});
 
-/// Horizontal layers of equal thickness by the height of the origins: between the lowest and the
-/// highest of those that are present, and of those that were when the stage began (`begin`), so
-/// that particles that leave change no colour.
-Coloring color_by_layer(const automaton::State& state, int layers, const LayerRange& begin = {});
+// What tells the shade of a particle.
+struct BySpecies {};
+struct BySpeed {};
+struct ById {};
+struct ByForce {};
+struct ByDisplacement {
+  double high = 1;  ///< lattice spacings, where the last shade begins
+};
+struct ByLayer {
+  int layers = 1;
+  LayerRange range;
+  std::vector<double> centroids;  ///< heights above the reference site by kind, lattice spacings
+};
+using ShadeRule = std::variant<BySpecies, BySpeed, ById, ByForce, ByDisplacement, ByLayer>;
+
+/// A particle has one of few colours, its shade, told by itself and its sites alone: a picture
+/// needs no more of a state than the shades of those that it shows.
+struct Coloring {
+  ShadeRule rule;
+  std::vector<Rgb> palette;  ///< by shade, at most kMostShades
+  Legend legend;
+};
+
+inline constexpr std::size_t kMostShades = 32'000;
+
+/// Of one particle. `occupancy`: of `state`.
+Rgb color(const Coloring& coloring, const automaton::State& state,
+          const automaton::Occupancy& occupancy, std::size_t id);
+
+Coloring color_by_species(std::span<const automaton::Kind> kinds,
+                          std::span<const NamedColor> species);
+/// Horizontal layers of equal thickness by the height of the origins. What lies outside of `range`
+/// has the colour of the lowest or the highest layer.
+Coloring color_by_layer(std::span<const automaton::Kind> kinds, int layers,
+                        const LayerRange& range);
 /// Distance from the origin; the bar ends at `high` lattice spacings.
-Coloring color_by_displacement(const automaton::State& state, double high);
-/// Overlapped sites by particle id, after a force index; the bar ends at `high`. Particles without
-/// any are pale.
-Coloring color_by_force(const automaton::State& state, std::span<const double> index, double high);
+Coloring color_by_displacement(double high);
+/// By the sites that a particle shares with another one or with a wall; the bar ends at `high`.
+/// Particles that share none are pale.
+Coloring color_by_force(int high);
 /// Moving in the last step, or at rest.
-Coloring color_by_speed(const automaton::State& state);
+Coloring color_by_speed();
 /// Neighbouring ids well apart.
-Coloring color_by_id(const automaton::State& state);
+Coloring color_by_id();
 
 }  // namespace clca::render

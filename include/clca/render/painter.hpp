@@ -9,6 +9,7 @@
 
 #include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/state.hpp"
+#include "clca/render/coloring.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/overlay.hpp"
 
@@ -20,9 +21,10 @@ class RenderError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How particles are drawn: outlines of polygons, one instance a particle; or the lookup shader
-/// that finds the owner of each pixel's site. Both give the same picture but for rounding at edges
-/// and for overlaps: polygons lie over walls, the lookup shows the first owner of each site.
+/// How particles are drawn: outlines of polygons, one instance a particle; or by lookup, which
+/// finds for each sample who owns the sites around it. Both give the same picture but for rounding
+/// at edges and for overlaps: polygons lie over walls, the lookup shows the first owner of each
+/// site.
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
 struct Style {
@@ -33,36 +35,7 @@ struct Style {
   /// Part of the plane to show, lattice spacings. Left empty: all of the box (whole_box).
   lattice::Rectangle view;
   bool annotations = true;  ///< captions, scale bar, legend; needs a font
-};
-
-/// Explains the colours of a picture: named patches, a bar of a colour map from low to high, and
-/// lines or arrows as the overlay has them.
-struct Legend {
-  struct Patch {
-    std::string label;
-    Rgb color;
-  };
-  struct Bar {
-    std::string label;  ///< with the unit
-    double low = 0;
-    double high = 1;
-  };
-  struct Line {
-    std::string label;
-    double width = 0.5;  ///< lattice spacings; drawn no thicker than a line of text
-    double length = 0;   ///< lattice spacings; 0 where it tells nothing
-    Rgb color = {};
-    bool arrow = false;
-  };
-  std::vector<Patch> patches;
-  std::vector<Bar> bars;  ///< none or one
-  std::vector<Line> lines;
-};
-
-/// One colour per particle id, and what the colours mean.
-struct Coloring {
-  std::vector<Rgb> colors;
-  Legend legend;
+  int threads = 1;          ///< that share the work of Painter::expose(); pictures are the same
 };
 
 struct Caption {
@@ -70,6 +43,20 @@ struct Caption {
   std::string detail;  ///< such as "flow, step 120"
 };
 
+/// What a picture shows of a state. Holds as much memory as the picture has samples, whatever the
+/// size of the state. A cheap handle: copies share it.
+class Exposure {
+ public:
+  struct Content;
+  explicit Exposure(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  const Content& content() const { return *content_; }
+
+ private:
+  std::shared_ptr<const Content> content_;
+};
+
+/// Draws in two steps, as a camera does: one thread may expose the next picture while another one
+/// develops.
 class Painter {
  public:
   /// For states on `lattice` with `kinds`. Throws RenderError.
@@ -81,6 +68,14 @@ class Painter {
   Painter(Painter&&) noexcept;
   Painter& operator=(Painter&&) noexcept;
 
+  /// Takes what the picture needs of a state, which may go on then. `occupancy`: that of `state`.
+  /// What it takes time for is the samples of the picture, not particles or sites.
+  Exposure expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+                  const Coloring& coloring);
+  /// Makes the picture. `exposure`: of this painter.
+  Image develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay = {});
+
+  /// Both.
   Image draw(const automaton::State& state, const automaton::Occupancy& occupancy,
              const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 

@@ -216,6 +216,22 @@ TEST(Occupancy, RefusesOverlapsAndParticlesOutsideTheBox) {
   EXPECT_THROW(Automaton{state}, std::invalid_argument);
 }
 
+TEST(Occupancy, TellsOfAnyRangeWhetherAPlaceInItIsTaken) {
+  const State state = empty_state(3, 300);
+  Occupancy occupancy(state);
+  const std::size_t begin = state.lattice.index({1, 0});
+  for (const std::size_t taken : {begin + 5, begin + 63, begin + 64, begin + 200}) {
+    occupancy.take(taken, 7);
+  }
+  for (std::size_t first = begin; first < begin + 260; ++first) {
+    bool any = false;
+    for (std::size_t end = first; end < begin + 260; ++end) {
+      ASSERT_EQ(occupancy.any_taken(first, end), any) << first - begin << " to " << end - begin;
+      any = any || occupancy.taken(end);
+    }
+  }
+}
+
 TEST(Hash, ChangesWithEveryFieldThatARunChanges) {
   State state = testing::mixed_automaton(40, 40, 5).state();
   state.walls = {{.sites = {}}};

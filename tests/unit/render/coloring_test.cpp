@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
-#include <span>
 #include <stdexcept>
 
 #include "packed_state.hpp"
@@ -57,84 +55,166 @@ TEST(ColorMap, GrowsLighterAllTheWay) {
   }
 }
 
+std::vector<Rgb> colors_of(const Coloring& coloring, const automaton::State& state) {
+  const automaton::Occupancy occupancy(state);
+  std::vector<Rgb> colors;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    colors.push_back(color(coloring, state, occupancy, id));
+  }
+  return colors;
+}
+
 TEST(Coloring, BySpeciesTakesTheNamedColors) {
   const NamedColor species[] = {{"small", {1, 2, 3}}, {"large", {4, 5, 6}}};
-  const Coloring coloring = color_by_species(tower(3), species);
-  EXPECT_EQ(coloring.colors, (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
+  const automaton::State state = tower(3);
+  const Coloring coloring = color_by_species(state.kinds, species);
+  EXPECT_EQ(colors_of(coloring, state), (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
   ASSERT_EQ(coloring.legend.patches.size(), 2U);
   EXPECT_EQ(coloring.legend.patches[1].label, "large");
 }
 
 TEST(Coloring, BySpeciesFallsBackOnThePalette) {
-  const Coloring coloring = color_by_species(tower(2), {});
-  EXPECT_EQ(coloring.colors, (std::vector<Rgb>{palette_color(0), palette_color(1)}));
+  const automaton::State state = tower(2);
+  EXPECT_EQ(colors_of(color_by_species(state.kinds, {}), state),
+            (std::vector<Rgb>{palette_color(0), palette_color(1)}));
 }
 
 TEST(Coloring, ByLayerSetsNeighbouringLayersApart) {
   automaton::State state = tower(8);
-  const Coloring coloring = color_by_layer(state, 8);
+  const Coloring coloring = color_by_layer(state.kinds, 8, layer_range(state));
+  const std::vector<Rgb> colors = colors_of(coloring, state);
   ASSERT_EQ(coloring.legend.patches.size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(coloring.colors[i], coloring.legend.patches[i].color);
+    EXPECT_EQ(colors[i], coloring.legend.patches[i].color);
     if (i > 0) {
-      EXPECT_GT(distance(coloring.colors[i], coloring.colors[i - 1]), 80);
+      EXPECT_GT(distance(colors[i], colors[i - 1]), 80);
     }
   }
-  state.particles[0].row = 70;  // where it is now does not matter
-  EXPECT_EQ(color_by_layer(state, 8).colors, coloring.colors);
+  state.particles[0].row = 84;  // where it is now does not matter
+  EXPECT_EQ(colors_of(coloring, state), colors);
+}
+
+TEST(Coloring, ByLayerGivesThoseOutsideOfTheRangeTheNearestLayer) {
+  const automaton::State state = tower(8);
+  const LayerRange range = {30, 60};
+  const std::vector<Rgb> colors = colors_of(color_by_layer(state.kinds, 3, range), state);
+  EXPECT_EQ(colors[0], colors[3]);
+  EXPECT_EQ(colors[7], colors[6]);
+  EXPECT_NE(colors[0], colors[7]);
 }
 
 TEST(Coloring, ByLayerTakesNoneOrEqualHeights) {
-  EXPECT_TRUE(color_by_layer(tower(0), 3).colors.empty());
-  EXPECT_EQ(color_by_layer(tower(1), 3).colors.size(), 1U);
-  EXPECT_THROW(color_by_layer(tower(1), 0), std::invalid_argument);
+  EXPECT_TRUE(colors_of(color_by_layer({}, 3, {}), tower(0)).empty());
+  const automaton::State one = tower(1);
+  const Coloring coloring = color_by_layer(one.kinds, 3, layer_range(one));
+  EXPECT_EQ(colors_of(coloring, one), std::vector<Rgb>{coloring.palette[0]});
+  EXPECT_THROW(color_by_layer(one.kinds, 0, {}), std::invalid_argument);
+}
+
+TEST(Coloring, LayersReachToWhereSourcesEmit) {
+  automaton::State state = tower(2);
+  const LayerRange alone = layer_range(state);
+  state.sources.resize(2);
+  state.sources[0].sites = {{4, 25}, {4, 28}};
+  state.sources[0].weights = {0, 1};
+  state.sources[1] = state.sources[0];
+  state.sources[1].sites = {{4, 2}};
+  const std::vector<std::size_t> first = {0};
+  EXPECT_EQ(layer_range(state).high, alone.high);
+  EXPECT_EQ(layer_range(state, first).low, alone.low);
+  EXPECT_EQ(layer_range(state, first).high, 28.0);
 }
 
 TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
   automaton::State state = tower(3);
   state.particles[1].row += 5;
-  state.particles[2].row -= 50;
-  const Coloring coloring = color_by_displacement(state, 10);
-  EXPECT_EQ(coloring.colors[0], map_color(0));
-  EXPECT_EQ(coloring.colors[1], map_color(0.5));
-  EXPECT_EQ(coloring.colors[2], map_color(1));
+  state.particles[2].row += 13;
+  const Coloring coloring = color_by_displacement(10);
+  const std::vector<Rgb> colors = colors_of(coloring, state);
+  EXPECT_EQ(colors[0], map_color(0));
+  EXPECT_EQ(colors[1], map_color(0.5));
+  EXPECT_EQ(colors[2], map_color(1));
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
-  EXPECT_THROW(color_by_displacement(state, 0), std::invalid_argument);
+  EXPECT_THROW(color_by_displacement(0), std::invalid_argument);
+}
+
+TEST(Coloring, ByDisplacementHasTheColorsOfTheMapToOneStepOfAChannel) {
+  automaton::State state = empty_state(4, 400, false);
+  state.kinds = {{lattice::Shape::hexagon(0), 0}};
+  for (int row = 0; row < 350; ++row) {
+    automaton::Particle particle;
+    particle.row = row;
+    state.particles.push_back(particle);
+    state.origins.push_back({0, 0});
+  }
+  const std::vector<Rgb> colors = colors_of(color_by_displacement(333), state);
+  for (int row = 0; row < 350; ++row) {
+    EXPECT_LE(distance(colors[static_cast<std::size_t>(row)], map_color(row / 333.0)), 3);
+  }
+}
+
+/// Hexagons of radius 1 in a row, one pushed onto its left neighbour by so many columns.
+automaton::State pushed_row() {
+  automaton::State state = empty_state(40, 10, false);
+  state.kinds = {{lattice::Shape::hexagon(1), 0}};
+  for (const int column : {2, 4, 10, 11, 20}) {
+    automaton::Particle particle;
+    particle.column = column;
+    particle.row = 4;
+    state.particles.push_back(particle);
+    state.origins.push_back(particle.site());
+  }
+  automaton::Wall wall;
+  wall.sites = {{20, 4}, {21, 4}};
+  wall.motion = automaton::Motion{lattice::Direction::up, automaton::Drive{1, 1000}};
+  wall.passive = automaton::Passive::overlap;
+  state.walls = {wall};
+  state.pushes = {{1, 0, 0, lattice::Direction::up},
+                  {3, 2, 0, lattice::Direction::up},
+                  {4, automaton::wall_code(0), 0, lattice::Direction::up}};
+  return state;
+}
+
+TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
+  const automaton::State state = pushed_row();
+  const Coloring coloring = color_by_force(3);
+  ASSERT_EQ(coloring.palette.size(), 4U);
+  // Two columns apart hexagons of radius 1 share 2 sites, next to each other 4; two of the wall.
+  EXPECT_EQ(colors_of(coloring, state),
+            (std::vector<Rgb>{map_color(2 / 3.0), map_color(2 / 3.0), map_color(1), map_color(1),
+                              map_color(2 / 3.0)}));
 }
 
 TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
   const automaton::State state = tower(4);
-  const std::vector<double> index = {0, 5, 20, NAN};
-  const Coloring coloring = color_by_force(state, index, 10);
-  EXPECT_EQ(coloring.colors[1], map_color(0.5));
-  EXPECT_EQ(coloring.colors[2], map_color(1));
-  EXPECT_EQ(coloring.colors[3], coloring.colors[0]);
+  const Coloring coloring = color_by_force(10);
   ASSERT_EQ(coloring.legend.patches.size(), 1U);
-  EXPECT_EQ(coloring.legend.patches[0].color, coloring.colors[0]);
+  for (const Rgb color : colors_of(coloring, state)) {
+    EXPECT_EQ(color, coloring.legend.patches[0].color);
+  }
   for (int i = 0; i <= 100; ++i) {
-    EXPECT_GT(distance(coloring.colors[0], map_color(i / 100.0)), 100);
+    EXPECT_GT(distance(coloring.palette[0], map_color(i / 100.0)), 100);
   }
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].label, "overlapped sites");
   EXPECT_EQ(coloring.legend.bars[0].low, 0);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
-  EXPECT_THROW(color_by_force(state, index, 0), std::invalid_argument);
-  EXPECT_THROW(color_by_force(state, std::span(index).first(3), 10), std::invalid_argument);
+  EXPECT_THROW(color_by_force(0), std::invalid_argument);
 }
 
 TEST(Coloring, BySpeedTellsMovingFromResting) {
   automaton::State state = tower(2);
   state.particles[1].previous = 3;
-  const Coloring coloring = color_by_speed(state);
-  EXPECT_EQ(coloring.colors[1], coloring.legend.patches[0].color);
-  EXPECT_EQ(coloring.colors[0], coloring.legend.patches[1].color);
+  const Coloring coloring = color_by_speed();
+  EXPECT_EQ(colors_of(coloring, state)[1], coloring.legend.patches[0].color);
+  EXPECT_EQ(colors_of(coloring, state)[0], coloring.legend.patches[1].color);
 }
 
-TEST(Coloring, ByIdKeepsNeighbouringIdsApart) {
-  const Coloring coloring = color_by_id(tower(200));
-  for (std::size_t i = 1; i < coloring.colors.size(); ++i) {
-    EXPECT_GT(distance(coloring.colors[i], coloring.colors[i - 1]), 30);
+TEST(Coloring, ByIdKeepsNeighbouringIdsApartEvenWhereColorsBeginAgain) {
+  const std::vector<Rgb> palette = color_by_id().palette;
+  for (std::size_t i = 0; i < palette.size(); ++i) {
+    EXPECT_GT(distance(palette[i], palette[(i + 1) % palette.size()]), 30) << i;
   }
 }
 

@@ -43,7 +43,7 @@ Image picture(const automaton::State& state, Drawing drawing, int width, int hei
   style.view = view;
   style.annotations = false;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, automaton::Occupancy(state), color_by_id(state), {});
+  return painter.draw(state, automaton::Occupancy(state), color_by_id(), {});
 }
 
 }  // namespace clca::render

@@ -115,7 +115,7 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
     style.drawing = drawing;
     automaton::State state = automaton.state();
     Painter painter(style, state.lattice, state.kinds);
-    const Coloring coloring = color_by_id(state);
+    const Coloring coloring = color_by_id();
     const Image before = painter.draw(state, automaton::Occupancy(state), coloring, {});
     EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), coloring, {}), before);
     state.walls[0].present = false;
@@ -134,6 +134,29 @@ TEST(Painter, ChoosesPolygonsForFewAndLookupForManyParticles) {
             picture(many, Drawing::lookup, 30, 20, 1));
 }
 
+TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
+  for (const Drawing drawing : kBothWays) {
+    automaton::Automaton automaton = packed(60, 40, true);
+    Style style;
+    style.drawing = drawing;
+    Painter painter(style, automaton.state().lattice, automaton.state().kinds);
+    const auto exposed = [&] {
+      return painter.expose(automaton.state(), automaton.occupancy(), color_by_displacement(20));
+    };
+    const Image before = painter.develop(exposed(), {});
+    const Exposure kept = exposed();
+    for (int step = 0; step < 20; ++step) {
+      automaton.step();
+    }
+    Image developed;
+    std::thread beside([&] { developed = painter.develop(kept, {}); });
+    const Exposure later = exposed();
+    beside.join();
+    EXPECT_EQ(developed, before);
+    EXPECT_NE(painter.develop(later, {}), before);
+  }
+}
+
 TEST(Painter, DrawsTinyPictures) {
   const automaton::State state = packed(60, 40, false).state();
   for (const auto& [width, height] :
@@ -143,7 +166,7 @@ TEST(Painter, DrawsTinyPictures) {
     style.height = height;
     Painter painter(style, state.lattice, state.kinds);
     const Image image =
-        painter.draw(state, automaton::Occupancy(state), color_by_displacement(state, 5),
+        painter.draw(state, automaton::Occupancy(state), color_by_displacement(5),
                      {"A title that is much too long for this", "and a detail too"});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -179,13 +202,16 @@ TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
   }
 }
 
-TEST(Painter, RefusesAnotherLatticeAndTooFewColors) {
+TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
   const automaton::State state = one_hexagon(1);
   Painter painter({}, state.lattice, state.kinds);
   const automaton::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
+  Coloring coloring = color_by_id();
+  coloring.palette.resize(kMostShades + 1);
+  EXPECT_THROW(painter.draw(state, occupancy, coloring, {}), std::invalid_argument);
   const automaton::State other = packed(60, 40, false).state();
-  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(other), {}),
+  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(), {}),
                std::invalid_argument);
 }
 
@@ -205,7 +231,7 @@ TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
   Painter one(style, first.lattice, first.kinds);
   Painter two(style, second.lattice, second.kinds);
   const auto draw = [](Painter& painter, const automaton::State& state) {
-    return painter.draw(state, automaton::Occupancy(state), color_by_id(state), {"a", "b"});
+    return painter.draw(state, automaton::Occupancy(state), color_by_id(), {"a", "b"});
   };
   const Image one_alone = draw(one, first);
   const Image two_alone = draw(two, second);

@@ -160,7 +160,7 @@ Image overlaid(const automaton::State& state, const Overlay& overlay, bool annot
   style.view = {0, 5, 40, 35};  // without annotations, ten pixels a spacing
   style.annotations = annotations;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, automaton::Occupancy(state), color_by_id(state), {}, overlay);
+  return painter.draw(state, automaton::Occupancy(state), color_by_id(), {}, overlay);
 }
 
 TEST(Overlay, ThatIsEmptyChangesNothing) {

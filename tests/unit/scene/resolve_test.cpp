@@ -30,7 +30,7 @@ constexpr std::string_view kEverything =
     "sources: {spout: {region: [1, 1, 9, 9], species: {-rod: 7}, rate: 1e-6},"
     " rain: {at: [9, 9.5], rate: 3, count: 5}}\n"
     "stages:\n"
-    "  - {name: first, fill: {method: deposition, region: [0, 0, 50, 50], counts: {\"null\": 5, small: 1}}}\n"
+    "  - {name: first, fill: {region: [0, 0, 50, 50], counts: {\"null\": 5, small: 1}}}\n"
     "  - {name: 2, sources: [spout, rain], remove: [right], until: {discharged: 0.3}}\n"
     "  - {name: \"-3\", until: {steps: 9}}\n"
     "measure: []\n"

@@ -1,0 +1,302 @@
+#include "render/site_lookup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "clca/render/painter.hpp"
+#include "render/seen_walls.hpp"
+#include "render/shade.hpp"
+
+namespace clca::render {
+
+namespace {
+
+using automaton::Owner;
+using lattice::Site;
+
+// All walls that stand are one owner, without seams between them, and all that move are another.
+constexpr Owner kStandingWall = automaton::kBorder;
+constexpr Owner kMovingWall = automaton::kBorder + 1;  // the code of no wall
+
+/// Owners of the sites of a state without its particles.
+class WallSites {
+ public:
+  WallSites(const automaton::State& state, const automaton::Occupancy& occupancy)
+      : occupancy_(occupancy) {
+    for (const automaton::Wall& wall : state.walls) {
+      moving_.push_back(moves(wall));
+    }
+  }
+
+  Owner owner(std::size_t place) const {
+    const Owner owner = occupancy_.owner(place);
+    return automaton::is_particle(owner) ? automaton::kFree : owner;
+  }
+  bool any_taken(std::size_t first, std::size_t end) const {
+    return occupancy_.any_taken(first, end);
+  }
+  /// The owner that its seams belong to.
+  Owner whole(Owner owner) const {
+    if (!automaton::is_wall(owner) || owner == kMovingWall) {
+      return owner;
+    }
+    const std::size_t wall = automaton::wall_number(owner);
+    return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
+  }
+  SampleCode code(Owner owner) const {
+    return code_of(owner == automaton::kFree     ? Ground::paper
+                   : whole(owner) == kMovingWall ? Ground::moving_wall
+                                                 : Ground::wall);
+  }
+
+ private:
+  const automaton::Occupancy& occupancy_;
+  std::vector<bool> moving_;
+};
+
+template <class Rule>
+class ParticleSites : public WallSites {
+ public:
+  ParticleSites(const automaton::State& state, const automaton::Occupancy& occupancy,
+                const Rule& rule, std::size_t colors)
+      : WallSites(state, occupancy), shading_{state, occupancy}, rule_(rule), colors_(colors) {}
+
+  Owner owner(std::size_t place) const { return shading_.occupancy.owner(place); }
+  SampleCode code(Owner owner) const {
+    if (!automaton::is_particle(owner)) {
+      return WallSites::code(owner);
+    }
+    const std::size_t shade = shading_.shade(rule_, static_cast<std::size_t>(owner));
+    return code_of(in_palette(shade, colors_), false);
+  }
+
+ private:
+  Shading shading_;
+  const Rule& rule_;
+  std::size_t colors_;
+};
+
+std::int64_t in_units(double value, int fraction_bits) {
+  return static_cast<std::int64_t>(std::floor(std::ldexp(value, fraction_bits)));
+}
+
+}  // namespace
+
+/// Some samples above each other, in arrays that vectors of the processor go along.
+struct SiteLookup::Block {
+  static constexpr std::size_t kMost = 16;
+  template <class T>
+  using Each = std::array<T, kMost>;
+
+  std::size_t count = 0;
+  bool uniform = true;  ///< no sample has two owners
+  Owner least = 0;
+  // Of the three corners a, b and c of the lattice triangle around a sample. That of a: the rest.
+  Each<Owner> a, b, c;
+  Each<std::int32_t> weight_b, weight_c;
+  Each<std::int32_t> row;
+  Each<std::int32_t> upper;
+  Each<Owner> owner;
+  Each<std::int32_t> outlined;
+};
+
+SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int threads)
+    : lattice_(lattice),
+      projection_(projection),
+      threads_(threads),
+      box_(projection.samples_in(whole_box(lattice))),
+      // Weight grows by one over the altitude of a lattice triangle, which is the column pitch.
+      outline_width_(projection.outline_strength > 0
+                         ? static_cast<std::int32_t>(in_units(
+                               projection.outline_width / lattice::kColumnPitch, kFractionBits))
+                         : 0) {
+  for (int y = box_.y; y < box_.y + box_.height; ++y) {
+    const double height = projection.corner.y() + (y + 0.5) / projection.scale;
+    const Place place = place_of(in_units(height, kFractionBits));
+    rows_.push_back(place.whole);
+    parts_.push_back(place.part);
+  }
+}
+
+SiteLookup::Place SiteLookup::place_of(std::int64_t units) {
+  return {static_cast<std::int32_t>(units >> kFractionBits),
+          static_cast<std::int32_t>(units & (kOne - 1))};
+}
+
+SiteLookup::Pair SiteLookup::pair_at(int x) const {
+  const double across = projection_.corner.x() + (x + 0.5) / projection_.scale;
+  const std::int64_t column = in_units(across / lattice::kColumnPitch, kFractionBits);
+  const Place place = place_of(column);
+  // Beyond the border, owners go on for ever: floor and side walls have any thickness.
+  const auto in_memory = [this](int wanted) {
+    return lattice_.periodic() ? wanted : std::clamp(wanted, -1, lattice_.columns());
+  };
+  const std::int64_t first_row = place.whole >> 1;  // of the axial height 0
+  return {.left = in_memory(place.whole),
+          .right = in_memory(place.whole + 1),
+          .right_rows_more = lattice::is_odd(place.whole) ? 1 : 0,
+          .part = place.part,
+          .lift = place_of((first_row << kFractionBits) - (column >> 1))};
+}
+
+template <class OwnerAt>
+void SiteLookup::take_corners(const Pair& pair, std::size_t first, Block& block,
+                              OwnerAt owner_at) const {
+#pragma omp simd
+  for (std::size_t i = 0; i < block.count; ++i) {
+    const std::int32_t part = parts_[first + i] + pair.lift.part;
+    const std::int32_t more = part >= kOne ? 1 : 0;
+    const std::int32_t up = part - (more << kFractionBits);
+    const std::int32_t upper = pair.part + up >= kOne ? 1 : 0;
+    block.row[i] = rows_[first + i] + pair.lift.whole + more;
+    block.upper[i] = upper;
+    block.weight_b[i] = upper != 0 ? kOne - up : pair.part;
+    block.weight_c[i] = upper != 0 ? kOne - pair.part : up;
+  }
+  Owner unlike = 0;
+  block.least = 0;
+  for (std::size_t i = 0; i < block.count; ++i) {
+    // Lower left or upper right corner, right one, the one above.
+    const int left_row = block.row[i];
+    const int right_row = left_row + pair.right_rows_more;
+    const bool upper = block.upper[i] != 0;
+    block.a[i] = owner_at(upper, upper ? right_row + 1 : left_row);
+    block.b[i] = owner_at(true, right_row);
+    block.c[i] = owner_at(false, left_row + 1);
+    unlike |= (block.a[i] ^ block.b[i]) | (block.a[i] ^ block.c[i]);
+    block.least = std::min({block.least, block.a[i], block.b[i], block.c[i]});
+  }
+  block.uniform = unlike == 0;
+}
+
+/// Finds the owner of at least half of the weight, and whether the edge of its body is near.
+void SiteLookup::decide(Block& block) const {
+  constexpr std::int32_t kHalf = kOne / 2;
+  const std::int32_t width = outline_width_;
+#pragma omp simd
+  for (std::size_t i = 0; i < Block::kMost; ++i) {
+    const Owner a = block.a[i];
+    const Owner b = block.b[i];
+    const Owner c = block.c[i];
+    const std::int32_t weight_b = block.weight_b[i];
+    const std::int32_t weight_c = block.weight_c[i];
+    // Of owners with several corners, the first one speaks for all.
+    const std::int32_t of_a =
+        kOne - weight_b - weight_c + (b == a ? weight_b : 0) + (c == a ? weight_c : 0);
+    const std::int32_t of_b = weight_b + (c == b ? weight_c : 0);
+    const Owner b_or_c = of_b >= kHalf ? b : weight_c >= kHalf ? c : automaton::kFree;
+    const Owner owner = of_a >= kHalf ? a : b_or_c;
+    const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
+    block.owner[i] = owner;
+    block.outlined[i] =
+        static_cast<std::int32_t>(owner >= 0) & static_cast<std::int32_t>(most - kHalf < width);
+  }
+}
+
+/// `sites` tells the owner of a place in memory, the owner that stands for several, and the code of
+/// its samples.
+template <class Sites>
+void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
+                                std::span<SampleCode> codes) const {
+  Block block = {};
+  Owner last = automaton::kFree;
+  SampleCode last_code = code_of(Ground::paper);
+  const auto look_up = [&](std::size_t first, std::size_t end, auto owner_at) {
+    for (; first < end; first += block.count) {
+      block.count = std::min(Block::kMost, end - first);
+      take_corners(pair, first, block, owner_at);
+      if (block.uniform) {
+        block.owner = block.a;
+        block.outlined.fill(0);
+      } else {
+        for (std::size_t i = 0; block.least < automaton::kFree && i < block.count; ++i) {
+          block.a[i] = sites.whole(block.a[i]);
+          block.b[i] = sites.whole(block.b[i]);
+          block.c[i] = sites.whole(block.c[i]);
+        }
+        decide(block);
+      }
+      for (std::size_t i = 0; i < block.count; ++i) {
+        if (block.owner[i] != last) {
+          last = block.owner[i];
+          last_code = sites.code(last);
+        }
+        codes[first + i] = static_cast<SampleCode>(last_code + block.outlined[i]);
+      }
+    }
+  };
+  const auto end_below = [&](int row) {  // of samples
+    const auto found = std::lower_bound(rows_.begin(), rows_.end(), row - pair.lift.whole);
+    return static_cast<std::size_t>(found - rows_.begin());
+  };
+  const auto near_border = [&](bool right, int row) {
+    const int column = right ? pair.right : pair.left;
+    const bool side = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
+    const Site site = {column, std::clamp(row, -1, lattice_.rows())};
+    return row >= lattice_.rows() && !side ? automaton::kFree : sites.owner(lattice_.index(site));
+  };
+  // Between floor and lid nothing has to be asked but the owners.
+  const std::size_t floor = end_below(-1);
+  const std::size_t lid = std::max(floor, end_below(lattice_.rows() - 2 - pair.right_rows_more));
+  const std::size_t left = lattice_.index({pair.left, 0});
+  const std::size_t right = lattice_.index({pair.right, 0});
+  look_up(0, floor, near_border);
+  const auto between = [&](bool on_right, int row) {
+    return sites.owner((on_right ? right : left) + static_cast<std::size_t>(std::ptrdiff_t{row}));
+  };
+  const auto any_taken = [&](std::size_t first, std::size_t end) {
+    const auto low = static_cast<std::size_t>(std::ptrdiff_t{rows_[first] + pair.lift.whole});
+    const auto high = static_cast<std::size_t>(std::ptrdiff_t{
+        std::min(lattice_.rows(), rows_[end - 1] + pair.lift.whole + 2 + pair.right_rows_more)});
+    return sites.any_taken(left + low, left + high + 1) ||
+           sites.any_taken(right + low, right + high + 1);
+  };
+  // Much of a picture is empty, and seen to be so in a few words.
+  constexpr std::size_t kManySamples = 64;
+  for (std::size_t first = floor; first < lid; first += kManySamples) {
+    const std::size_t end = std::min(lid, first + kManySamples);
+    if (any_taken(first, end)) {
+      look_up(first, end, between);
+    } else {
+      std::fill_n(codes.begin() + static_cast<std::ptrdiff_t>(first), end - first,
+                  code_of(Ground::paper));
+    }
+  }
+  look_up(lid, rows_.size(), near_border);
+}
+
+template <class Sites>
+void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
+  const auto below = static_cast<std::size_t>(box_.y);
+  const std::size_t above = below + rows_.size();
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads_)
+  for (int x = 0; x < grid.width(); ++x) {
+    const std::span<SampleCode> column = grid.column(x);
+    if (x < box_.x || x >= box_.x + box_.width) {
+      std::fill(column.begin(), column.end(), code_of(Ground::paper));
+      continue;
+    }
+    std::fill_n(column.begin(), below, code_of(Ground::paper));
+    look_up_column(sites, pair_at(x), column.subspan(below, rows_.size()));
+    std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(above), column.size() - above,
+                code_of(Ground::paper));
+  }
+}
+
+void SiteLookup::particles(const automaton::State& state, const automaton::Occupancy& occupancy,
+                           const Coloring& coloring, SampleGrid& grid) const {
+  std::visit(
+      [&](const auto& rule) {
+        fill(ParticleSites(state, occupancy, rule, coloring.palette.size()), grid);
+      },
+      coloring.rule);
+}
+
+void SiteLookup::walls(const automaton::State& state, const automaton::Occupancy& occupancy,
+                       SampleGrid& grid) const {
+  fill(WallSites(state, occupancy), grid);
+}
+
+}  // namespace clca::render
