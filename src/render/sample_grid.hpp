@@ -29,16 +29,14 @@ constexpr SampleCode code_of(std::size_t shade, bool outlined) {
 /// Samples up the columns, from the lower left one.
 class SampleGrid {
  public:
-  /// Holds anything until it is written.
   SampleGrid(int width, int height)
       : width_(width),
         height_(height),
-        codes_(std::make_unique_for_overwrite<SampleCode[]>(static_cast<std::size_t>(width) *
-                                                            static_cast<std::size_t>(height))) {}
+        codes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
-  std::span<SampleCode> column(int x) { return {codes_.get() + start(x), size()}; }
+  std::span<SampleCode> column(int x) { return {codes_.data() + start(x), size()}; }
   SampleCode at(int x, int y) const { return codes_[start(x) + static_cast<std::size_t>(y)]; }
 
  private:
@@ -47,7 +45,7 @@ class SampleGrid {
 
   int width_;
   int height_;
-  std::unique_ptr<SampleCode[]> codes_;  // NOLINT(modernize-avoid-c-arrays): not set to zero
+  std::vector<SampleCode> codes_;
 };
 
 /// Grids of one size that are used again and again: memory from the system is dear at first use.

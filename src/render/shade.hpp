@@ -24,7 +24,7 @@ struct Shading {
   std::size_t shade(const BySpeed& /*rule*/, std::size_t id) const {
     return state.particles[id].previous == automaton::kRest ? 1 : 0;
   }
-  std::size_t shade(const ById& /*rule*/, std::size_t id) const { return id % kIdShades; }
+  static std::size_t shade(const ById& /*rule*/, std::size_t id) { return id % kIdShades; }
   std::size_t shade(const ByForce& /*rule*/, std::size_t id) const {
     const automaton::Particle& particle = state.particles[id];
     std::size_t shared = 0;
@@ -37,7 +37,7 @@ struct Shading {
   std::size_t shade(const ByDisplacement& rule, std::size_t id) const {
     const lattice::Axial moved = state.particles[id].site() - state.origins[id];
     const double share = std::min(1.0, lattice::position(moved).norm() / rule.high);
-    return static_cast<std::size_t>(share * (kMapShades - 1) + 0.5);
+    return static_cast<std::size_t>(share * (kMapShades - 1));
   }
   std::size_t shade(const ByLayer& rule, std::size_t id) const {
     const auto [low, high] = rule.range;

@@ -94,12 +94,12 @@ struct SiteLookup::Block {
   bool uniform = true;  ///< no sample has two owners
   Owner least = 0;
   // Of the three corners a, b and c of the lattice triangle around a sample. That of a: the rest.
-  Each<Owner> a, b, c;
-  Each<std::int32_t> weight_b, weight_c;
-  Each<std::int32_t> row;
-  Each<std::int32_t> upper;
-  Each<Owner> owner;
-  Each<std::int32_t> outlined;
+  Each<Owner> a = {}, b = {}, c = {};
+  Each<std::int32_t> weight_b = {}, weight_c = {};
+  Each<std::int32_t> row = {};
+  Each<std::int32_t> upper = {};
+  Each<Owner> owner = {};
+  Each<std::int32_t> outlined = {};
 };
 
 SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int threads)
@@ -200,7 +200,7 @@ void SiteLookup::decide(Block& block) const {
 template <class Sites>
 void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
                                 std::span<SampleCode> codes) const {
-  Block block = {};
+  Block block;
   Owner last = automaton::kFree;
   SampleCode last_code = code_of(Ground::paper);
   const auto look_up = [&](std::size_t first, std::size_t end, auto owner_at) {
@@ -289,7 +289,7 @@ void SiteLookup::particles(const automaton::State& state, const automaton::Occup
                            const Coloring& coloring, SampleGrid& grid) const {
   std::visit(
       [&](const auto& rule) {
-        fill(ParticleSites(state, occupancy, rule, coloring.palette.size()), grid);
+        this->fill(ParticleSites(state, occupancy, rule, coloring.palette.size()), grid);
       },
       coloring.rule);
 }
