@@ -204,8 +204,7 @@ void Stepper::clear_claims(const Lane& lane) {
 // A provisional target was free when the step began and what others vacate is nobody's target, so
 // a mover whose lead sites nobody else wants moves whatever its place in the order.
 void Stepper::move_uncontested(Lane& lane, const std::vector<Mover>& movers) {
-  for (std::size_t i = 0; i < movers.size(); ++i) {
-    const Mover& mover = movers[i];
+  for (const Mover& mover : movers) {
     if (mover.contested) {
       lane.turns.push_back({key(mover.id, mover.move), &mover});
     } else {
@@ -254,7 +253,7 @@ void Stepper::carry_inside(Lane& lane, const Mover& mover) {
   }
 }
 
-void Stepper::wake_in_window(Lane& lane, const Mover& mover, std::size_t place) {
+void Stepper::wake_in_window(const Lane& lane, const Mover& mover, std::size_t place) const {
   const std::ptrdiff_t stride = world_.occupancy.stride();
   const Footprint& footprint = *mover.footprint;
   const std::size_t corner = plus(place, footprint.corner.column * stride + footprint.corner.row);
@@ -270,7 +269,7 @@ void Stepper::wake_in_window(Lane& lane, const Mover& mover, std::size_t place) 
   }
 }
 
-void Stepper::wake_by_sites(Lane& lane, const Mover& mover) {
+void Stepper::wake_by_sites(const Lane& lane, const Mover& mover) const {
   for (const lattice::Offset offset : mover.footprint->wake[mover.move]) {
     const Owner owner =
         world_.occupancy.owner_shared(place_of(world_.state.lattice, mover, offset));

@@ -108,8 +108,8 @@ void Stepper::step_alone() {
 template <class Work>
 void Stepper::for_each_lane(Work work) {
 #pragma omp for schedule(static, 1)
-  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
-    work(lanes_[lane]);
+  for (Lane& lane : lanes_) {
+    work(lane);
   }
 }
 

@@ -73,8 +73,8 @@ class Stepper {
   void carry(Lane& lane, const Mover& mover);
   void carry_inside(Lane& lane, const Mover& mover);
   void carry_across_seam(Lane& lane, const Mover& mover);
-  void wake_in_window(Lane& lane, const Mover& mover, std::size_t place);
-  void wake_by_sites(Lane& lane, const Mover& mover);
+  void wake_in_window(const Lane& lane, const Mover& mover, std::size_t place) const;
+  void wake_by_sites(const Lane& lane, const Mover& mover) const;
   /// Decides nothing yet.
   Mover mover(std::uint32_t id, const Particle& particle, Columns inner) const {
     const int column = world_.state.lattice.wrapped(particle.column);

@@ -48,7 +48,9 @@ Columns Strips::inner(std::size_t strip) const {
 }
 
 std::vector<std::uint32_t> Strips::no_load() const {
-  return std::vector<std::uint32_t>(static_cast<std::size_t>(columns_) / kBinColumns + 1, 0);
+  std::vector<std::uint32_t> load;
+  load.resize(static_cast<std::size_t>(columns_) / kBinColumns + 1, 0);
+  return load;
 }
 
 void Strips::balance(std::span<std::vector<std::uint32_t>* const> loads) {

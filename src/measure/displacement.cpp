@@ -2,26 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clca::measure {
 
 namespace {
 
-/// Columns of all particle sites, ascending; `at_origin`: where they were when the stage began.
-std::vector<int> site_columns(const automaton::State& state, bool at_origin) {
-  std::vector<int> columns;
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    const automaton::Particle& particle = state.particles[id];
-    if (!particle.present) {
-      continue;
-    }
-    const int reference = at_origin ? state.origins[id].column : particle.column;
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      columns.push_back(reference + part.x);
+/// How many particle sites stand in each column, which may run on across a periodic seam.
+class ColumnCounts {
+ public:
+  /// `at_origin`: where they were when the stage began.
+  ColumnCounts(const automaton::State& state, bool at_origin) {
+    int low = std::numeric_limits<int>::max();
+    int high = std::numeric_limits<int>::min();
+    for_each_column(state, at_origin, [&](int column) {
+      low = std::min(low, column);
+      high = std::max(high, column);
+      ++sites_;
+    });
+    if (sites_ > 0) {
+      first_ = low;
+      counts_.resize(static_cast<std::size_t>(high - low) + 1, 0);
+      for_each_column(state, at_origin,
+                      [&](int column) { ++counts_[static_cast<std::size_t>(column - low)]; });
     }
   }
-  std::sort(columns.begin(), columns.end());
-  return columns;
+
+  std::size_t sites() const { return sites_; }
+  int first() const { return first_; }
+  int last() const { return first_ + static_cast<int>(counts_.size()) - 1; }
+  /// The column of site `number` when they are numbered from the left, from 0.
+  int column_of(std::size_t number) const {
+    std::size_t column = 0;
+    while (number >= counts_[column]) {
+      number -= counts_[column++];
+    }
+    return first_ + static_cast<int>(column);
+  }
+
+ private:
+  template <class Visit>
+  static void for_each_column(const automaton::State& state, bool at_origin, Visit visit) {
+    for (std::size_t id = 0; id < state.particles.size(); ++id) {
+      const automaton::Particle& particle = state.particles[id];
+      const int reference = at_origin ? state.origins[id].column : particle.column;
+      if (particle.present) {
+        for (const lattice::Axial part : state.shape(particle).sites()) {
+          visit(reference + part.x);
+        }
+      }
+    }
+  }
+
+  int first_ = 0;
+  std::size_t sites_ = 0;
+  std::vector<std::size_t> counts_;
+};
+
+double displacement(const automaton::State& state, std::size_t id) {
+  const automaton::Particle& particle = state.particles[id];
+  return particle.present ? lattice::position(particle.site() - state.origins[id]).norm() : 0;
 }
 
 }  // namespace
@@ -29,19 +69,17 @@ std::vector<int> site_columns(const automaton::State& state, bool at_origin) {
 std::vector<double> displacements(const automaton::State& state) {
   std::vector<double> result(state.particles.size(), 0.0);
   for (std::size_t id = 0; id < result.size(); ++id) {
-    const automaton::Particle& particle = state.particles[id];
-    if (particle.present) {
-      result[id] = lattice::position(particle.site() - state.origins[id]).norm();
-    }
+    result[id] = displacement(state, id);
   }
   return result;
 }
 
 double moved_share(const automaton::State& state, double distance) {
+  std::size_t far = 0;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    far += displacement(state, id) > distance ? 1U : 0U;
+  }
   const std::size_t present = automaton::present_count(state);
-  const std::vector<double> moved = displacements(state);
-  const auto far =
-      std::count_if(moved.begin(), moved.end(), [&](double value) { return value > distance; });
   return present > 0 ? static_cast<double>(far) / static_cast<double>(present) : 0;
 }
 
@@ -54,16 +92,16 @@ double smallest_diameter(const automaton::State& state) {
 }
 
 std::optional<Runout> runout(const automaton::State& state) {
-  const std::vector<int> before = site_columns(state, true);
-  const std::vector<int> after = site_columns(state, false);
-  if (after.empty()) {
+  const ColumnCounts before(state, true);
+  const ColumnCounts after(state, false);
+  if (after.sites() == 0) {
     return std::nullopt;
   }
-  const std::size_t last = after.size() - 1;
+  const std::size_t last = after.sites() - 1;
   const auto one_percent = static_cast<std::size_t>(0.01 * static_cast<double>(last));
-  const int front = std::max(after.back() - before.back(), before.front() - after.front());
-  const int most =
-      std::max(after[last - one_percent] - before.back(), before.front() - after[one_percent]);
+  const int front = std::max(after.last() - before.last(), before.first() - after.first());
+  const int most = std::max(after.column_of(last - one_percent) - before.last(),
+                            before.first() - after.column_of(one_percent));
   return Runout{.front = lattice::kColumnPitch * front, .percent_99 = lattice::kColumnPitch * most};
 }
 

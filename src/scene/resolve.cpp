@@ -158,7 +158,7 @@ std::string section(std::string_view title, const std::vector<Thing>& things, Te
 std::string to_yaml(const Scene& scene) {
   const auto measure = [](Measure one) { return name_of(kMeasureNames, one); };
   std::string text =
-      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", quoted(scene.title), scene.seed);
+      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", scene::quoted(scene.title), scene.seed);
   text += fmt::format("box: {{width: {}, height: {}, periodic: {}}}\n", scene.box.width,
                       scene.box.height, scene.box.periodic);
   text += section("species", scene.species, species_line);

@@ -43,7 +43,7 @@ std::string bins_text(const UniformBins& bins) {
 
 std::string to_yaml(const BoltzmannScene& scene) {
   std::string text =
-      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", quoted(scene.title), scene.seed);
+      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", scene::quoted(scene.title), scene.seed);
   text += fmt::format(
       "boltzmann:\n  particles: {}\n  initial: {}\n  exact_moments: {}\n  sampling: {}\n",
       scene.particles, name_of(kInitialNames, scene.initial), scene.exact_moments,

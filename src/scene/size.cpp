@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "automaton/claims.hpp"
 #include "clca/automaton/occupancy.hpp"
@@ -13,7 +14,12 @@ namespace clca::scene {
 
 namespace {
 
-constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 120;
+constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site);
+// What a step notes of a particle that it looks at, in lists that double.
+constexpr double kAwakeBytes = 120;
+// Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
+// waits for it. All are looked at once, though.
+constexpr double kAwakeOfDeposited = 1.0 / 8;
 constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
@@ -22,10 +28,11 @@ constexpr double kTrajectoryRowBytes = 6 * 45;
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
 
-double filled(const Scene& scene) {
+/// By any method, or by one.
+double filled(const Scene& scene, std::optional<FillMethod> method = {}) {
   double sum = 0;
   for (const Stage& stage : scene.stages) {
-    if (stage.fill) {
+    if (stage.fill && stage.fill->method == method.value_or(stage.fill->method)) {
       for (const std::size_t count : stage.fill->counts) {
         sum += static_cast<double>(count);
       }
@@ -128,13 +135,15 @@ Size size_of(const Scene& scene) {
   if (scene.outlets.empty()) {  // all of them have to find room
     particles = std::min(particles, static_cast<double>(lattice.columns()) * lattice.rows());
   }
+  const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
+  const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto places = static_cast<double>(lattice.memory_size());
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == automaton::Passive::overlap;
   });
   double bytes = automaton::Occupancy::bytes_for(places, overlaps) +
                  automaton::Claims::bytes_for(places) + kParticleBytes * particles +
-                 fill_bytes(scene, lattice) + picture_bytes(scene.output) +
+                 kAwakeBytes * awake + fill_bytes(scene, lattice) + picture_bytes(scene.output) +
                  trajectory_bytes(scene.output, particles);
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);

@@ -18,7 +18,8 @@ class LazyArray {
 
  public:
   /// Throws std::bad_alloc.
-  explicit LazyArray(std::size_t size) : size_(size), data_(zeros(bytes()), Unmap{bytes()}) {}
+  explicit LazyArray(std::size_t size)
+      : size_(size), data_(zeros(bytes_of(size)), Unmap{bytes_of(size)}) {}
   LazyArray(const LazyArray& other) : LazyArray(other.size_) {
     std::copy_n(other.data(), size_, data());
   }
@@ -42,7 +43,9 @@ class LazyArray {
     void operator()(T* data) const { ::munmap(data, bytes); }
   };
 
-  std::size_t bytes() const { return std::max<std::size_t>(size_, 1) * sizeof(T); }
+  static std::size_t bytes_of(std::size_t size) {
+    return std::max<std::size_t>(size, 1) * sizeof(T);
+  }
   static T* zeros(std::size_t bytes) {
     void* data = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                         MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -53,7 +56,7 @@ class LazyArray {
     return static_cast<T*>(data);
   }
 
-  std::size_t size_;
+  std::size_t size_ = 0;
   std::unique_ptr<T, Unmap> data_;
 };
 

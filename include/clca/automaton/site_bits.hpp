@@ -121,14 +121,14 @@ class SiteBits {
 
   /// Where a window lies among the blocks: in one, or in two or four neighbours.
   struct Corner {
-    Corner(const SiteBits& bits, lattice::Site site) {
-      const auto column = static_cast<std::size_t>(site.column + 1 + kWindow);
-      const auto row = static_cast<std::size_t>(site.row + 1 + kWindow);
-      word = column / kSide * bits.height_ + row / kSide;
-      rows = static_cast<unsigned>(row % kSide);
-      columns = static_cast<unsigned>(column % kSide * kSide);
-      kept = kEachColumn * (0xFFU >> rows);
-    }
+    Corner(const SiteBits& bits, lattice::Site site)
+        : Corner(bits.height_, static_cast<std::size_t>(site.column) + 1 + kSide,
+                 static_cast<std::size_t>(site.row) + 1 + kSide) {}
+    Corner(std::size_t height, std::size_t column, std::size_t row)
+        : word(column / kSide * height + row / kSide),
+          rows(static_cast<unsigned>(row % kSide)),
+          columns(static_cast<unsigned>(column % kSide * kSide)),
+          kept(kEachColumn * (0xFFU >> rows)) {}
 
     /// Rows of a block and of that above it as rows of the window.
     std::uint64_t join_rows(std::uint64_t block, std::uint64_t above) const {
