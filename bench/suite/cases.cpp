@@ -96,7 +96,9 @@ automaton::State start(Case a_case, std::size_t particles) {
 Run run(Case a_case, automaton::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
   start.rules.ties = variant.ties;
-  Automaton automaton(std::move(start), {.threads = variant.threads, .sleeping = variant.sleeping});
+  Automaton automaton(
+      std::move(start),
+      {.threads = variant.threads, .sleeping = variant.sleeping, .profile = variant.profile});
   std::optional<Traffic> traffic;
   if (sampled) {
     traffic.emplace(automaton.state());
@@ -104,6 +106,9 @@ Run run(Case a_case, automaton::State start, const Variant& variant, std::uint64
   Run run;
   if (a_case == Case::collapse || a_case == Case::idle) {
     to_rest(automaton);  // who is new looks around once
+  }
+  if (variant.profile != nullptr) {
+    *variant.profile = {};
   }
   if (a_case == Case::idle) {
     run_idle(automaton, run);

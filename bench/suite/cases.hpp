@@ -23,6 +23,7 @@ struct Variant {
   automaton::Ties ties = automaton::Ties::particle;
   int threads = 1;
   bool sleeping = true;
+  automaton::Profile* profile = nullptr;  ///< to be filled
 };
 
 /// Steps, what they did and how long they took.

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace clca::bench {
 
@@ -132,6 +134,26 @@ store::Table phase_table(const std::vector<Measurement>& measurements, const Mac
                          2 * phase.lines * static_cast<double>(kLine), phase.copy_seconds,
                          phase.wait_seconds, phase.seconds / one.work().seconds,
                          phase.copy_seconds / phase.seconds, phase.wait_seconds / phase.seconds}));
+    }
+  }
+  return table;
+}
+
+store::Table profile_table(const std::vector<Measurement>& measurements) {
+  store::Table table(with_key({"phase", "run_s", "share"}));
+  for (const Measurement& one : measurements) {
+    const automaton::Profile& profile = one.profile;
+    const std::array<std::pair<const char*, double>, 5> phases = {{{"wake", profile.wake},
+                                                                   {"decide", profile.decide},
+                                                                   {"contest", profile.contest},
+                                                                   {"move", profile.move},
+                                                                   {"turns", profile.turns}}};
+    double all = 0;
+    for (const auto& [phase, seconds] : phases) {
+      all += seconds;
+    }
+    for (const auto& [phase, seconds] : phases) {
+      table.add_row(with_key(one, {std::string(phase), seconds, seconds / all}));
     }
   }
   return table;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "automaton/phase_clock.hpp"
 #include "automaton/retreat.hpp"
 
 namespace clca::automaton {
@@ -78,6 +79,7 @@ void Stepper::wake_all() {
 }
 
 void Stepper::step_alone() {
+  PhaseClock clock(options_.profile);
   Lane& lane = lanes_.front();
   const bool overlaps = !world_.state.pushes.empty();
   // Where nothing has moved or changed since all that overlap had last looked, they rest again.
@@ -91,17 +93,22 @@ void Stepper::step_alone() {
   if (overlaps) {
     std::erase_if(ids, [&](std::uint32_t id) { return world_.pushes.engaged(id); });
   }
+  clock.end(&Profile::wake);
   look(lane, ids);
   if (engaged_may_move) {
     move_engaged(lane);
   }
+  clock.end(&Profile::decide);
   claim(lane);
   contest_falling(lane);
   contest_sloping(lane);
+  clock.end(&Profile::contest);
   move_uncontested(lane, lane.falling);
   move_uncontested(lane, lane.sloping);
+  clock.end(&Profile::move);
   clear_claims(lane);
   move_contested();
+  clock.end(&Profile::turns);
 }
 
 // Called by all threads, each takes a lane; all lanes are done when it returns.
@@ -119,23 +126,33 @@ void Stepper::step_together() {
     lane.awake->resize(world_.state.particles.size());
     lane.inner = strips_.inner(lane.strip);
   }
+  PhaseClock clock(options_.profile);
+  const auto end = [&](double Profile::*phase) {
+#pragma omp master
+    clock.end(phase);
+  };
 #pragma omp parallel num_threads(options_.threads)
   {
     for_each_lane([this](Lane& lane) { find_awake(lane); });
+    end(&Profile::wake);
     for_each_lane([this](Lane& lane) {
       take_over(lane);
       look(lane, lane.found[lane.strip]);
       claim(lane);
     });
+    end(&Profile::decide);
     for_each_lane([this](Lane& lane) { contest_falling(lane); });
+    end(&Profile::contest);
     for_each_lane([this](Lane& lane) {
       contest_sloping(lane);
       move_uncontested(lane, lane.falling);
       move_uncontested(lane, lane.sloping);
     });
+    end(&Profile::move);
 #pragma omp single nowait
     move_contested();
     for_each_lane([this](Lane& lane) { clear_claims(lane); });
+    end(&Profile::turns);
   }
   constexpr std::uint64_t kSeldom = 16;  // what a thread has in its cache is to stay there
   if (world_.state.step % kSeldom == 0) {

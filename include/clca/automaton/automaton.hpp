@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clca/automaton/occupancy.hpp"
+#include "clca/automaton/profile.hpp"
 #include "clca/automaton/state.hpp"
 
 namespace clca::automaton {
@@ -31,6 +32,9 @@ struct Options {
   std::size_t parallel_from = 8192;
   /// Look at every particle in every step, also at those that cannot move. For checks only.
   bool sleeping = true;
+  /// Takes up what the phases of each step cost; outlives the automaton. Measuring costs a little
+  /// itself.
+  Profile* profile = nullptr;
 };
 
 /// How many particles a fill has placed.

@@ -1,0 +1,15 @@
+#pragma once
+// Where the time of steps goes.
+
+namespace clca::automaton {
+
+/// Seconds by the clock, added up over steps.
+struct Profile {
+  double wake = 0;     ///< who is awake, and which thread looks at it
+  double decide = 0;   ///< provisional directions
+  double contest = 0;  ///< who wants the same sites
+  double move = 0;     ///< moves that nobody contests
+  double turns = 0;    ///< all others, in order
+};
+
+}  // namespace clca::automaton
