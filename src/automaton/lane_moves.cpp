@@ -55,6 +55,70 @@ bool lead_is_free(const World& world, const Mover& mover, lattice::Direction dir
   });
 }
 
+void wake_in_window(const World& world, const Lane& lane, const Mover& mover, std::size_t place) {
+  const std::ptrdiff_t stride = world.occupancy.stride();
+  const Footprint& footprint = *mover.footprint;
+  const std::size_t corner = plus(place, footprint.corner.column * stride + footprint.corner.row);
+  for (const Patch& wake : footprint.wake_patches[mover.move]) {  // one, or none
+    for (std::uint64_t sites = mover.taken & wake.sites; sites != 0; sites &= sites - 1) {
+      const int bit = std::countr_zero(sites);
+      const Owner owner =
+          world.occupancy.owner_shared(plus(corner, bit / kWindow * stride + bit % kWindow));
+      if (is_particle(owner)) {
+        lane.awake->insert(static_cast<std::uint32_t>(owner));
+      }
+    }
+  }
+}
+
+void wake_by_sites(const World& world, const Lane& lane, const Mover& mover) {
+  for (const lattice::Offset offset : mover.footprint->wake[mover.move]) {
+    const Owner owner = world.occupancy.owner_shared(place_of(world.state.lattice, mover, offset));
+    if (is_particle(owner)) {
+      lane.awake->insert(static_cast<std::uint32_t>(owner));
+    }
+  }
+}
+
+void carry_inside(World& world, Lane& lane, const Mover& mover) {
+  const Footprint& footprint = *mover.footprint;
+  const std::size_t place = world.state.lattice.index(mover.site);
+  Occupancy& occupancy = world.occupancy;
+  if (!footprint.one_window) {
+    wake_by_sites(world, lane, mover);
+  }
+  for (const Patch& swapped : footprint.swapped_patches[mover.move]) {
+    mover.access == Access::alone
+        ? occupancy.flip(swapped.corner(mover.site), swapped.sites)
+        : occupancy.flip_shared(swapped.corner(mover.site), swapped.sites);
+  }
+  for (const lattice::Offset offset : footprint.lead[mover.move]) {
+    occupancy.set_owner_shared(plus(place, offset.linear), static_cast<Owner>(mover.id));
+  }
+  for (const lattice::Offset offset : footprint.trail[mover.move]) {
+    occupancy.set_owner_shared(plus(place, offset.linear), kFree);
+  }
+  if (footprint.one_window) {
+    wake_in_window(world, lane, mover, place);
+  }
+}
+
+void carry_across_seam(World& world, Lane& lane, const Mover& mover) {
+  const lattice::Lattice& lattice = world.state.lattice;
+  Occupancy& occupancy = world.occupancy;
+  wake_by_sites(world, lane, mover);
+  for (const lattice::Offset offset : mover.footprint->lead[mover.move]) {
+    const std::size_t place = place_of(lattice, mover, offset);
+    occupancy.set_owner_shared(place, static_cast<Owner>(mover.id));
+    occupancy.set_taken_shared(place);
+  }
+  for (const lattice::Offset offset : mover.footprint->trail[mover.move]) {
+    const std::size_t place = place_of(lattice, mover, offset);
+    occupancy.set_owner_shared(place, kFree);
+    occupancy.set_free_shared(place);
+  }
+}
+
 }  // namespace
 
 // Mostly those of its own strip.
@@ -219,80 +283,15 @@ void Stepper::move_uncontested(Lane& lane, const std::vector<Mover>& movers) {
 void Stepper::carry(Lane& lane, const Mover& mover) {
   lane.awake->insert(mover.id);
   if (mover.access == Access::seam) {
-    carry_across_seam(lane, mover);
+    carry_across_seam(world_, lane, mover);
   } else {
-    carry_inside(lane, mover);
+    carry_inside(world_, lane, mover);
   }
   Particle& particle = world_.state.particles[mover.id];
   const lattice::Site step = mover.footprint->step[mover.move];
   particle.column += step.column;
   particle.row += step.row;
   particle.previous = mover.move;
-}
-
-void Stepper::carry_inside(Lane& lane, const Mover& mover) {
-  const Footprint& footprint = *mover.footprint;
-  const std::size_t place = world_.state.lattice.index(mover.site);
-  Occupancy& occupancy = world_.occupancy;
-  if (!footprint.one_window) {
-    wake_by_sites(lane, mover);
-  }
-  for (const Patch& swapped : footprint.swapped_patches[mover.move]) {
-    mover.access == Access::alone
-        ? occupancy.flip(swapped.corner(mover.site), swapped.sites)
-        : occupancy.flip_shared(swapped.corner(mover.site), swapped.sites);
-  }
-  for (const lattice::Offset offset : footprint.lead[mover.move]) {
-    occupancy.set_owner_shared(plus(place, offset.linear), static_cast<Owner>(mover.id));
-  }
-  for (const lattice::Offset offset : footprint.trail[mover.move]) {
-    occupancy.set_owner_shared(plus(place, offset.linear), kFree);
-  }
-  if (footprint.one_window) {
-    wake_in_window(lane, mover, place);
-  }
-}
-
-void Stepper::wake_in_window(const Lane& lane, const Mover& mover, std::size_t place) const {
-  const std::ptrdiff_t stride = world_.occupancy.stride();
-  const Footprint& footprint = *mover.footprint;
-  const std::size_t corner = plus(place, footprint.corner.column * stride + footprint.corner.row);
-  for (const Patch& wake : footprint.wake_patches[mover.move]) {  // one, or none
-    for (std::uint64_t sites = mover.taken & wake.sites; sites != 0; sites &= sites - 1) {
-      const int bit = std::countr_zero(sites);
-      const Owner owner =
-          world_.occupancy.owner_shared(plus(corner, bit / kWindow * stride + bit % kWindow));
-      if (is_particle(owner)) {
-        lane.awake->insert(static_cast<std::uint32_t>(owner));
-      }
-    }
-  }
-}
-
-void Stepper::wake_by_sites(const Lane& lane, const Mover& mover) const {
-  for (const lattice::Offset offset : mover.footprint->wake[mover.move]) {
-    const Owner owner =
-        world_.occupancy.owner_shared(place_of(world_.state.lattice, mover, offset));
-    if (is_particle(owner)) {
-      lane.awake->insert(static_cast<std::uint32_t>(owner));
-    }
-  }
-}
-
-void Stepper::carry_across_seam(Lane& lane, const Mover& mover) {
-  const lattice::Lattice& lattice = world_.state.lattice;
-  Occupancy& occupancy = world_.occupancy;
-  wake_by_sites(lane, mover);
-  for (const lattice::Offset offset : mover.footprint->lead[mover.move]) {
-    const std::size_t place = place_of(lattice, mover, offset);
-    occupancy.set_owner_shared(place, static_cast<Owner>(mover.id));
-    occupancy.set_taken_shared(place);
-  }
-  for (const lattice::Offset offset : mover.footprint->trail[mover.move]) {
-    const std::size_t place = place_of(lattice, mover, offset);
-    occupancy.set_owner_shared(place, kFree);
-    occupancy.set_free_shared(place);
-  }
 }
 
 }  // namespace clca::automaton

@@ -71,10 +71,6 @@ class Stepper {
   void move_uncontested(Lane& lane, const std::vector<Mover>& movers);
   void clear_claims(const Lane& lane);
   void carry(Lane& lane, const Mover& mover);
-  void carry_inside(Lane& lane, const Mover& mover);
-  void carry_across_seam(Lane& lane, const Mover& mover);
-  void wake_in_window(const Lane& lane, const Mover& mover, std::size_t place) const;
-  void wake_by_sites(const Lane& lane, const Mover& mover) const;
   /// Decides nothing yet.
   Mover mover(std::uint32_t id, const Particle& particle, Columns inner) const {
     const int column = world_.state.lattice.wrapped(particle.column);
