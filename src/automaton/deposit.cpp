@@ -27,7 +27,7 @@ struct Span {
   int count() const { return high - low + 1; }
 };
 
-/// The lower side of a kind in one of the columns it covers.
+/// The lowest and the highest site of a kind in one of the columns it covers.
 struct Edge {
   lattice::Axial bottom;
   lattice::Axial top;

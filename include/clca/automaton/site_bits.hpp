@@ -97,11 +97,6 @@ class SiteBits {
       return word.fetch_xor(bits, std::memory_order_relaxed) & bits;
     });
   }
-  bool test_shared(std::size_t place) const {
-    const One one(*this, place);
-    std::atomic_ref word(const_cast<std::uint64_t&>(words_[one.word]));
-    return (word.load(std::memory_order_relaxed) & one.bit) != 0;
-  }
   /// Tells whether the bit was set before.
   bool set_shared(std::size_t place) {
     const One one(*this, place);
