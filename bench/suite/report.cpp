@@ -143,8 +143,7 @@ store::Table profile_table(const std::vector<Measurement>& measurements) {
   store::Table table(with_key({"phase", "run_s", "share"}));
   for (const Measurement& one : measurements) {
     const automaton::Profile& profile = one.profile;
-    const std::array<std::pair<const char*, double>, 5> phases = {{{"wake", profile.wake},
-                                                                   {"decide", profile.decide},
+    const std::array<std::pair<const char*, double>, 4> phases = {{{"decide", profile.decide},
                                                                    {"contest", profile.contest},
                                                                    {"move", profile.move},
                                                                    {"turns", profile.turns}}};

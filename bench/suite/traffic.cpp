@@ -13,9 +13,9 @@ using automaton::Particle;
 using automaton::State;
 
 constexpr std::size_t kOwnersInALine = kLine / sizeof(automaton::Owner);
-// A word is a block of bits, and blocks follow each other up the columns.
-constexpr std::size_t kLineColumns = automaton::kWindow;
-constexpr std::size_t kLineRows = kLine * 8 / kLineColumns;
+// A byte has eight sites of a column; the bytes of columns follow each other.
+constexpr std::size_t kLineColumns = kLine;
+constexpr std::size_t kLineRows = automaton::kWindow;
 
 std::size_t lines_of(std::size_t bytes) {
   return bytes / kLine + 1;

@@ -26,7 +26,8 @@ class ActiveRule {
   /// The provisional direction of particle `id` that did `previous` in the last step. `is_free`
   /// tells for a direction whether all its lead sites were free when the step began.
   template <class IsFree>
-  Move provisional(std::uint32_t id, Move previous, std::uint64_t step, IsFree is_free) const {
+  [[gnu::always_inline]] Move provisional(std::uint32_t id, Move previous, std::uint64_t step,
+                                          IsFree is_free) const {
     if (!scatter_.is_zero()) {
       const auto bits = draw(id, step, random::Purpose::scatter);
       if (scatter_.accepts(bits)) {

@@ -11,32 +11,40 @@ namespace clca::automaton {
 /// and places as for SiteBits.
 class Claims {
  public:
+  using Corner = SiteBits::Corner;
+
   explicit Claims(const lattice::Lattice& lattice) : wanted_(lattice), contested_(lattice) {}
 
   static double bytes_for(double places) { return 2 * SiteBits::bytes_for(places); }
 
-  void add(lattice::Site corner, std::uint64_t window) {
-    if (const std::uint64_t both = wanted_.window(corner) & window; both != 0) {
-      contested_.set(corner, both);
+  void add(Corner at, std::uint64_t window) {
+    if (const std::uint64_t both = wanted_.window(at) & window; both != 0) {
+      contested_.set(at, both);
     }
-    wanted_.set(corner, window);
+    wanted_.set(at, window);
   }
-  /// The sites that are wanted. Nobody adds or clears meanwhile.
-  std::uint64_t wanted(lattice::Site corner) const { return wanted_.window(corner); }
+  /// The sites that are wanted. Nobody adds or forgets meanwhile.
+  std::uint64_t wanted(Corner at) const { return wanted_.window(at); }
   bool wanted(std::size_t place) const { return wanted_.test(place); }
-  void contest(lattice::Site corner, std::uint64_t window) { contested_.set(corner, window); }
+  void contest(Corner at, std::uint64_t window) { contested_.set(at, window); }
   /// Nobody contests meanwhile.
-  std::uint64_t contested(lattice::Site corner) const { return contested_.window(corner); }
+  std::uint64_t contested(Corner at) const { return contested_.window(at); }
   bool contested(std::size_t place) const { return contested_.test(place); }
-  void clear(lattice::Site corner, std::uint64_t window) { wanted_.clear(corner, window); }
-  void clear_contested(lattice::Site corner, std::uint64_t window) {
-    contested_.clear(corner, window);
+  /// For one of those who contest these sites: there, they are contested no more.
+  void win(Corner at, std::uint64_t window) { contested_.clear(at, window); }
+  void win(std::size_t place) { contested_.clear(place); }
+  /// Forgets the claims in a window and around it: for when all are to be forgotten.
+  void forget(Corner at, bool contested) {
+    wanted_.wipe(at);
+    if (contested) {
+      contested_.wipe(at);
+    }
   }
 
   // The same while other threads are busy with other sites. A place: a single site.
-  void add_shared(lattice::Site corner, std::uint64_t window) {
-    if (const std::uint64_t both = wanted_.set_shared(corner, window); both != 0) {
-      contested_.set_shared(corner, both);
+  void add_shared(Corner at, std::uint64_t window) {
+    if (const std::uint64_t both = wanted_.set_shared(at, window); both != 0) {
+      contested_.set_shared(at, both);
     }
   }
   void add_shared(std::size_t place) {
@@ -48,10 +56,13 @@ class Claims {
   void contest_shared(Where... where) {
     contested_.set_shared(where...);
   }
-  template <class... Where>
-  void clear_shared(Where... where) {
-    wanted_.clear_shared(where...);
-    contested_.clear_shared(where...);
+  void forget_shared(Corner at) {
+    wanted_.wipe_shared(at);
+    contested_.wipe_shared(at);
+  }
+  void forget_shared(std::size_t place) {
+    wanted_.clear_shared(place);
+    contested_.clear_shared(place);
   }
 
  private:

@@ -12,12 +12,12 @@ namespace clca::automaton {
 void Stepper::move_engaged(Lane& lane) {
   decide_engaged();
   move_pushed();
-  yield_to_pushed(lane.falling);
-  yield_to_pushed(lane.sloping);
+  Movers& movers = lane.movers.front();
+  yield_to_pushed(movers.falling);
+  yield_to_pushed(movers.sloping);
   for (Mover& mover : freed_) {
     mover.engaged = true;
-    mover.contested = true;
-    lane.sloping.push_back(mover);
+    movers.sloping.add(mover);
   }
 }
 
@@ -28,7 +28,7 @@ void Stepper::decide_engaged() {
   for (const std::uint32_t id : PushBook::engaged_particles(state)) {
     Particle& particle = state.particles[id];
     quiet_ = quiet_ && particle.previous == kRest;
-    Mover mover = this->mover(id, particle, {});
+    Mover mover = this->mover(id, particle);
     if (!PushBook::onto(state, id).empty()) {
       mover.move = passive_.provisional(id);
       pushed_.push_back(mover);
@@ -51,11 +51,10 @@ void Stepper::decide_engaged() {
 
 void Stepper::move_pushed() {
   std::vector<Turn> turns;
-  for (const Mover& mover : pushed_) {
+  for (Mover& mover : pushed_) {
     turns.push_back({key(mover.id, mover.move), &mover});
   }
-  std::sort(turns.begin(), turns.end(),
-            [](const Turn& left, const Turn& right) { return left.key < right.key; });
+  std::sort(turns.begin(), turns.end());
   std::vector<Mover> moved;
   for (const auto& [key, mover] : turns) {
     if (passive_.move(mover->id, static_cast<lattice::Direction>(mover->move))) {
@@ -68,15 +67,15 @@ void Stepper::move_pushed() {
 }
 
 // Who has been pushed onto meanwhile still has its turn, but overlaps now.
-void Stepper::yield_to_pushed(std::vector<Mover>& movers) {
-  std::erase_if(movers, [&](const Mover& mover) {
+void Stepper::yield_to_pushed(Bag<Mover>& movers) {
+  movers.erase_if([&](const Mover& mover) {
     const Particle& particle = world_.state.particles[mover.id];
     if (world_.pushes.engaged(mover.id)) {
       freed_.push_back(mover);
       return true;
     }
     if (!world_.is_free(particle, static_cast<lattice::Direction>(mover.move))) {
-      rest(mover.id);
+      rest(lanes_.front(), mover.id);
       return true;
     }
     return false;

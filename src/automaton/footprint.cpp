@@ -91,6 +91,16 @@ std::vector<Axial> merged(const std::vector<Axial>& first, const std::vector<Axi
   return both;
 }
 
+std::vector<Exchange> exchanges(const std::vector<lattice::Offset>& lead,
+                                const std::vector<lattice::Offset>& trail) {
+  std::vector<Exchange> result;
+  std::transform(lead.begin(), lead.end(), trail.begin(), std::back_inserter(result),
+                 [](lattice::Offset entered, lattice::Offset left) {
+                   return Exchange{.entered = entered.linear, .left = left.linear};
+                 });
+  return result;
+}
+
 Footprint make_footprint(const State& state, const lattice::Shape& shape, bool odd_column) {
   const std::span<const Direction> candidates = candidate_directions(state.rules);
   Footprint::PerDirection<Axial> wake;
@@ -103,7 +113,8 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
   const Covered extent = extent_of(all, odd_column);
   Footprint footprint;
   footprint.one_window = extent.fits_a_window();
-  footprint.corner = {.column = extent.low.column, .row = extent.low.row, .sites = 0};
+  footprint.corner = extent.low;
+  footprint.corner_place = extent.low.column * state.lattice.stride() + extent.low.row;
   footprint.body = offsets(state.lattice, shape.sites(), odd_column);
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
@@ -112,10 +123,16 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
     const std::vector<Axial> trail = shape.trail(direction);
     footprint.lead[d] = offsets(state.lattice, lead, odd_column);
     footprint.trail[d] = offsets(state.lattice, trail, odd_column);
+    footprint.exchanges[d] = exchanges(footprint.lead[d], footprint.trail[d]);
     footprint.wake[d] = offsets(state.lattice, wake[d], odd_column);
     footprint.lead_patches[d] = patches(lead, odd_column, extent.low);
     footprint.swapped_patches[d] = patches(merged(lead, trail), odd_column, extent.low);
-    footprint.wake_patches[d] = patches(wake[d], odd_column, extent.low);
+    if (footprint.one_window) {
+      const std::vector<Patch> woken = patches(wake[d], odd_column, extent.low);
+      footprint.windows[d] = {.lead = footprint.lead_patches[d].front().sites,
+                              .swapped = footprint.swapped_patches[d].front().sites,
+                              .wake = woken.empty() ? 0 : woken.front().sites};
+    }
   }
   return footprint;
 }

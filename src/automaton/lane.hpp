@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "automaton/awake_set.hpp"
+#include "automaton/bag.hpp"
 #include "automaton/strips.hpp"
 #include "automaton/update_order.hpp"
 #include "clca/automaton/footprint.hpp"
+#include "clca/automaton/site_bits.hpp"
 #include "clca/automaton/state.hpp"
 
 namespace clca::automaton {
+
+inline constexpr std::size_t kCacheLine = 64;  // bytes
 
 /// How a particle's bits are to be looked at and changed.
 enum class Access : std::uint8_t {
@@ -25,12 +29,16 @@ enum class Access : std::uint8_t {
 struct Mover {
   lattice::Site site;  ///< the reference site when the step began, wrapped
   const Footprint* footprint = nullptr;
-  std::uint64_t taken = 0;  ///< then, in its window, if one is enough
+  // Of those for which one window is enough, away from a seam:
+  SiteBits::Corner at = {};
+  std::uint64_t taken = 0;  ///< when the step began
   std::uint32_t id = 0;
+  std::uint16_t strip = 0;
   Move move = kRest;
   Access access = Access::alone;
-  bool contested = false;
-  bool engaged = false;  ///< overlaps with somebody: has its turn among the contested
+  bool engaged = false;         ///< overlaps with somebody: has its turn among the contested
+  bool won = false;             ///< what it contested
+  std::uint16_t contested = 0;  ///< so many of its lead sites others want as well
 };
 
 /// From `low` to `high`, both included.
@@ -50,24 +58,31 @@ struct Rows {
 /// A contested mover and its place in the order.
 struct Turn {
   UpdateKey key;
-  const Mover* mover = nullptr;
+  Mover* mover = nullptr;
+
+  bool operator<(const Turn& other) const { return key < other.key; }
 };
 
-/// The work on one strip: its particles, and who wakes through their moves. One thread at a time.
-struct alignas(64) Lane {
+/// Each on a line of the cache of its own: another thread is writing to the next.
+struct alignas(kCacheLine) Movers {
+  Bag<Mover> falling;  ///< along gravity
+  Bag<Mover> sloping;  ///< all other directions
+};
+
+/// The work of one thread: the moves of the particles in its strip, and who wakes through them.
+/// Looks at particles are dealt out by number.
+struct alignas(kCacheLine) Lane {
   std::size_t strip = 0;
-  Columns inner;  ///< of the strip, where nobody else changes anything in this step
-  std::vector<std::vector<std::uint32_t>> found;    ///< awake, by the strip where they stand
-  std::vector<std::uint32_t> taken_over;            ///< found by others and not by itself
-  std::vector<std::vector<std::uint32_t>> of_kind;  ///< being looked at
-  std::vector<Mover> falling;                       ///< along gravity
-  std::vector<Mover> sloping;                       ///< all other directions
+  Stretch inner;         ///< of the strip, where nobody else changes anything in this step
+  Stretch inner_before;  ///< in the step before
+  std::vector<Bag<std::uint32_t>> of_kind;  ///< ids being looked at
+  std::vector<Movers> movers;               ///< found by the looks, by strip
   std::vector<Turn> turns;
-  Rows claimed;                     ///< where the reference sites of the sloping movers lie
-  std::vector<std::uint32_t> load;  ///< see Strips
+  Rows claimed;  ///< where the reference sites of the sloping movers lie
+  Load load;     ///< see Strips
   std::size_t looked_at = 0;
-  AwakeSet own_awake;
-  AwakeSet* awake = nullptr;  ///< that of the world for the first
+  std::size_t dealt = 0;  ///< so many of those awake here have been dealt out
+  AwakeSet awake;         ///< by its moves, for the next step
 };
 
 }  // namespace clca::automaton

@@ -28,17 +28,16 @@ Stepper::Stepper(World& world, const Options& options)
       order_(world.state.rules, world.state.seed),
       passive_(world),
       claims_(world.state.lattice),
-      strips_(world.state, static_cast<std::size_t>(options.threads)),
+      strips_(world.state.lattice, world.footprints, static_cast<std::size_t>(options.threads)),
       tallest_(tallest(world.state)),
       lanes_(static_cast<std::size_t>(options.threads)),
       looked_at_(world.state.particles.size()) {
   for (std::size_t strip = 0; strip < lanes_.size(); ++strip) {
     Lane& lane = lanes_[strip];
     lane.strip = strip;
-    lane.found.resize(lanes_.size());
+    lane.movers.resize(lanes_.size());
     lane.of_kind.resize(world.state.kinds.size());
     lane.load = strips_.no_load();
-    lane.awake = strip == 0 ? &world.awake : &lane.own_awake;
   }
 }
 
@@ -49,12 +48,18 @@ std::size_t Stepper::advance() {
   pushed_.clear();
   quiet_ = true;
   contested_moved_ = 0;
-  in_parallel_ = parallel();
-  for (Lane& lane : lanes_) {
-    lane.falling.clear();
-    lane.sloping.clear();
+  for (Lane& lane : busy()) {
+    for (Movers& movers : lane.movers) {
+      movers.falling.clear();
+      movers.sloping.clear();
+    }
     lane.turns.clear();
     lane.looked_at = 0;
+  }
+  take_woken();
+  in_parallel_ = parallel();
+  for (Lane& lane : lanes_) {
+    lane.inner_before = lane.inner;
   }
   if (in_parallel_) {
     step_together();
@@ -63,9 +68,12 @@ std::size_t Stepper::advance() {
   }
   looked_at_ = 0;
   std::size_t moved = pushed_.size() + contested_moved_;
-  for (const Lane& lane : lanes_) {
+  for (const Lane& lane : busy()) {
     looked_at_ += lane.looked_at;
-    moved += lane.falling.size() + lane.sloping.size() - lane.turns.size();
+    moved -= lane.turns.size();
+    for (const Movers& movers : lane.movers) {
+      moved += movers.falling.size() + movers.sloping.size();
+    }
   }
   still_ = moved == 0 && quiet_;
   world_.changed = false;
@@ -78,6 +86,30 @@ void Stepper::wake_all() {
   }
 }
 
+// Those woken by something else than moves; each goes where its strip was in the step before.
+void Stepper::take_woken() {
+  const State& state = world_.state;
+  for (Lane& lane : busy()) {
+    lane.awake.resize(state.particles.size());
+  }
+  if (!in_parallel_ && lanes_.front().awake.ids().empty()) {
+    std::swap(lanes_.front().awake, world_.awake);
+    world_.awake.resize(state.particles.size());
+    return;
+  }
+  for (const std::uint32_t id : world_.awake.ids()) {
+    const Particle& particle = state.particles[id];
+    const lattice::Site site = {state.lattice.wrapped(particle.column), particle.row};
+    lanes_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
+  }
+  world_.awake.clear();
+}
+
+void Stepper::begin_waking(Lane& lane) {
+  lane.awake.clear();
+  lane.dealt = 0;
+}
+
 void Stepper::step_alone() {
   PhaseClock clock(options_.profile);
   Lane& lane = lanes_.front();
@@ -85,16 +117,10 @@ void Stepper::step_alone() {
   // Where nothing has moved or changed since all that overlap had last looked, they rest again.
   const bool engaged_may_move = overlaps && (!still_ || world_.changed || !options_.sleeping);
   lane.inner = strips_.inner();
+  look(lane);
   for (Lane& each : lanes_) {
-    find_awake(each);
+    begin_waking(each);
   }
-  take_over(lane);
-  std::vector<std::uint32_t>& ids = lane.found.front();
-  if (overlaps) {
-    std::erase_if(ids, [&](std::uint32_t id) { return world_.pushes.engaged(id); });
-  }
-  clock.end(&Profile::wake);
-  look(lane, ids);
   if (engaged_may_move) {
     move_engaged(lane);
   }
@@ -103,11 +129,10 @@ void Stepper::step_alone() {
   contest_falling(lane);
   contest_sloping(lane);
   clock.end(&Profile::contest);
-  move_uncontested(lane, lane.falling);
-  move_uncontested(lane, lane.sloping);
+  move_uncontested(lane);
   clock.end(&Profile::move);
-  clear_claims(lane);
-  move_contested();
+  forget_claims(lane);
+  give_turns();
   clock.end(&Profile::turns);
 }
 
@@ -122,9 +147,13 @@ void Stepper::for_each_lane(Work work) {
 
 // Each phase looks at what all threads have done in the one before.
 void Stepper::step_together() {
+  constexpr std::uint64_t kSeldom = 16;  // what a thread has in its cache is to stay there
+  if (world_.state.step % kSeldom == 0) {
+    balance();
+  }
   for (Lane& lane : lanes_) {
-    lane.awake->resize(world_.state.particles.size());
     lane.inner = strips_.inner(lane.strip);
+    lane.awake.resize(world_.state.particles.size());
   }
   PhaseClock clock(options_.profile);
   const auto end = [&](double Profile::*phase) {
@@ -133,66 +162,64 @@ void Stepper::step_together() {
   };
 #pragma omp parallel num_threads(options_.threads)
   {
-    for_each_lane([this](Lane& lane) { find_awake(lane); });
-    end(&Profile::wake);
+    for_each_lane([this](Lane& lane) { look(lane); });
+    end(&Profile::decide);
     for_each_lane([this](Lane& lane) {
-      take_over(lane);
-      look(lane, lane.found[lane.strip]);
+      begin_waking(lane);
       claim(lane);
     });
-    end(&Profile::decide);
     for_each_lane([this](Lane& lane) { contest_falling(lane); });
     end(&Profile::contest);
     for_each_lane([this](Lane& lane) {
       contest_sloping(lane);
-      move_uncontested(lane, lane.falling);
-      move_uncontested(lane, lane.sloping);
+      move_uncontested(lane);
     });
     end(&Profile::move);
-#pragma omp single nowait
-    move_contested();
-    for_each_lane([this](Lane& lane) { clear_claims(lane); });
+#pragma omp single
+    choose_winners();
+    for_each_lane([this](Lane& lane) {
+      move_winners(lane);
+      forget_claims(lane);
+    });
     end(&Profile::turns);
-  }
-  constexpr std::uint64_t kSeldom = 16;  // what a thread has in its cache is to stay there
-  if (world_.state.step % kSeldom == 0) {
-    balance();
   }
 }
 
 void Stepper::balance() {
-  std::vector<std::vector<std::uint32_t>*> loads;
+  std::vector<Load*> loads;
   for (Lane& lane : lanes_) {
     loads.push_back(&lane.load);
   }
   strips_.balance(loads);
 }
 
-void Stepper::move_contested() {
+void Stepper::merge_turns() {
   turns_.clear();
-  for (const Lane& lane : lanes_) {
+  for (const Lane& lane : busy()) {
+    const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
     turns_.insert(turns_.end(), lane.turns.begin(), lane.turns.end());
+    std::inplace_merge(turns_.begin(), turns_.begin() + middle, turns_.end());
   }
-  std::sort(turns_.begin(), turns_.end(),
-            [](const Turn& left, const Turn& right) { return left.key < right.key; });
-  for (const auto& [key, mover] : turns_) {
+}
+
+void Stepper::give_turns() {
+  for (const auto& [key, mover] : lanes_.front().turns) {
     const auto direction = static_cast<lattice::Direction>(mover->move);
-    const Particle& particle = world_.state.particles[mover->id];
     if (mover->engaged && is_free(world_, mover->id, direction)) {
       world_.shift(mover->id, direction);
       ++contested_moved_;
-    } else if (!mover->engaged && world_.is_free(particle, direction)) {
+    } else if (!mover->engaged && lead_is_free(*mover, direction)) {
       carry(lanes_.front(), *mover);
       ++contested_moved_;
     } else {
-      rest(mover->id);
+      rest(lanes_.front(), mover->id);
     }
   }
 }
 
-void Stepper::rest(std::uint32_t id) {
+void Stepper::rest(Lane& lane, std::uint32_t id) {
   world_.state.particles[id].previous = kRest;
-  world_.awake.insert(id);
+  lane.awake.insert(id);
 }
 
 }  // namespace clca::automaton

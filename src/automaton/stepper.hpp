@@ -34,11 +34,13 @@ class Stepper {
   /// Calls `visit` with the id of each particle that moved in the last step.
   template <class Visit>
   void for_each_moved(Visit visit) const {
-    for (const Lane& lane : lanes_) {
-      for (const std::vector<Mover>* movers : {&lane.falling, &lane.sloping}) {
-        for (const Mover& mover : *movers) {
-          if (world_.state.particles[mover.id].previous != kRest) {
-            visit(mover.id);
+    for (const Lane& lane : busy()) {
+      for (const Movers& movers : lane.movers) {
+        for (const Bag<Mover>* list : {&movers.falling, &movers.sloping}) {
+          for (const Mover& mover : *list) {
+            if (world_.state.particles[mover.id].previous != kRest) {
+              visit(mover.id);
+            }
           }
         }
       }
@@ -52,51 +54,78 @@ class Stepper {
   bool parallel() const {
     return lanes_.size() > 1 && looked_at_ >= options_.parallel_from && world_.state.pushes.empty();
   }
+  /// The lanes that take part in this step.
+  std::span<Lane> busy() { return std::span(lanes_).first(in_parallel_ ? lanes_.size() : 1); }
+  std::span<const Lane> busy() const {
+    return std::span(lanes_).first(in_parallel_ ? lanes_.size() : 1);
+  }
+  /// Calls `visit` with the movers of a strip, whoever has found them.
+  template <class Visit>
+  void for_each_mover(const Lane& lane, Bag<Mover> Movers::*list, Visit visit) {
+    for (Lane& finder : busy()) {
+      for (Mover& mover : finder.movers[lane.strip].*list) {
+        visit(mover);
+      }
+    }
+  }
   void wake_all();
+  void take_woken();
+  /// Forgets who was awake, for those to come who are in the next step.
+  static void begin_waking(Lane& lane);
   void step_alone();
   void step_together();
   template <class Work>
   void for_each_lane(Work work);
   void balance();
 
-  // Phases of a step, each for one thread, see lane_moves.cpp.
-  void find_awake(Lane& lane);
-  void take_over(Lane& lane);
-  void look(Lane& lane, std::span<const std::uint32_t> ids);
-  void decide(Lane& lane, std::uint32_t id);
-  void note(Lane& lane, int column, std::uint32_t load) const;
+  // Phases of a step, each for one thread, see lane_looks.cpp and lane_moves.cpp.
+  void look(Lane& lane);
+  void look_at(Lane& lane, Lane& whose);
+  bool dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const;
+  void decide(Lane& lane, const Lane& whose, std::uint32_t id);
+  Move provisional_by_parts(const Mover& mover, Move previous) const;
+  /// As things stand now, for one that has not moved yet.
+  bool lead_is_free(const Mover& mover, lattice::Direction to) const;
   void claim(Lane& lane);
   void contest_falling(Lane& lane);
   void contest_sloping(Lane& lane);
-  void move_uncontested(Lane& lane, const std::vector<Mover>& movers);
-  void clear_claims(const Lane& lane);
+  void move_uncontested(Lane& lane);
   void carry(Lane& lane, const Mover& mover);
+  std::uint16_t contested_lead(const Mover& mover) const;
+  void choose_winners();  // for all threads
+  void move_winners(Lane& lane);
+  void forget_claims(const Lane& lane);
   /// Decides nothing yet.
-  Mover mover(std::uint32_t id, const Particle& particle, Columns inner) const {
-    const int column = world_.state.lattice.wrapped(particle.column);
-    Mover mover = {.site = {column, particle.row},
+  [[gnu::always_inline]] Mover mover(std::uint32_t id, const Particle& particle) const {
+    const lattice::Site site = {world_.state.lattice.wrapped(particle.column), particle.row};
+    const std::size_t strip = in_parallel_ ? strips_.of(site) : 0;
+    Mover mover = {.site = site,
                    .footprint = &world_.footprints.of(particle),
                    .id = id,
-                   .access = inner.contains(column)    ? Access::alone
-                             : strips_.at_seam(column) ? Access::seam
-                                                       : Access::shared};
+                   .strip = static_cast<std::uint16_t>(strip),
+                   .access = strips_.at_seam(site)                ? Access::seam
+                             : lanes_[strip].inner.contains(site) ? Access::alone
+                                                                  : Access::shared};
     if (mover.footprint->one_window && mover.access != Access::seam) {
-      mover.taken = world_.occupancy.window(mover.footprint->corner.corner(mover.site));
+      const lattice::Site corner = mover.footprint->corner;
+      mover.at = world_.occupancy.corner({site.column + corner.column, site.row + corner.row});
+      mover.taken = world_.occupancy.window(mover.at);
     }
     return mover;
   }
 
-  void move_contested();
+  void merge_turns();
+  void give_turns();
   UpdateKey key(std::uint32_t id, Move move) const {
     return order_.key(id, world_.state.particles[id].previous, move, world_.state.step);
   }
-  void rest(std::uint32_t id);
+  void rest(Lane& lane, std::uint32_t id);
 
   // Particles that overlap, see engaged_step.cpp.
   void move_engaged(Lane& lane);
   void decide_engaged();
   void move_pushed();
-  void yield_to_pushed(std::vector<Mover>& movers);
+  void yield_to_pushed(Bag<Mover>& movers);
 
   World& world_;
   Options options_;

@@ -1,7 +1,8 @@
 #include "automaton/strips.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "clca/automaton/site_bits.hpp"
@@ -10,68 +11,118 @@ namespace clca::automaton {
 
 namespace {
 
-/// Columns from the reference site of a particle to the furthest that its move looks at or changes:
-/// those that it enters or leaves, those who wake beyond, and what else is in their blocks of bits.
-int furthest(const State& state) {
-  constexpr int kBeyond = 3 + 2 * kWindow;
-  int most = 0;
-  for (const Kind& kind : state.kinds) {
-    for (const lattice::Axial part : kind.shape.sites()) {
-      most = std::max(most, std::abs(part.x));
+/// Takes in a window whose lower left corner lies there, seen from a reference site.
+void include(Reach& reach, lattice::Site corner) {
+  reach.left = std::max(reach.left, -corner.column);
+  reach.right = std::max(reach.right, corner.column + kWindow - 1);
+  reach.down = std::max(reach.down, -corner.row);
+  reach.up = std::max(reach.up, corner.row + kWindow - 1);
+}
+
+Reach reach_of(const FootprintTable& footprints) {
+  Reach reach;
+  for (const Footprint& footprint : footprints.all()) {
+    include(reach, footprint.corner);
+    for (const auto* patches : {&footprint.lead_patches, &footprint.swapped_patches}) {
+      for (const std::vector<Patch>& of_move : *patches) {
+        for (const Patch& patch : of_move) {
+          include(reach, patch.corner({}));
+        }
+      }
     }
   }
-  return most + kBeyond;
+  return reach;
+}
+
+/// Sums of all, which are empty afterwards.
+std::vector<std::uint64_t> taken_together(std::span<Load* const> loads, std::size_t axis) {
+  std::vector<std::uint64_t> sum(loads.front()->lines[axis].size(), 0);
+  for (Load* load : loads) {
+    for (std::size_t line = 0; line < sum.size(); ++line) {
+      sum[line] += std::exchange(load->lines[axis][line], 0);
+    }
+  }
+  return sum;
+}
+
+/// Where to cut into parts of equal load.
+std::vector<int> equal_parts(const std::vector<std::uint64_t>& load, std::uint64_t total,
+                             std::size_t parts) {
+  std::vector<int> cuts;
+  std::uint64_t done = 0;
+  for (std::size_t line = 0; line < load.size(); ++line) {
+    while (cuts.size() + 1 < parts && done >= total * (cuts.size() + 1) / parts) {
+      cuts.push_back(static_cast<int>(line));
+    }
+    done += load[line];
+  }
+  cuts.resize(parts - 1, static_cast<int>(load.size()));
+  return cuts;
+}
+
+/// The load so near to a cut.
+std::uint64_t load_at(const std::vector<int>& cuts, const std::vector<std::uint64_t>& load,
+                      int apart) {
+  std::uint64_t sum = 0;
+  for (const int cut : cuts) {
+    const int end = std::min(cut + apart, static_cast<int>(load.size()));
+    for (int line = std::max(cut - apart, 0); line < end; ++line) {
+      sum += load[static_cast<std::size_t>(line)];
+    }
+  }
+  return sum;
 }
 
 }  // namespace
 
-Strips::Strips(const State& state, std::size_t count)
-    : columns_(state.lattice.columns()),
-      periodic_(state.lattice.periodic()),
-      reach_(furthest(state)) {
+Strips::Strips(const lattice::Lattice& lattice, const FootprintTable& footprints, std::size_t count)
+    : reach_(reach_of(footprints)) {
+  // Others reach over a cut as far as one's own, and from there to the end of a word of bits.
+  extents_ = {{{.length = lattice.columns(),
+                .apart = reach_.left + reach_.right + kWindow,
+                .wraps = lattice.periodic()},
+               {.length = lattice.rows(), .apart = reach_.down + reach_.up + 2 * kWindow}}};
   for (std::size_t strip = 1; strip < count; ++strip) {
-    cuts_.push_back(static_cast<int>(static_cast<std::size_t>(columns_) * strip / count));
+    const auto columns = static_cast<std::size_t>(lattice.columns());
+    cuts_.push_back(static_cast<int>(columns * strip / count));
   }
 }
 
-Columns Strips::inner_of(int first, int end) const {
-  const bool left_end = first == 0 && !periodic_;
-  const bool right_end = end == columns_ && !periodic_;
-  // Others reach over a cut as far as one's own.
-  return {.first = left_end ? first : first + 2 * reach_,
-          .end = right_end ? end : end - 2 * reach_};
+Stretch Strips::inner(std::size_t strip) const {
+  const Extent& extent = extents_[static_cast<std::size_t>(axis_)];
+  const bool first = strip == 0 && !extent.wraps;
+  const bool last = strip == cuts_.size() && !extent.wraps;
+  return {.axis = axis_,
+          .first = first ? 0 : (strip == 0 ? 0 : cuts_[strip - 1]) + extent.apart,
+          .end = last ? extent.length
+                      : (strip == cuts_.size() ? extent.length : cuts_[strip]) - extent.apart};
 }
 
-Columns Strips::inner(std::size_t strip) const {
-  return inner_of(strip == 0 ? 0 : cuts_[strip - 1],
-                  strip == cuts_.size() ? columns_ : cuts_[strip]);
-}
-
-std::vector<std::uint32_t> Strips::no_load() const {
-  std::vector<std::uint32_t> load;
-  load.resize(static_cast<std::size_t>(columns_) / kBinColumns + 1, 0);
+Load Strips::no_load() const {
+  Load load;
+  for (std::size_t axis = 0; axis < load.lines.size(); ++axis) {
+    load.lines[axis].resize(static_cast<std::size_t>(extents_[axis].length), 0);
+  }
   return load;
 }
 
-void Strips::balance(std::span<std::vector<std::uint32_t>* const> loads) {
-  std::vector<std::uint32_t>& sum = *loads.front();
-  std::uint64_t total = 0;
-  for (std::size_t bin = 0; bin < sum.size(); ++bin) {
-    for (std::vector<std::uint32_t>* load : loads.subspan(1)) {
-      sum[bin] += std::exchange((*load)[bin], 0);
+void Strips::balance(std::span<Load* const> loads) {
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  const std::size_t parts = cuts_.size() + 1;
+  for (const Axis axis : {Axis::columns, Axis::rows}) {
+    const auto number = static_cast<std::size_t>(axis);
+    const std::vector<std::uint64_t> load = taken_together(loads, number);
+    const std::uint64_t total = std::accumulate(load.begin(), load.end(), std::uint64_t{0});
+    if (total == 0) {
+      return;  // nothing is known of where the work will be
     }
-    total += sum[bin];
-  }
-  std::uint64_t done = 0;
-  std::size_t cut = 0;
-  for (std::size_t bin = 0; bin < sum.size(); ++bin) {
-    while (cut < cuts_.size() && done >= total * (cut + 1) / (cuts_.size() + 1)) {
-      cuts_[cut++] = static_cast<int>(bin * kBinColumns);
+    const std::vector<int> cuts = equal_parts(load, total, parts);
+    const std::uint64_t at_cuts = load_at(cuts, load, extents_[number].apart);
+    if (at_cuts < least) {
+      least = at_cuts;
+      axis_ = axis;
+      cuts_ = cuts;
     }
-    done += std::exchange(sum[bin], 0);
-  }
-  for (; cut < cuts_.size(); ++cut) {
-    cuts_[cut] = columns_;
   }
 }
 

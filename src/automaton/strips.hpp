@@ -1,64 +1,90 @@
 #pragma once
-// The box cut into strips of columns, one for each thread.
+// The box cut into strips, one for each thread.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/automaton/footprint.hpp"
 
 namespace clca::automaton {
 
-/// From `first` to before `end`.
-struct Columns {
+enum class Axis : std::uint8_t { columns, rows };
+
+/// The sites of some columns or of some rows, from `first` to before `end`.
+struct Stretch {
+  Axis axis = Axis::columns;
   int first = 0;
   int end = 0;
 
-  bool contains(int column) const { return column >= first && column < end; }
+  bool contains(lattice::Site site) const {
+    const int at = axis == Axis::columns ? site.column : site.row;
+    return at >= first && at < end;
+  }
 };
 
-/// Cuts a box so that each strip has about as much to do as in the step before.
+/// How much there is to do in each column and in each row.
+struct Load {
+  std::array<std::vector<std::uint32_t>, 2> lines;  ///< by Axis
+
+  void note(lattice::Site site, std::uint32_t amount) {
+    lines[0][static_cast<std::size_t>(site.column)] += amount;
+    lines[1][static_cast<std::size_t>(site.row)] += amount;
+  }
+};
+
+/// How far the windows of a particle reach from its reference site.
+struct Reach {
+  int left = 0;
+  int right = 0;
+  int down = 0;
+  int up = 0;
+};
+
+/// Cuts a box so that each strip has about as much to do as in the steps before, across the columns
+/// or across the rows: where there is less to do at the cuts, as threads hinder each other there.
 class Strips {
  public:
-  Strips(const State& state, std::size_t count);
+  Strips(const lattice::Lattice& lattice, const FootprintTable& footprints, std::size_t count);
 
-  /// Which strip the particles of a (wrapped) column belong to.
-  std::size_t of(int column) const {
+  /// Which strip the particles of a (wrapped) site belong to.
+  std::size_t of(lattice::Site site) const {
+    const int at = axis_ == Axis::columns ? site.column : site.row;
     std::size_t strip = 0;
-    while (strip < cuts_.size() && column >= cuts_[strip]) {
+    while (strip < cuts_.size() && at >= cuts_[strip]) {
       ++strip;
     }
     return strip;
   }
-  /// Where the particles of a strip change no block of bits that those of another one look at or
-  /// change, nor reach across the seam of a periodic box.
-  Columns inner(std::size_t strip) const;
+  /// Where particles of a strip that are not at the seam change no word of bits that those of
+  /// another strip look at or change.
+  Stretch inner(std::size_t strip) const;
   /// The same where one strip is the whole box.
-  Columns inner() const { return inner_of(0, columns_); }
+  Stretch inner() const { return {.axis = Axis::columns, .first = 0, .end = extents_[0].length}; }
   /// Whether particles there reach across the seam of a periodic box.
-  bool at_seam(int column) const {
-    return periodic_ && (column < reach_ || column >= columns_ - reach_);
+  bool at_seam(lattice::Site site) const {
+    return extents_[0].wraps &&
+           (site.column < reach_.left || site.column >= extents_[0].length - reach_.right);
   }
 
-  /// Notes work in a column.
-  static void note(std::vector<std::uint32_t>& load, int column, std::uint32_t amount) {
-    load[static_cast<std::size_t>(column) / kBinColumns] += amount;
-  }
   /// An empty record of work.
-  std::vector<std::uint32_t> no_load() const;
+  Load no_load() const;
   /// Cuts anew where the work has been; `loads` are emptied.
-  void balance(std::span<std::vector<std::uint32_t>* const> loads);
+  void balance(std::span<Load* const> loads);
 
  private:
-  static constexpr std::size_t kBinColumns = 16;
+  struct Extent {
+    int length = 0;
+    int apart = 0;  ///< from a cut to the inner part of a strip
+    bool wraps = false;
+  };
 
-  Columns inner_of(int first, int end) const;
-
-  int columns_;
-  bool periodic_;
-  int reach_;
-  std::vector<int> cuts_;  // first columns of the second strip and those after it
+  std::array<Extent, 2> extents_;  // by Axis
+  Reach reach_;
+  Axis axis_ = Axis::columns;
+  std::vector<int> cuts_;  // where the second strip and those after it begin
 };
 
 }  // namespace clca::automaton

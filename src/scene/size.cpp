@@ -14,7 +14,8 @@ namespace clca::scene {
 
 namespace {
 
-constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site);
+// With its number in the list of those awake, which doubles: at the beginning all are.
+constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 8;
 // What a step notes of a particle that it looks at, in lists that double.
 constexpr double kAwakeBytes = 120;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest

@@ -21,6 +21,19 @@ struct Patch {
   }
 };
 
+/// What a move looks at and changes, as sites of one window.
+struct MoveWindow {
+  std::uint64_t lead = 0;
+  std::uint64_t swapped = 0;  ///< lead and trail: what the move changes
+  std::uint64_t wake = 0;
+};
+
+/// Places, seen from that of the reference site: as many are entered as are left.
+struct Exchange {
+  std::int32_t entered = 0;
+  std::int32_t left = 0;
+};
+
 /// The sites of one kind seen from reference columns of one parity.
 struct Footprint {
   template <class T>
@@ -30,15 +43,17 @@ struct Footprint {
   std::array<lattice::Site, lattice::kDirectionCount> step;  ///< columns and rows of a step
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
+  PerDirection<Exchange> exchanges;  ///< both, away from a seam
   /// Sites whose owners may gain a free direction when the particle has moved that way (seen from
   /// where it stood before).
   PerDirection<lattice::Offset> wake;
-  // The same by windows. Where one is enough for all of them, it has the same corner in all.
-  PerDirection<Patch> lead_patches;
-  PerDirection<Patch> swapped_patches;  ///< lead and trail: what a move changes
-  PerDirection<Patch> wake_patches;
+  // The same by windows: one that is the same for all moves, where that is enough, or several.
   bool one_window = false;
-  Patch corner;  ///< of the first window, without sites
+  lattice::Site corner;             ///< of the one, seen from the reference site
+  std::ptrdiff_t corner_place = 0;  ///< the same in memory
+  std::array<MoveWindow, lattice::kDirectionCount> windows;
+  PerDirection<Patch> lead_patches;
+  PerDirection<Patch> swapped_patches;
 };
 
 /// Directions that the rules allow: gravity first, then its neighbours clockwise and
@@ -52,6 +67,8 @@ class FootprintTable {
   const Footprint& of(const Particle& particle) const {
     return table_[2 * particle.kind + (lattice::is_odd(particle.column) ? 1U : 0U)];
   }
+  /// Of all kinds, for both parities.
+  std::span<const Footprint> all() const { return table_; }
 
  private:
   std::vector<Footprint> table_;

@@ -35,8 +35,10 @@ class Occupancy {
   bool taken(std::size_t index) const { return taken_.test(index); }
   /// Whether one of the places of a column from `first` to before `end` is taken.
   bool any_taken(std::size_t first, std::size_t end) const { return taken_.any(first, end); }
+  /// Of the window whose lower left site this is, see SiteBits.
+  SiteBits::Corner corner(lattice::Site site) const { return taken_.corner(site); }
   /// Which sites of a window are taken.
-  std::uint64_t window(lattice::Site corner) const { return taken_.window(corner); }
+  std::uint64_t window(SiteBits::Corner at) const { return taken_.window(at); }
   /// The first owner: a wall comes before particles, a lower id before a higher one.
   Owner owner(std::size_t index) const { return ~not_owners_[index]; }
   /// kFree where there is none.
@@ -61,10 +63,8 @@ class Occupancy {
 
   // A move in parts: the sites that change, free to taken and taken to free, and who comes or has
   // left. With `shared` while other threads are busy with other sites.
-  void flip(lattice::Site corner, std::uint64_t window) { taken_.flip(corner, window); }
-  void flip_shared(lattice::Site corner, std::uint64_t window) {
-    taken_.flip_shared(corner, window);
-  }
+  void flip(SiteBits::Corner at, std::uint64_t window) { taken_.flip(at, window); }
+  void flip_shared(SiteBits::Corner at, std::uint64_t window) { taken_.flip_shared(at, window); }
   void set_taken_shared(std::size_t index) { taken_.set_shared(index); }
   void set_free_shared(std::size_t index) { taken_.clear_shared(index); }
   void set_owner_shared(std::size_t index, Owner owner) {
@@ -73,8 +73,6 @@ class Occupancy {
   Owner owner_shared(std::size_t index) const {
     return ~std::atomic_ref(const_cast<Owner&>(not_owners_[index])).load(std::memory_order_relaxed);
   }
-  /// Places from a column to the next.
-  std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(taken_.stride()); }
 
   /// The same owners everywhere.
   bool operator==(const Occupancy& other) const;

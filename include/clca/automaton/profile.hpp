@@ -5,7 +5,6 @@ namespace clca::automaton {
 
 /// Seconds by the clock, added up over steps.
 struct Profile {
-  double wake = 0;     ///< who is awake, and which thread looks at it
   double decide = 0;   ///< provisional directions
   double contest = 0;  ///< who wants the same sites
   double move = 0;     ///< moves that nobody contests

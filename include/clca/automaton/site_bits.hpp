@@ -1,11 +1,12 @@
 #pragma once
 // A bit for each site of a box, of which 64 are looked at or changed at once.
 
-#include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "clca/automaton/lazy_array.hpp"
 #include "clca/lattice/lattice.hpp"
@@ -15,52 +16,62 @@ namespace clca::automaton {
 /// Columns and rows of a window.
 inline constexpr int kWindow = 8;
 
-/// Kept as blocks of 8 columns by 8 rows, one in a word, with room for windows that reach over the
-/// border of the box. A window is as large as a block and may lie anywhere: bit 8 i + j stands for
-/// the site i columns to the right of its lower left corner and j rows above. Single sites are
-/// named by their place, see lattice::Lattice::index. Windows do not wrap.
+/// A byte holds eight sites of a column, and the bytes of neighbouring columns are neighbours in
+/// memory: eight of them, read from any column on, are a block of 8 columns by 8 rows, and two
+/// blocks one above the other make a window of that size that may lie anywhere. Bit 8 i + j of a
+/// window stands for the site i columns to the right of its lower left corner and j rows above.
+/// There is room for windows that reach over the border of the box; they do not wrap. Single sites
+/// are named by their place, see lattice::Lattice::index.
 class SiteBits {
  public:
+  /// Where a window lies; the same in all SiteBits of a lattice.
+  struct Corner {
+    std::size_t byte = 0;   ///< of its first column in the lower block
+    std::uint32_t row = 0;  ///< of that block, where the window begins
+  };
+
   explicit SiteBits(const lattice::Lattice& lattice)
-      : stride_(lattice.memory_size() / static_cast<std::size_t>(lattice.columns() + 2)),
-        height_((stride_ + kMargin) / kSide + 2),
-        words_((static_cast<std::size_t>(lattice.columns() + 2) + kMargin + kSide) / kSide *
-                   height_ +
-               2 * height_) {}
+      : stride_(static_cast<std::size_t>(lattice.stride())),
+        width_((static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide * kSide),
+        words_(width_ / kSide * ((stride_ + 3 * kSide) / kSide)) {}
 
   /// Bytes for a lattice of so many places.
   static double bytes_for(double places) { return places / 8; }
 
-  /// Places of a column.
-  std::size_t stride() const { return stride_; }
+  /// Of the window whose lower left site this is.
+  Corner corner(lattice::Site site) const {
+    const std::size_t row = static_cast<std::size_t>(site.row) + 1 + kSide;
+    return {.byte = row / kSide * width_ + static_cast<std::size_t>(site.column) + 1 + kSide,
+            .row = static_cast<std::uint32_t>(row % kSide)};
+  }
 
-  [[gnu::always_inline]] std::uint64_t window(lattice::Site corner) const {
-    const Corner at(*this, corner);
-    const std::uint64_t* low = words_.data() + at.word;
-    const std::uint64_t* high = low + height_;
-    return at.shift_columns(at.join_rows(low[0], low[1]), at.join_rows(high[0], high[1]));
+  std::uint64_t window(Corner at) const {
+    return joined({block(at.byte), block(at.byte + width_)}, at);
   }
-  void set(lattice::Site corner, std::uint64_t window) {
-    change(corner, window, [](std::uint64_t& word, std::uint64_t bits) { word |= bits; });
+  void set(Corner at, std::uint64_t window) {
+    change(at, window, [](std::uint64_t block, std::uint64_t bits) { return block | bits; });
   }
-  void clear(lattice::Site corner, std::uint64_t window) {
-    change(corner, window, [](std::uint64_t& word, std::uint64_t bits) { word &= ~bits; });
+  void clear(Corner at, std::uint64_t window) {
+    change(at, window, [](std::uint64_t block, std::uint64_t bits) { return block & ~bits; });
   }
-  void flip(lattice::Site corner, std::uint64_t window) {
-    change(corner, window, [](std::uint64_t& word, std::uint64_t bits) { word ^= bits; });
+  void flip(Corner at, std::uint64_t window) {
+    change(at, window, [](std::uint64_t block, std::uint64_t bits) { return block ^ bits; });
+  }
+  /// Clears the blocks that a window lies in, and so more sites than it has.
+  void wipe(Corner at) {
+    put_block(at.byte, 0);
+    put_block(at.byte + width_, 0);
   }
 
   /// Whether a place of one column from `first` to before `end` is set.
   bool any(std::size_t first, std::size_t end) const {
-    const std::size_t column = first / stride_ + kSide;
     const std::size_t low = first % stride_ + kSide;
     const std::size_t high = low + (end - first);
-    const std::uint64_t* words = words_.data() + column / kSide * height_;
-    const std::size_t shift = column % kSide * kSide;
-    for (std::size_t row = low; row < high; row = (row / kSide + 1) * kSide) {
-      const std::size_t rows = std::min(high - row, kSide - row % kSide);
-      const std::uint64_t wanted = ((std::uint64_t{1} << rows) - 1) << (shift + row % kSide);
-      if ((words[row / kSide] & wanted) != 0) {
+    std::size_t byte = low / kSide * width_ + first / stride_ + kSide;
+    for (std::size_t row = low; row < high; row = (row / kSide + 1) * kSide, byte += width_) {
+      const unsigned below_end =
+          high - row / kSide * kSide < kSide ? (1U << (high % kSide)) - 1 : 0xFFU;
+      if ((bytes()[byte] & below_end) >> (row % kSide) != 0) {
         return true;
       }
     }
@@ -68,126 +79,114 @@ class SiteBits {
   }
 
   bool test(std::size_t place) const {
-    const One one(*this, place);
-    return (words_[one.word] & one.bit) != 0;
+    const Corner at = this->at(place);
+    return (bytes()[at.byte] >> at.row & 1U) != 0;
   }
   void set(std::size_t place) {
-    const One one(*this, place);
-    words_[one.word] |= one.bit;
+    const Corner at = this->at(place);
+    bytes()[at.byte] |= static_cast<unsigned char>(1U << at.row);
   }
   void clear(std::size_t place) {
-    const One one(*this, place);
-    words_[one.word] &= ~one.bit;
+    const Corner at = this->at(place);
+    bytes()[at.byte] &= static_cast<unsigned char>(~(1U << at.row));
   }
 
   // The same while other threads change other sites.
   /// Tells which of the sites were set before.
-  std::uint64_t set_shared(lattice::Site corner, std::uint64_t window) {
-    return change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
+  std::uint64_t set_shared(Corner at, std::uint64_t window) {
+    return change_shared(at, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
       return word.fetch_or(bits, std::memory_order_relaxed) & bits;
     });
   }
-  void clear_shared(lattice::Site corner, std::uint64_t window) {
-    change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
-      return word.fetch_and(~bits, std::memory_order_relaxed) & bits;
-    });
-  }
-  void flip_shared(lattice::Site corner, std::uint64_t window) {
-    change_shared(corner, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
+  void flip_shared(Corner at, std::uint64_t window) {
+    change_shared(at, window, [](std::atomic_ref<std::uint64_t> word, auto bits) {
       return word.fetch_xor(bits, std::memory_order_relaxed) & bits;
     });
   }
-  /// Tells whether the bit was set before.
-  bool set_shared(std::size_t place) {
-    const One one(*this, place);
-    std::atomic_ref word(words_[one.word]);
-    return (word.fetch_or(one.bit, std::memory_order_relaxed) & one.bit) != 0;
+  void wipe_shared(Corner at) {
+    for (const std::size_t word : {at.byte / kSide, (at.byte + width_) / kSide}) {
+      std::atomic_ref(words_[word]).store(0, std::memory_order_relaxed);
+      std::atomic_ref(words_[word + 1]).store(0, std::memory_order_relaxed);
+    }
   }
+  /// Tells whether the bit was set before.
+  bool set_shared(std::size_t place) { return set_shared(at(place), 1) != 0; }
   void clear_shared(std::size_t place) {
-    const One one(*this, place);
-    std::atomic_ref word(words_[one.word]);
-    word.fetch_and(~one.bit, std::memory_order_relaxed);
+    const Corner at = this->at(place);
+    const std::uint64_t bit = std::uint64_t{1} << (at.byte % kSide * kSide + at.row);
+    std::atomic_ref(words_[at.byte / kSide]).fetch_and(~bit, std::memory_order_relaxed);
   }
 
  private:
   static constexpr std::size_t kSide = kWindow;
-  static constexpr std::size_t kMargin = 2 * kSide;  // a block on each side
   static constexpr std::uint64_t kEachColumn = 0x0101010101010101;
+  static_assert(std::endian::native == std::endian::little, "a block's first column comes first");
 
-  /// Where a window lies among the blocks: in one, or in two or four neighbours.
-  struct Corner {
-    Corner(const SiteBits& bits, lattice::Site site)
-        : Corner(bits.height_, static_cast<std::size_t>(site.column) + 1 + kSide,
-                 static_cast<std::size_t>(site.row) + 1 + kSide) {}
-    Corner(std::size_t height, std::size_t column, std::size_t row)
-        : word(column / kSide * height + row / kSide),
-          rows(static_cast<unsigned>(row % kSide)),
-          columns(static_cast<unsigned>(column % kSide * kSide)),
-          kept(kEachColumn * (0xFFU >> rows)) {}
-
-    /// Rows of a block and of that above it as rows of the window.
-    std::uint64_t join_rows(std::uint64_t block, std::uint64_t above) const {
-      return ((block >> rows) & kept) | ((above << (kSide - rows)) & ~kept);
-    }
-    /// Columns of what is so joined and of its right neighbour as columns of the window.
-    std::uint64_t shift_columns(std::uint64_t left, std::uint64_t right) const {
-      return left >> columns | right << 1U << (63U - columns);
-    }
-
-    std::size_t word = 0;  ///< the lower left block
-    unsigned rows = 0;     ///< of the block that lie below the window
-    unsigned columns = 0;  ///< that lie to the left of it, in bits
-    std::uint64_t kept = 0;
+  /// A block and the one above it, or what of a window lies in each.
+  struct Pair {
+    std::uint64_t low = 0;
+    std::uint64_t high = 0;
   };
 
-  struct One {
-    One(const SiteBits& bits, std::size_t place) {
-      const std::size_t column = place / bits.stride_ + kSide;
-      const std::size_t row = place % bits.stride_ + kSide;
-      word = column / kSide * bits.height_ + row / kSide;
-      bit = std::uint64_t{1} << (column % kSide * kSide + row % kSide);
-    }
-
-    std::size_t word = 0;
-    std::uint64_t bit = 0;
-  };
-
-  /// What of a window lies in each of the four blocks: at the corner, above it, and to the right of
-  /// these.
-  static std::array<std::uint64_t, 4> parts(const Corner& at, std::uint64_t window) {
-    const std::uint64_t left = window << at.columns;
-    const std::uint64_t right = window >> 1U >> (63U - at.columns);
-    const std::uint64_t up = kEachColumn * (0xFFU << at.rows & 0xFFU);
-    return {left << at.rows & up, left >> (kSide - at.rows) & ~up, right << at.rows & up,
-            right >> (kSide - at.rows) & ~up};
+  /// Those sites of a window that lie in its lower block.
+  static std::uint64_t in_low(Corner at) { return kEachColumn * (0xFFU >> at.row); }
+  static std::uint64_t joined(Pair blocks, Corner at) {
+    const std::uint64_t low = in_low(at);
+    return ((blocks.low >> at.row) & low) | ((blocks.high << (kSide - at.row)) & ~low);
   }
-  std::array<std::uint64_t*, 4> blocks(const Corner& at) {
-    std::uint64_t* low = words_.data() + at.word;
-    return {low, low + 1, low + height_, low + height_ + 1};
+  static Pair parted(std::uint64_t window, Corner at) {
+    const std::uint64_t low = in_low(at);
+    return {.low = (window & low) << at.row, .high = (window & ~low) >> (kSide - at.row)};
+  }
+
+  Corner at(std::size_t place) const {
+    const std::size_t row = place % stride_ + kSide;
+    return {.byte = row / kSide * width_ + place / stride_ + kSide,
+            .row = static_cast<std::uint32_t>(row % kSide)};
+  }
+
+  unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
+  const unsigned char* bytes() const {
+    return reinterpret_cast<const unsigned char*>(words_.data());
+  }
+  std::uint64_t block(std::size_t byte) const {
+    std::uint64_t block = 0;
+    std::memcpy(&block, bytes() + byte, sizeof block);
+    return block;
+  }
+  void put_block(std::size_t byte, std::uint64_t block) {
+    std::memcpy(bytes() + byte, &block, sizeof block);
+  }
+
+  template <class Change>
+  void change(Corner at, std::uint64_t window, Change change) {
+    const Pair bits = parted(window, at);
+    put_block(at.byte, change(block(at.byte), bits.low));
+    put_block(at.byte + width_, change(block(at.byte + width_), bits.high));
+  }
+
+  /// Word by word, as atomic operations want it. `change` returns those of its bits that were set.
+  template <class Change>
+  std::uint64_t change_block_shared(std::size_t byte, std::uint64_t bits, Change change) {
+    const std::size_t word = byte / kSide;
+    const auto shift = static_cast<unsigned>(byte % kSide * kSide);
+    const auto change_word = [&](std::size_t place, std::uint64_t part) {
+      return part == 0 ? 0 : change(std::atomic_ref(words_[place]), part);
+    };
+    const std::uint64_t left = change_word(word, bits << shift);
+    const std::uint64_t right = change_word(word + 1, bits >> 1U >> (63U - shift));
+    return left >> shift | right << 1U << (63U - shift);
   }
   template <class Change>
-  void change(lattice::Site corner, std::uint64_t window, Change change) {
-    const Corner at(*this, corner);
-    const auto bits = parts(at, window);
-    const auto words = blocks(at);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      change(*words[i], bits[i]);
-    }
-  }
-  /// `change` returns those of its bits that were set; so does this.
-  template <class Change>
-  std::uint64_t change_shared(lattice::Site corner, std::uint64_t window, Change change) {
-    const Corner at(*this, corner);
-    auto bits = parts(at, window);
-    const auto words = blocks(at);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      bits[i] = bits[i] == 0 ? 0 : change(std::atomic_ref(*words[i]), bits[i]);
-    }
-    return at.shift_columns(at.join_rows(bits[0], bits[1]), at.join_rows(bits[2], bits[3]));
+  std::uint64_t change_shared(Corner at, std::uint64_t window, Change change) {
+    const Pair bits = parted(window, at);
+    return joined({.low = change_block_shared(at.byte, bits.low, change),
+                   .high = change_block_shared(at.byte + width_, bits.high, change)},
+                  at);
   }
 
   std::size_t stride_;  ///< places of a column
-  std::size_t height_;  ///< blocks of a column
+  std::size_t width_;   ///< bytes of a row of blocks
   LazyArray<std::uint64_t> words_;
 };
 

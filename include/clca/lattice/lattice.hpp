@@ -86,6 +86,9 @@ class Lattice {
            (periodic_ || (site.column >= 0 && site.column < columns_));
   }
 
+  /// Places from a column to the next.
+  std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(stride_); }
+
   /// Place in memory of a site of the box or its border.
   std::size_t index(Site site) const {
     return static_cast<std::size_t>(wrapped(site.column) + 1) * stride_ +

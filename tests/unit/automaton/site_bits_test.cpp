@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <random>
+#include <vector>
 
 #include "automaton/awake_set.hpp"
 #include "automaton/strips.hpp"
@@ -56,7 +59,7 @@ void for_each_corner(const lattice::Lattice& lattice, Visit visit) {
 TEST(SiteBits, AWindowIsItsSitesWhereverItLies) {
   const Filled filled(lattice::Lattice(21, 70, false));
   for_each_corner(filled.lattice, [&](Site corner) {
-    ASSERT_EQ(filled.bits.window(corner), filled.window(corner))
+    ASSERT_EQ(filled.bits.window(filled.bits.corner(corner)), filled.window(corner))
         << corner.column << ", " << corner.row;
   });
 }
@@ -75,22 +78,41 @@ TEST(SiteBits, WhatIsChangedThroughAWindowIsChangedThereAndNowhereElse) {
     const std::uint64_t before = filled.window(corner);
     const Site beside = {corner.column + 3, corner.row - 5};
     SiteBits& bits = filled.bits;
-    bits.flip(corner, sites);
+    const SiteBits::Corner at = bits.corner(corner);
+    bits.flip(at, sites);
     ASSERT_EQ(filled.window(corner), before ^ sites);
-    bits.flip_shared(corner, sites);
+    bits.flip_shared(at, sites);
     ASSERT_EQ(filled.window(corner), before);
     const std::uint64_t far = filled.window(beside);
-    ASSERT_EQ(bits.set_shared(corner, sites), before & sites);
+    ASSERT_EQ(bits.set_shared(at, sites), before & sites);
     ASSERT_EQ(filled.window(corner), before | sites);
-    bits.clear_shared(corner, sites);
+    bits.clear(at, sites);
     ASSERT_EQ(filled.window(corner), before & ~sites);
-    bits.set(corner, sites);
+    bits.set(at, sites);
     ASSERT_EQ(filled.window(corner), before | sites);
-    bits.clear(corner, sites);
-    bits.set(corner, before & sites);
+    bits.clear(at, sites);
+    bits.set(at, before & sites);
     ASSERT_EQ(filled.window(corner), before);
     ASSERT_EQ(filled.window(beside), far);
   });
+}
+
+TEST(SiteBits, AWindowThatIsWipedHasNothingLeftAndNothingFarAwayIsLost) {
+  for (const bool shared : {false, true}) {
+    Filled filled(lattice::Lattice(60, 60, false));
+    const Site corner = {27, 29};
+    const SiteBits::Corner at = filled.bits.corner(corner);
+    const Filled before = filled;
+    shared ? filled.bits.wipe_shared(at) : filled.bits.wipe(at);
+    EXPECT_EQ(filled.window(corner), 0U);
+    for_each_corner(filled.lattice, [&](Site other) {
+      const bool far = std::abs(other.column - corner.column) >= 2 * kWindow + kWindow ||
+                       std::abs(other.row - corner.row) >= 2 * kWindow;
+      if (far) {
+        ASSERT_EQ(filled.window(other), before.window(other));
+      }
+    });
+  }
 }
 
 TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
@@ -104,45 +126,72 @@ TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
   }
 }
 
-TEST(AwakeSet, GivesEachIdOnceInOrderAndIsEmptyThen) {
+TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
   AwakeSet set;
   set.resize(100'000);
-  std::vector<std::uint32_t> expected = {0, 63, 64, 4095, 4096, 99'999};
   for (const std::uint32_t id : {99'999U, 64U, 0U, 4096U, 63U, 4095U, 64U}) {
     set.insert(id);
   }
-  std::vector<std::uint32_t> ids;
-  const auto take = [&](std::uint32_t id) { ids.push_back(id); };
-  set.drain(take);
-  EXPECT_EQ(ids, expected);
-  set.drain(take);
-  EXPECT_EQ(ids, expected);
+  const std::vector<std::uint32_t> expected = {99'999, 64, 0, 4096, 63, 4095};
+  EXPECT_TRUE(std::equal(set.ids().begin(), set.ids().end(), expected.begin(), expected.end()));
+  EXPECT_TRUE(set.contains(63));
+  EXPECT_FALSE(set.contains(62));
+  set.clear();
+  EXPECT_TRUE(set.ids().empty());
+  EXPECT_FALSE(set.contains(63));
+}
+
+/// What 800 columns or rows of a box have to do, shared out among four.
+std::vector<Load> loads_of(const Strips& strips, bool columns) {
+  std::vector<Load> loads(4, strips.no_load());
+  for (int line = 800; line < 1600; ++line) {
+    const Site site = columns ? Site{line, 5} : Site{5, line};
+    loads[static_cast<std::size_t>(line) % 4].note(site, 1);
+  }
+  return loads;
 }
 
 TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
-  State state{.lattice = lattice::Lattice(1600, 10, false)};
-  state.kinds = {{lattice::Shape::hexagon(1), 0}};
-  Strips strips(state, 4);
-  EXPECT_EQ(strips.of(0), 0U);
-  EXPECT_EQ(strips.of(1599), 3U);
-  std::vector<std::vector<std::uint32_t>> loads(4, strips.no_load());
-  for (int column = 800; column < 1600; ++column) {
-    Strips::note(loads[static_cast<std::size_t>(column) % 4], column, 1);
-  }
-  std::vector<std::vector<std::uint32_t>*> all;
-  for (auto& load : loads) {
-    all.push_back(&load);
-  }
-  strips.balance(all);
-  for (std::size_t strip = 0; strip < 4; ++strip) {
-    const int middle = 800 + 200 * static_cast<int>(strip) + 100;
-    EXPECT_EQ(strips.of(middle), strip);
-    EXPECT_TRUE(strips.inner(strip).contains(middle));
-    if (strip > 0) {
-      EXPECT_LT(strips.inner(strip - 1).end + kWindow, strips.inner(strip).first);
+  for (const bool columns : {true, false}) {
+    State state{.lattice = columns ? lattice::Lattice(1600, 10, false)
+                                   : lattice::Lattice(10, 1600, false)};
+    state.kinds = {{lattice::Shape::hexagon(1), 0}};
+    Strips strips(state.lattice, FootprintTable(state), 4);
+    std::vector<Load> loads = loads_of(strips, columns);
+    std::vector<Load*> all;
+    for (Load& load : loads) {
+      all.push_back(&load);
+    }
+    strips.balance(all);
+    for (std::size_t strip = 0; strip < 4; ++strip) {
+      const int line = 800 + 200 * static_cast<int>(strip) + 100;
+      const Site middle = columns ? Site{line, 5} : Site{5, line};
+      EXPECT_EQ(strips.of(middle), strip);
+      EXPECT_TRUE(strips.inner(strip).contains(middle));
+      EXPECT_EQ(strips.inner(strip).axis, columns ? Axis::columns : Axis::rows);
+      if (strip > 0) {
+        EXPECT_LT(strips.inner(strip - 1).end + kWindow, strips.inner(strip).first);
+      }
+    }
+    for (const Load& load : loads) {
+      EXPECT_EQ(load.lines, strips.no_load().lines);
     }
   }
-  EXPECT_EQ(loads, std::vector(4, strips.no_load()));
+}
+
+// A bar that lies to the right of its reference site, in windows of its own.
+TEST(Strips, KeepAsFarApartAsWindowsReach) {
+  State state{.lattice = lattice::Lattice(400, 400, true)};
+  state.kinds = {{lattice::Shape({{0, 0}, {1, 0}, {2, 0}}), 0}};
+  const FootprintTable footprints(state);
+  const Strips strips(state.lattice, footprints, 2);
+  for (const Footprint& footprint : footprints.all()) {
+    ASSERT_TRUE(footprint.one_window);
+    const int last = footprint.corner.column + kWindow - 1;
+    EXPECT_GT(last, 4);
+    EXPECT_TRUE(strips.at_seam({400 - last, 9}));
+    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - kWindow);
+  }
 }
 
 }  // namespace
