@@ -34,9 +34,7 @@ class WallSites {
     const Owner owner = occupancy_.owner(place);
     return automaton::is_particle(owner) ? automaton::kFree : owner;
   }
-  bool any_taken(std::size_t first, std::size_t end) const {
-    return occupancy_.any_taken(first, end);
-  }
+  bool any_taken(Site low, Site high) const { return occupancy_.any_taken(low, high); }
   /// The owner that its seams belong to.
   Owner whole(Owner owner) const {
     if (!automaton::is_wall(owner) || owner == kMovingWall) {
@@ -199,7 +197,7 @@ void SiteLookup::decide(Block& block) const {
 /// its samples.
 template <class Sites>
 void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
-                                std::span<SampleCode> codes) const {
+                                const std::vector<bool>& empty, std::span<SampleCode> codes) const {
   Block block;
   Owner last = automaton::kFree;
   SampleCode last_code = code_of(Ground::paper);
@@ -246,42 +244,66 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
   const auto between = [&](bool on_right, int row) {
     return sites.owner((on_right ? right : left) + static_cast<std::size_t>(std::ptrdiff_t{row}));
   };
-  const auto any_taken = [&](std::size_t first, std::size_t end) {
-    const auto low = static_cast<std::size_t>(std::ptrdiff_t{rows_[first] + pair.lift.whole});
-    const auto high = static_cast<std::size_t>(std::ptrdiff_t{
-        std::min(lattice_.rows(), rows_[end - 1] + pair.lift.whole + 2 + pair.right_rows_more)});
-    return sites.any_taken(left + low, left + high + 1) ||
-           sites.any_taken(right + low, right + high + 1);
-  };
-  // Much of a picture is empty, and seen to be so in a few words.
-  constexpr std::size_t kManySamples = 64;
-  for (std::size_t first = floor; first < lid; first += kManySamples) {
-    const std::size_t end = std::min(lid, first + kManySamples);
-    if (any_taken(first, end)) {
-      look_up(first, end, between);
-    } else {
+  for (std::size_t first = floor; first < lid;) {
+    const std::size_t tile = first / kTileHeight;
+    const std::size_t end = std::min(lid, (tile + 1) * kTileHeight);
+    if (empty[tile]) {
       std::fill_n(codes.begin() + static_cast<std::ptrdiff_t>(first), end - first,
                   code_of(Ground::paper));
+    } else {
+      look_up(first, end, between);
     }
+    first = end;
   }
   look_up(lid, rows_.size(), near_border);
+}
+
+/// Much of a picture is empty, and seen to be so in a few words: which tiles, from below, of the
+/// columns of samples from `first` to `last`.
+template <class Sites>
+std::vector<bool> SiteLookup::empty_tiles(const Sites& sites, int first, int last) const {
+  // The rows of a column are up to one lower than those of its samples, and those that are looked
+  // at up to three higher.
+  constexpr int kBelow = 1;
+  constexpr int kAbove = 3;
+  const int left = pair_at(first).left;
+  const int right = pair_at(last).right;
+  const bool beyond = left < -1 || right > lattice_.columns();  // of a periodic box
+  std::vector<bool> empty;
+  for (std::size_t tile = 0; tile < rows_.size(); tile += kTileHeight) {
+    const int low = std::max(rows_[tile] - kBelow, -1);
+    const int high = std::min(rows_[std::min(tile + kTileHeight, rows_.size()) - 1] + kAbove,
+                              lattice_.rows() - 1);
+    empty.push_back(!beyond && !sites.any_taken({left, low}, {right, high}));
+  }
+  return empty;
 }
 
 template <class Sites>
 void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
   const auto below = static_cast<std::size_t>(box_.y);
   const std::size_t above = below + rows_.size();
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads_)
-  for (int x = 0; x < grid.width(); ++x) {
+  const auto fill_column = [&](int x, const std::vector<bool>& empty) {
     const std::span<SampleCode> column = grid.column(x);
-    if (x < box_.x || x >= box_.x + box_.width) {
-      std::fill(column.begin(), column.end(), code_of(Ground::paper));
-      continue;
-    }
     std::fill_n(column.begin(), below, code_of(Ground::paper));
-    look_up_column(sites, pair_at(x), column.subspan(below, rows_.size()));
+    look_up_column(sites, pair_at(x), empty, column.subspan(below, rows_.size()));
     std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(above), column.size() - above,
                 code_of(Ground::paper));
+  };
+#pragma omp parallel for schedule(dynamic) num_threads(threads_)
+  for (int first = 0; first < grid.width(); first += kTileWidth) {
+    const int end = std::min(first + kTileWidth, grid.width());
+    const int from = std::clamp(box_.x, first, end);
+    const int to = std::clamp(box_.x + box_.width, from, end);
+    const std::vector<bool> empty =
+        from < to ? empty_tiles(sites, from, to - 1) : std::vector<bool>();
+    for (int x = first; x < end; ++x) {
+      if (x >= from && x < to) {
+        fill_column(x, empty);
+      } else {
+        std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Ground::paper));
+      }
+    }
   }
 }
 

@@ -30,6 +30,9 @@ class SiteLookup {
   /// Parts of a column or a spacing, and weights, in units of 1/2^kFractionBits.
   static constexpr int kFractionBits = 30;
   static constexpr std::int32_t kOne = std::int32_t{1} << kFractionBits;
+  // Samples of a tile.
+  static constexpr int kTileWidth = 16;
+  static constexpr std::size_t kTileHeight = 64;
 
   /// A place along an axis, at `part` of the way from a number to the next.
   struct Place {
@@ -51,7 +54,10 @@ class SiteLookup {
   template <class Sites>
   void fill(const Sites& sites, SampleGrid& grid) const;
   template <class Sites>
-  void look_up_column(const Sites& sites, const Pair& pair, std::span<SampleCode> codes) const;
+  std::vector<bool> empty_tiles(const Sites& sites, int first, int last) const;
+  template <class Sites>
+  void look_up_column(const Sites& sites, const Pair& pair, const std::vector<bool>& empty,
+                      std::span<SampleCode> codes) const;
   template <class OwnerAt>
   void take_corners(const Pair& pair, std::size_t first, Block& block, OwnerAt owner_at) const;
   void decide(Block& block) const;

@@ -90,7 +90,7 @@ TEST_F(SuiteTest, ThePhasesOfAStepAddUp) {
   const store::ReadTable rows = table("profile");
   const auto shares = rows.numbers("share");
   const auto variants = table("automaton").rows();
-  EXPECT_EQ(shares.size(), 5 * variants);
+  EXPECT_EQ(shares.size(), 4 * variants);
   EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), static_cast<double>(variants),
               1e-6);
   for (const double seconds : rows.numbers("run_s")) {

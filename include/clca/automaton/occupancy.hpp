@@ -33,8 +33,8 @@ class Occupancy {
   }
 
   bool taken(std::size_t index) const { return taken_.test(index); }
-  /// Whether one of the places of a column from `first` to before `end` is taken.
-  bool any_taken(std::size_t first, std::size_t end) const { return taken_.any(first, end); }
+  /// Whether a site is taken from `low` to `high`, both included, of the box or its border.
+  bool any_taken(lattice::Site low, lattice::Site high) const { return taken_.any(low, high); }
   /// Of the window whose lower left site this is, see SiteBits.
   SiteBits::Corner corner(lattice::Site site) const { return taken_.corner(site); }
   /// Which sites of a window are taken.

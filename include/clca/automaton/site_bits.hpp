@@ -63,16 +63,22 @@ class SiteBits {
     put_block(at.byte + width_, 0);
   }
 
-  /// Whether a place of one column from `first` to before `end` is set.
-  bool any(std::size_t first, std::size_t end) const {
-    const std::size_t low = first % stride_ + kSide;
-    const std::size_t high = low + (end - first);
-    std::size_t byte = low / kSide * width_ + first / stride_ + kSide;
-    for (std::size_t row = low; row < high; row = (row / kSide + 1) * kSide, byte += width_) {
-      const unsigned below_end =
-          high - row / kSide * kSide < kSide ? (1U << (high % kSide)) - 1 : 0xFFU;
-      if ((bytes()[byte] & below_end) >> (row % kSide) != 0) {
-        return true;
+  /// Whether a site is set from `low` to `high`, both included, of the box or its border.
+  bool any(lattice::Site low, lattice::Site high) const {
+    const Corner first = corner(low);
+    const Corner last = corner(high);
+    const std::size_t columns = static_cast<std::size_t>(high.column - low.column) + 1;
+    const std::size_t blocks = (last.byte - first.byte) / width_;
+    for (std::size_t block_row = 0; block_row <= blocks; ++block_row) {
+      const std::uint64_t above = block_row == 0 ? 0xFFU << first.row : 0xFFU;
+      const std::uint64_t below = block_row == blocks ? (2U << last.row) - 1 : 0xFFU;
+      const std::size_t byte = first.byte + block_row * width_;
+      for (std::size_t column = 0; column < columns; column += kSide) {
+        const std::uint64_t wanted =
+            first_columns(columns - column) & kEachColumn * (above & below);
+        if ((block(byte + column) & wanted) != 0) {
+          return true;
+        }
       }
     }
     return false;
@@ -127,6 +133,11 @@ class SiteBits {
     std::uint64_t low = 0;
     std::uint64_t high = 0;
   };
+
+  /// All sites in so many columns of a block.
+  static std::uint64_t first_columns(std::size_t count) {
+    return count >= kSide ? ~std::uint64_t{0} : (std::uint64_t{1} << (kSide * count)) - 1;
+  }
 
   /// Those sites of a window that lie in its lower block.
   static std::uint64_t in_low(Corner at) { return kEachColumn * (0xFFU >> at.row); }

@@ -216,20 +216,24 @@ TEST(Occupancy, RefusesOverlapsAndParticlesOutsideTheBox) {
   EXPECT_THROW(Automaton{state}, std::invalid_argument);
 }
 
-TEST(Occupancy, TellsOfAnyRangeWhetherAPlaceInItIsTaken) {
-  const State state = empty_state(3, 300);
+TEST(Occupancy, TellsOfAnyRectangleWhetherASiteInItIsTaken) {
+  const State state = empty_state(30, 40);
   Occupancy occupancy(state);
-  const std::size_t begin = state.lattice.index({1, 0});
-  for (const std::size_t taken : {begin + 5, begin + 63, begin + 64, begin + 200}) {
-    occupancy.take(taken, 7);
-  }
-  for (std::size_t first = begin; first < begin + 260; ++first) {
-    bool any = false;
-    for (std::size_t end = first; end < begin + 260; ++end) {
-      ASSERT_EQ(occupancy.any_taken(first, end), any) << first - begin << " to " << end - begin;
-      any = any || occupancy.taken(end);
+  const lattice::Site taken = {11, 17};
+  occupancy.take(state.lattice.index(taken), 7);
+  for (int column = 0; column < 30; ++column) {
+    for (int row = 0; row < 40; ++row) {
+      for (const lattice::Site size : {lattice::Site{0, 0}, {7, 7}, {3, 20}, {18, 1}}) {
+        const lattice::Site high = {std::min(column + size.column, 29),
+                                    std::min(row + size.row, 39)};
+        const bool inside = column <= taken.column && taken.column <= high.column &&
+                            row <= taken.row && taken.row <= high.row;
+        ASSERT_EQ(occupancy.any_taken({column, row}, high), inside) << column << ", " << row;
+      }
     }
   }
+  EXPECT_TRUE(occupancy.any_taken({-1, 3}, {-1, 3}));
+  EXPECT_TRUE(occupancy.any_taken({3, -1}, {5, 4}));
 }
 
 TEST(Hash, ChangesWithEveryFieldThatARunChanges) {
