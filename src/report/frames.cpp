@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kUsualBytes = 14 << 20;  // of pictures: 19 MiB of page, in base64
-constexpr std::uintmax_t kMostBytes = 192 << 20;  // where a number of pictures is asked for
+constexpr std::uintmax_t kUsualBytes = 14 << 20;         // of pictures: 19 MiB of page, in base64
+constexpr std::uintmax_t kMostPictureBytes = 192 << 20;  // where a number of pictures is asked for
 constexpr std::size_t kMostEnds = 12;
 
 struct Picture {
@@ -211,7 +211,7 @@ std::string frames_html(const fs::path& run, const store::RunSummary& summary,
     return {};
   }
   Writer writer(summary, warnings);
-  std::uintmax_t budget = most ? kMostBytes : kUsualBytes;
+  std::uintmax_t budget = most ? kMostPictureBytes : kUsualBytes;
   std::string ends_text;
   std::vector<Picture> ends = end_pictures(all, writer.ends());
   std::erase_if(ends, [&](const Picture& picture) {
