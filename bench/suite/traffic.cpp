@@ -13,9 +13,9 @@ using automaton::Particle;
 using automaton::State;
 
 constexpr std::size_t kOwnersInALine = kLine / sizeof(automaton::Owner);
-// A byte has eight sites of a column; the bytes of columns follow each other.
-constexpr std::size_t kLineColumns = kLine;
-constexpr std::size_t kLineRows = automaton::kWindow;
+// A byte has eight sites of a row; the bytes of rows follow each other.
+constexpr std::size_t kLineColumns = automaton::kWindow;
+constexpr std::size_t kLineRows = kLine;
 
 std::size_t lines_of(std::size_t bytes) {
   return bytes / kLine + 1;

@@ -61,7 +61,7 @@ std::vector<Patch> patches(const std::vector<Axial>& sites, bool odd_column, lat
     if (patch == result.end()) {
       patch = result.insert(patch, {.column = column, .row = row, .sites = 0});
     }
-    const int bit = kWindow * (at.column - column) + at.row - row;
+    const int bit = at.column - column + kWindow * (at.row - row);
     patch->sites |= std::uint64_t{1} << static_cast<unsigned>(bit);
   }
   return result;

@@ -22,7 +22,7 @@ void copy_by_fields(const Mover& from, Mover& to) {
   to.site.row = from.site.row;
   to.footprint = from.footprint;
   to.at.byte = from.at.byte;
-  to.at.row = from.at.row;
+  to.at.column = from.at.column;
   to.taken = from.taken;
   to.id = from.id;
   to.strip = from.strip;

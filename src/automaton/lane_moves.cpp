@@ -51,7 +51,7 @@ void wake_in_window(const World& world, Lane& lane, const Mover& mover, std::siz
   std::uint64_t sites = mover.taken & mover.footprint->windows[mover.move].wake;
   for (; sites != 0; sites &= sites - 1) {
     const int bit = std::countr_zero(sites);
-    wake(world, lane, plus(corner, bit / kWindow * stride + bit % kWindow));
+    wake(world, lane, plus(corner, bit % kWindow * stride + bit / kWindow));
   }
 }
 

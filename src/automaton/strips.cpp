@@ -79,9 +79,9 @@ Strips::Strips(const lattice::Lattice& lattice, const FootprintTable& footprints
     : reach_(reach_of(footprints)) {
   // Others reach over a cut as far as one's own, and from there to the end of a word of bits.
   extents_ = {{{.length = lattice.columns(),
-                .apart = reach_.left + reach_.right + kWindow,
+                .apart = reach_.left + reach_.right + 2 * kWindow,
                 .wraps = lattice.periodic()},
-               {.length = lattice.rows(), .apart = reach_.down + reach_.up + 2 * kWindow}}};
+               {.length = lattice.rows(), .apart = reach_.down + reach_.up + kWindow}}};
   for (std::size_t strip = 1; strip < count; ++strip) {
     const auto columns = static_cast<std::size_t>(lattice.columns());
     cuts_.push_back(static_cast<int>(columns * strip / count));

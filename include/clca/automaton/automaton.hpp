@@ -29,7 +29,7 @@ struct Options {
   /// Threads to use; the result does not depend on it.
   int threads = 1;
   /// Steps with fewer awake particles run on one thread.
-  std::size_t parallel_from = 16384;
+  std::size_t parallel_from = 4096;
   /// Look at every particle in every step, also at those that cannot move. For checks only.
   bool sleeping = true;
   /// Takes up what the phases of each step cost; outlives the automaton. Measuring costs a little

@@ -16,37 +16,38 @@ namespace clca::automaton {
 /// Columns and rows of a window.
 inline constexpr int kWindow = 8;
 
-/// A byte holds eight sites of a column, and the bytes of neighbouring columns are neighbours in
-/// memory: eight of them, read from any column on, are a block of 8 columns by 8 rows, and two
-/// blocks one above the other make a window of that size that may lie anywhere. Bit 8 i + j of a
-/// window stands for the site i columns to the right of its lower left corner and j rows above.
-/// There is room for windows that reach over the border of the box; they do not wrap. Single sites
-/// are named by their place, see lattice::Lattice::index.
+/// A byte holds eight sites of a row, and the bytes of the rows above each other are neighbours in
+/// memory: eight of them, read from any row on, are a block of 8 columns by 8 rows, and two blocks
+/// side by side make a window of that size that may lie anywhere. Bit i + 8 j of a window stands
+/// for the site i columns to the right of its lower left corner and j rows above. There is room for
+/// windows that reach over the border of the box; they do not wrap. Single sites are named by their
+/// place, see lattice::Lattice::index.
 class SiteBits {
  public:
   /// Where a window lies; the same in all SiteBits of a lattice.
   struct Corner {
-    std::size_t byte = 0;   ///< of its first column in the lower block
-    std::uint32_t row = 0;  ///< of that block, where the window begins
+    std::size_t byte = 0;      ///< of its first row in the left block
+    std::uint32_t column = 0;  ///< of that block, where the window begins
   };
 
   explicit SiteBits(const lattice::Lattice& lattice)
       : stride_(static_cast<std::size_t>(lattice.stride())),
-        width_((static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide * kSide),
-        words_(width_ / kSide * ((stride_ + 3 * kSide) / kSide)) {}
+        height_((stride_ + 3 * kSide) / kSide * kSide),
+        words_(height_ / kSide *
+               ((static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide)) {}
 
   /// Bytes for a lattice of so many places.
   static double bytes_for(double places) { return places / 8; }
 
   /// Of the window whose lower left site this is.
   Corner corner(lattice::Site site) const {
-    const std::size_t row = static_cast<std::size_t>(site.row) + 1 + kSide;
-    return {.byte = row / kSide * width_ + static_cast<std::size_t>(site.column) + 1 + kSide,
-            .row = static_cast<std::uint32_t>(row % kSide)};
+    const std::size_t column = static_cast<std::size_t>(site.column) + 1 + kSide;
+    return {.byte = column / kSide * height_ + static_cast<std::size_t>(site.row) + 1 + kSide,
+            .column = static_cast<std::uint32_t>(column % kSide)};
   }
 
   std::uint64_t window(Corner at) const {
-    return joined({block(at.byte), block(at.byte + width_)}, at);
+    return joined({block(at.byte), block(at.byte + height_)}, at);
   }
   void set(Corner at, std::uint64_t window) {
     change(at, window, [](std::uint64_t block, std::uint64_t bits) { return block | bits; });
@@ -60,23 +61,22 @@ class SiteBits {
   /// Clears the blocks that a window lies in, and so more sites than it has.
   void wipe(Corner at) {
     put_block(at.byte, 0);
-    put_block(at.byte + width_, 0);
+    put_block(at.byte + height_, 0);
   }
 
   /// Whether a site is set from `low` to `high`, both included, of the box or its border.
   bool any(lattice::Site low, lattice::Site high) const {
     const Corner first = corner(low);
     const Corner last = corner(high);
-    const std::size_t columns = static_cast<std::size_t>(high.column - low.column) + 1;
-    const std::size_t blocks = (last.byte - first.byte) / width_;
-    for (std::size_t block_row = 0; block_row <= blocks; ++block_row) {
-      const std::uint64_t above = block_row == 0 ? 0xFFU << first.row : 0xFFU;
-      const std::uint64_t below = block_row == blocks ? (2U << last.row) - 1 : 0xFFU;
-      const std::size_t byte = first.byte + block_row * width_;
-      for (std::size_t column = 0; column < columns; column += kSide) {
-        const std::uint64_t wanted =
-            first_columns(columns - column) & kEachColumn * (above & below);
-        if ((block(byte + column) & wanted) != 0) {
+    const std::size_t rows = static_cast<std::size_t>(high.row - low.row) + 1;
+    const std::size_t blocks = (last.byte - first.byte) / height_;
+    for (std::size_t of_blocks = 0; of_blocks <= blocks; ++of_blocks) {
+      const std::uint64_t not_left = of_blocks == 0 ? 0xFFU << first.column : 0xFFU;
+      const std::uint64_t not_right = of_blocks == blocks ? (2U << last.column) - 1 : 0xFFU;
+      const std::size_t byte = first.byte + of_blocks * height_;
+      for (std::size_t row = 0; row < rows; row += kSide) {
+        const std::uint64_t wanted = first_rows(rows - row) & kEachRow * (not_left & not_right);
+        if ((block(byte + row) & wanted) != 0) {
           return true;
         }
       }
@@ -86,15 +86,15 @@ class SiteBits {
 
   bool test(std::size_t place) const {
     const Corner at = this->at(place);
-    return (bytes()[at.byte] >> at.row & 1U) != 0;
+    return (bytes()[at.byte] >> at.column & 1U) != 0;
   }
   void set(std::size_t place) {
     const Corner at = this->at(place);
-    bytes()[at.byte] |= static_cast<unsigned char>(1U << at.row);
+    bytes()[at.byte] |= static_cast<unsigned char>(1U << at.column);
   }
   void clear(std::size_t place) {
     const Corner at = this->at(place);
-    bytes()[at.byte] &= static_cast<unsigned char>(~(1U << at.row));
+    bytes()[at.byte] &= static_cast<unsigned char>(~(1U << at.column));
   }
 
   // The same while other threads change other sites.
@@ -110,7 +110,7 @@ class SiteBits {
     });
   }
   void wipe_shared(Corner at) {
-    for (const std::size_t word : {at.byte / kSide, (at.byte + width_) / kSide}) {
+    for (const std::size_t word : {at.byte / kSide, (at.byte + height_) / kSide}) {
       std::atomic_ref(words_[word]).store(0, std::memory_order_relaxed);
       std::atomic_ref(words_[word + 1]).store(0, std::memory_order_relaxed);
     }
@@ -119,41 +119,41 @@ class SiteBits {
   bool set_shared(std::size_t place) { return set_shared(at(place), 1) != 0; }
   void clear_shared(std::size_t place) {
     const Corner at = this->at(place);
-    const std::uint64_t bit = std::uint64_t{1} << (at.byte % kSide * kSide + at.row);
+    const std::uint64_t bit = std::uint64_t{1} << (at.byte % kSide * kSide + at.column);
     std::atomic_ref(words_[at.byte / kSide]).fetch_and(~bit, std::memory_order_relaxed);
   }
 
  private:
   static constexpr std::size_t kSide = kWindow;
-  static constexpr std::uint64_t kEachColumn = 0x0101010101010101;
-  static_assert(std::endian::native == std::endian::little, "a block's first column comes first");
+  static constexpr std::uint64_t kEachRow = 0x0101010101010101;
+  static_assert(std::endian::native == std::endian::little, "the first row of a block comes first");
 
-  /// A block and the one above it, or what of a window lies in each.
+  /// A block and the one to the right of it, or what of a window lies in each.
   struct Pair {
-    std::uint64_t low = 0;
-    std::uint64_t high = 0;
+    std::uint64_t left = 0;
+    std::uint64_t right = 0;
   };
 
-  /// All sites in so many columns of a block.
-  static std::uint64_t first_columns(std::size_t count) {
+  /// All sites in so many rows of a block.
+  static std::uint64_t first_rows(std::size_t count) {
     return count >= kSide ? ~std::uint64_t{0} : (std::uint64_t{1} << (kSide * count)) - 1;
   }
 
-  /// Those sites of a window that lie in its lower block.
-  static std::uint64_t in_low(Corner at) { return kEachColumn * (0xFFU >> at.row); }
+  /// Those sites of a window that lie in its left block.
+  static std::uint64_t in_left(Corner at) { return kEachRow * (0xFFU >> at.column); }
   static std::uint64_t joined(Pair blocks, Corner at) {
-    const std::uint64_t low = in_low(at);
-    return ((blocks.low >> at.row) & low) | ((blocks.high << (kSide - at.row)) & ~low);
+    const std::uint64_t left = in_left(at);
+    return ((blocks.left >> at.column) & left) | ((blocks.right << (kSide - at.column)) & ~left);
   }
   static Pair parted(std::uint64_t window, Corner at) {
-    const std::uint64_t low = in_low(at);
-    return {.low = (window & low) << at.row, .high = (window & ~low) >> (kSide - at.row)};
+    const std::uint64_t left = in_left(at);
+    return {.left = (window & left) << at.column, .right = (window & ~left) >> (kSide - at.column)};
   }
 
   Corner at(std::size_t place) const {
-    const std::size_t row = place % stride_ + kSide;
-    return {.byte = row / kSide * width_ + place / stride_ + kSide,
-            .row = static_cast<std::uint32_t>(row % kSide)};
+    const std::size_t column = place / stride_ + kSide;
+    return {.byte = column / kSide * height_ + place % stride_ + kSide,
+            .column = static_cast<std::uint32_t>(column % kSide)};
   }
 
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
@@ -172,8 +172,8 @@ class SiteBits {
   template <class Change>
   void change(Corner at, std::uint64_t window, Change change) {
     const Pair bits = parted(window, at);
-    put_block(at.byte, change(block(at.byte), bits.low));
-    put_block(at.byte + width_, change(block(at.byte + width_), bits.high));
+    put_block(at.byte, change(block(at.byte), bits.left));
+    put_block(at.byte + height_, change(block(at.byte + height_), bits.right));
   }
 
   /// Word by word, as atomic operations want it. `change` returns those of its bits that were set.
@@ -191,13 +191,13 @@ class SiteBits {
   template <class Change>
   std::uint64_t change_shared(Corner at, std::uint64_t window, Change change) {
     const Pair bits = parted(window, at);
-    return joined({.low = change_block_shared(at.byte, bits.low, change),
-                   .high = change_block_shared(at.byte + width_, bits.high, change)},
+    return joined({.left = change_block_shared(at.byte, bits.left, change),
+                   .right = change_block_shared(at.byte + height_, bits.right, change)},
                   at);
   }
 
   std::size_t stride_;  ///< places of a column
-  std::size_t width_;   ///< bytes of a row of blocks
+  std::size_t height_;  ///< bytes of a column of blocks
   LazyArray<std::uint64_t> words_;
 };
 

@@ -33,7 +33,7 @@ struct Filled {
   std::uint64_t window(Site corner) const {
     std::uint64_t result = 0;
     for (int i = 0; i < kWindow * kWindow; ++i) {
-      const Site site = {corner.column + i / kWindow, corner.row + i % kWindow};
+      const Site site = {corner.column + i % kWindow, corner.row + i / kWindow};
       const bool inside = site.column >= -1 && site.column <= lattice.columns() && site.row >= -1 &&
                           site.row <= lattice.rows();
       if (inside && bits.test(lattice.index(site))) {
@@ -106,8 +106,8 @@ TEST(SiteBits, AWindowThatIsWipedHasNothingLeftAndNothingFarAwayIsLost) {
     shared ? filled.bits.wipe_shared(at) : filled.bits.wipe(at);
     EXPECT_EQ(filled.window(corner), 0U);
     for_each_corner(filled.lattice, [&](Site other) {
-      const bool far = std::abs(other.column - corner.column) >= 2 * kWindow + kWindow ||
-                       std::abs(other.row - corner.row) >= 2 * kWindow;
+      const bool far = std::abs(other.column - corner.column) >= 2 * kWindow ||
+                       std::abs(other.row - corner.row) >= 2 * kWindow + kWindow;
       if (far) {
         ASSERT_EQ(filled.window(other), before.window(other));
       }
@@ -190,7 +190,7 @@ TEST(Strips, KeepAsFarApartAsWindowsReach) {
     const int last = footprint.corner.column + kWindow - 1;
     EXPECT_GT(last, 4);
     EXPECT_TRUE(strips.at_seam({400 - last, 9}));
-    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - kWindow);
+    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * kWindow);
   }
 }
 
