@@ -1,7 +1,6 @@
 #pragma once
 // A bit for each site of a box, of which 64 are looked at or changed at once.
 
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cstddef>
