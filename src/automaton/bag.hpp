@@ -14,17 +14,13 @@ class Bag {
   void add(const T& element) { add_if(true, element); }
   /// The element is for the caller to fill in.
   T& add() {
-    if (count_ == room_.size()) {
-      room_.resize(2 * count_ + 1);
-    }
-    return room_[count_++];
+    make_room();
+    return begin()[count_++];
   }
   /// Nothing branches on `wanted`, for what a processor cannot guess.
   void add_if(bool wanted, const T& element) {
-    if (count_ == room_.size()) {
-      room_.resize(2 * count_ + 1);
-    }
-    room_[count_] = element;
+    make_room();
+    begin()[count_] = element;
     count_ += wanted ? 1U : 0U;
   }
   void clear() { count_ = 0; }
@@ -40,7 +36,15 @@ class Bag {
   const T* end() const { return begin() + count_; }
 
  private:
+  void make_room() {
+    if (count_ == most_) {
+      most_ = 2 * count_ + 1;
+      room_.resize(most_);
+    }
+  }
+
   std::vector<T> room_;
+  std::size_t most_ = 0;  // its size
   std::size_t count_ = 0;
 };
 

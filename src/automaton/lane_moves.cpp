@@ -61,7 +61,8 @@ void wake_by_sites(const World& world, Lane& lane, const Mover& mover) {
   }
 }
 
-void flip(Occupancy& occupancy, const Mover& mover, SiteBits::Corner at, std::uint64_t sites) {
+[[gnu::always_inline]] inline void flip(Occupancy& occupancy, const Mover& mover,
+                                        SiteBits::Corner at, std::uint64_t sites) {
   mover.access == Access::alone ? occupancy.flip(at, sites) : occupancy.flip_shared(at, sites);
 }
 
@@ -78,10 +79,8 @@ void carry_inside(World& world, Lane& lane, const Mover& mover) {
       flip(occupancy, mover, occupancy.corner(swapped.corner(mover.site)), swapped.sites);
     }
   }
-  for (const Exchange exchange : footprint.exchanges[mover.move]) {
-    occupancy.set_owner_shared(plus(place, exchange.entered), static_cast<Owner>(mover.id));
-    occupancy.set_owner_shared(plus(place, exchange.left), kFree);
-  }
+  occupancy.exchange_owners_shared(place, footprint.exchanges[mover.move],
+                                   static_cast<Owner>(mover.id));
 }
 
 void carry_across_seam(World& world, Lane& lane, const Mover& mover) {

@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "clca/automaton/footprint.hpp"
 #include "clca/automaton/lazy_array.hpp"
 #include "clca/automaton/site_bits.hpp"
 #include "clca/automaton/state.hpp"
@@ -69,6 +71,16 @@ class Occupancy {
   void set_free_shared(std::size_t index) { taken_.clear_shared(index); }
   void set_owner_shared(std::size_t index, Owner owner) {
     std::atomic_ref(not_owners_[index]).store(~owner, std::memory_order_relaxed);
+  }
+  /// Of a move from `place`: places that are free afterwards, and places of `owner`.
+  void exchange_owners_shared(std::size_t place, std::span<const Exchange> exchanges, Owner owner) {
+    const std::span<Owner> all(not_owners_.data(), not_owners_.size());
+    for (const Exchange exchange : exchanges) {
+      const auto entered = static_cast<std::size_t>(std::ptrdiff_t{exchange.entered});
+      const auto left = static_cast<std::size_t>(std::ptrdiff_t{exchange.left});
+      std::atomic_ref(all[place + entered]).store(~owner, std::memory_order_relaxed);
+      std::atomic_ref(all[place + left]).store(~kFree, std::memory_order_relaxed);
+    }
   }
   Owner owner_shared(std::size_t index) const {
     return ~std::atomic_ref(const_cast<Owner&>(not_owners_[index])).load(std::memory_order_relaxed);
