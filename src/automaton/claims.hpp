@@ -33,13 +33,9 @@ class Claims {
   /// For one of those who contest these sites: there, they are contested no more.
   void win(Corner at, std::uint64_t window) { contested_.clear(at, window); }
   void win(std::size_t place) { contested_.clear(place); }
-  /// Forgets the claims in a window and around it: for when all are to be forgotten.
-  void forget(Corner at, bool contested) {
-    wanted_.wipe(at);
-    if (contested) {
-      contested_.wipe(at);
-    }
-  }
+  // For when all claims, or all contests, are over: windows and what is around them.
+  void forget(Corner at) { wanted_.wipe(at); }
+  void end_contest(Corner at) { contested_.wipe(at); }
 
   // The same while other threads are busy with other sites. A place: a single site.
   void add_shared(Corner at, std::uint64_t window) {
@@ -56,14 +52,10 @@ class Claims {
   void contest_shared(Where... where) {
     contested_.set_shared(where...);
   }
-  void forget_shared(Corner at) {
-    wanted_.wipe_shared(at);
-    contested_.wipe_shared(at);
-  }
-  void forget_shared(std::size_t place) {
-    wanted_.clear_shared(place);
-    contested_.clear_shared(place);
-  }
+  void forget_shared(Corner at) { wanted_.wipe_shared(at); }
+  void forget_shared(std::size_t place) { wanted_.clear_shared(place); }
+  void end_contest_shared(Corner at) { contested_.wipe_shared(at); }
+  void end_contest_shared(std::size_t place) { contested_.clear_shared(place); }
 
  private:
   SiteBits wanted_;

@@ -144,9 +144,17 @@ void Stepper::contest_falling(Lane& lane) {
   });
 }
 
+// Afterwards nobody asks any more what is wanted.
 void Stepper::contest_sloping(Lane& lane) {
-  for_each_mover(lane, &Movers::sloping,
-                 [&](Mover& mover) { mover.contested = contested_lead(mover); });
+  for_each_mover(lane, &Movers::sloping, [&](Mover& mover) {
+    mover.contested = contested_lead(mover);
+    for_each_lead(
+        world_, mover,
+        [&](SiteBits::Corner at, std::uint64_t) {
+          mover.access == Access::alone ? claims_.forget(at) : claims_.forget_shared(at);
+        },
+        [&](std::size_t place) { claims_.forget_shared(place); });
+  });
 }
 
 std::uint16_t Stepper::contested_lead(const Mover& mover) const {
@@ -160,18 +168,6 @@ std::uint16_t Stepper::contested_lead(const Mover& mover) const {
         result = static_cast<std::uint16_t>(result + (claims_.contested(place) ? 1 : 0));
       });
   return result;
-}
-
-void Stepper::forget_claims(const Lane& lane) {
-  for_each_mover(lane, &Movers::sloping, [&](const Mover& mover) {
-    for_each_lead(
-        world_, mover,
-        [&](SiteBits::Corner at, std::uint64_t) {
-          mover.access == Access::alone ? claims_.forget(at, mover.contested > 0)  // then it knows
-                                        : claims_.forget_shared(at);
-        },
-        [&](std::size_t place) { claims_.forget_shared(place); });
-  });
 }
 
 // A provisional target was free when the step began and what others vacate is nobody's target, so
@@ -211,6 +207,18 @@ void Stepper::move_winners(Lane& lane) {
     } else {
       rest(lane, mover->id);
     }
+  }
+}
+
+void Stepper::end_contests(const Lane& lane) {
+  for (const auto& [key, mover] : lane.turns) {
+    const Access access = mover->access;
+    for_each_lead(
+        world_, *mover,
+        [&](SiteBits::Corner at, std::uint64_t) {
+          access == Access::alone ? claims_.end_contest(at) : claims_.end_contest_shared(at);
+        },
+        [&](std::size_t place) { claims_.end_contest_shared(place); });
   }
 }
 

@@ -131,7 +131,7 @@ void Stepper::step_alone() {
   clock.end(&Profile::contest);
   move_uncontested(lane);
   clock.end(&Profile::move);
-  forget_claims(lane);
+  end_contests(lane);
   give_turns();
   clock.end(&Profile::turns);
 }
@@ -179,7 +179,7 @@ void Stepper::step_together() {
     choose_winners();
     for_each_lane([this](Lane& lane) {
       move_winners(lane);
-      forget_claims(lane);
+      end_contests(lane);
     });
     end(&Profile::turns);
   }

@@ -94,7 +94,7 @@ class Stepper {
   std::uint16_t contested_lead(const Mover& mover) const;
   void choose_winners();  // for all threads
   void move_winners(Lane& lane);
-  void forget_claims(const Lane& lane);
+  void end_contests(const Lane& lane);
   /// Decides nothing yet.
   [[gnu::always_inline]] Mover mover(std::uint32_t id, const Particle& particle) const {
     const lattice::Site site = {world_.state.lattice.wrapped(particle.column), particle.row};
