@@ -7,15 +7,16 @@
 
 namespace clca::automaton {
 
-/// Two bits a site: wanted, and wanted by several. The order of the claims does not matter. Windows
-/// and places as for SiteBits.
+/// Three bits a site: wanted, wanted by several, and of those the ones still open. The order of the
+/// claims does not matter. Windows and places as for SiteBits.
 class Claims {
  public:
   using Corner = SiteBits::Corner;
 
-  explicit Claims(const lattice::Lattice& lattice) : wanted_(lattice), contested_(lattice) {}
+  explicit Claims(const lattice::Lattice& lattice)
+      : wanted_(lattice), contested_(lattice), open_(lattice) {}
 
-  static double bytes_for(double places) { return 2 * SiteBits::bytes_for(places); }
+  static double bytes_for(double places) { return 3 * SiteBits::bytes_for(places); }
 
   void add(Corner at, std::uint64_t window) {
     if (const std::uint64_t both = wanted_.window(at) & window; both != 0) {
@@ -33,6 +34,9 @@ class Claims {
   /// For one of those who contest these sites: there, they are contested no more.
   void win(Corner at, std::uint64_t window) { contested_.clear(at, window); }
   void win(std::size_t place) { contested_.clear(place); }
+  /// Whether a site is one of those that have been left open.
+  bool open(Corner at, std::uint64_t window) const { return (open_.window(at) & window) != 0; }
+  void leave_open(Corner at, std::uint64_t window) { open_.set(at, window); }
   // For when all claims, or all contests, are over: windows and what is around them.
   void forget(Corner at) { wanted_.wipe(at); }
   void end_contest(Corner at) { contested_.wipe(at); }
@@ -54,12 +58,19 @@ class Claims {
   }
   void forget_shared(Corner at) { wanted_.wipe_shared(at); }
   void forget_shared(std::size_t place) { wanted_.clear_shared(place); }
+  template <class... Where>
+  void leave_open_shared(Where... where) {
+    open_.set_shared(where...);
+  }
   void end_contest_shared(Corner at) { contested_.wipe_shared(at); }
   void end_contest_shared(std::size_t place) { contested_.clear_shared(place); }
+  void close_shared(Corner at) { open_.wipe_shared(at); }
+  void close_shared(std::size_t place) { open_.clear_shared(place); }
 
  private:
   SiteBits wanted_;
   SiteBits contested_;
+  SiteBits open_;
 };
 
 }  // namespace clca::automaton

@@ -18,6 +18,7 @@ void Stepper::move_engaged(Lane& lane) {
   for (Mover& mover : freed_) {
     mover.engaged = true;
     movers.sloping.add(mover);
+    lane.waking.insert(mover.id);
   }
 }
 
@@ -28,7 +29,12 @@ void Stepper::decide_engaged() {
   for (const std::uint32_t id : PushBook::engaged_particles(state)) {
     Particle& particle = state.particles[id];
     quiet_ = quiet_ && particle.previous == kRest;
-    Mover mover = this->mover(id, particle);
+    const Candidate candidate = this->candidate(id);
+    Mover mover = {.site = candidate.site,
+                   .id = id,
+                   .kind = candidate.kind,
+                   .previous = candidate.previous,
+                   .access = access(candidate.site, 0)};
     if (!PushBook::onto(state, id).empty()) {
       mover.move = passive_.provisional(id);
       pushed_.push_back(mover);
@@ -52,9 +58,9 @@ void Stepper::decide_engaged() {
 void Stepper::move_pushed() {
   std::vector<Turn> turns;
   for (Mover& mover : pushed_) {
-    turns.push_back({key(mover.id, mover.move), &mover});
+    turns.push_back({key(mover), &mover});
   }
-  std::sort(turns.begin(), turns.end());
+  sort(turns);
   std::vector<Mover> moved;
   for (const auto& [key, mover] : turns) {
     if (passive_.move(mover->id, static_cast<lattice::Direction>(mover->move))) {
@@ -68,18 +74,33 @@ void Stepper::move_pushed() {
 
 // Who has been pushed onto meanwhile still has its turn, but overlaps now.
 void Stepper::yield_to_pushed(Bag<Mover>& movers) {
+  State& state = world_.state;
   movers.erase_if([&](const Mover& mover) {
-    const Particle& particle = world_.state.particles[mover.id];
+    const Particle& particle = state.particles[mover.id];
     if (world_.pushes.engaged(mover.id)) {
       freed_.push_back(mover);
       return true;
     }
     if (!world_.is_free(particle, static_cast<lattice::Direction>(mover.move))) {
-      rest(lanes_.front(), mover.id);
+      state.particles[mover.id].previous = kRest;
       return true;
     }
     return false;
   });
+}
+
+void Stepper::give_turns_in_place(Lane& lane) {
+  sort(lane.turns);
+  for (const auto& [key, mover] : lane.turns) {
+    const auto direction = static_cast<lattice::Direction>(mover->move);
+    mover->won = mover->engaged ? is_free(world_, mover->id, direction)
+                                : lead_is_free(*mover, direction);
+    if (mover->won && mover->engaged) {
+      world_.shift(mover->id, direction);
+    } else {
+      carry_or_rest(lane, *mover);
+    }
+  }
 }
 
 }  // namespace clca::automaton

@@ -12,6 +12,9 @@ namespace {
 using lattice::Axial;
 using lattice::Direction;
 
+/// Exchanges come by so many, some of them twice, lest a processor guess wrong how many there are.
+constexpr std::size_t kExchanges = 5;
+
 std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
                                      const std::vector<Axial>& sites, bool odd_column) {
   std::vector<lattice::Offset> result;
@@ -98,6 +101,9 @@ std::vector<Exchange> exchanges(const std::vector<lattice::Offset>& lead,
                  [](lattice::Offset entered, lattice::Offset left) {
                    return Exchange{.entered = entered.linear, .left = left.linear};
                  });
+  for (std::size_t i = 0; result.size() % kExchanges != 0; ++i) {
+    result.push_back(result[i]);
+  }
   return result;
 }
 
@@ -114,11 +120,9 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
   Footprint footprint;
   footprint.one_window = extent.fits_a_window();
   footprint.corner = extent.low;
-  footprint.corner_place = extent.low.column * state.lattice.stride() + extent.low.row;
   footprint.body = offsets(state.lattice, shape.sites(), odd_column);
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
-    footprint.step[d] = seen_from(odd_column, unit(direction));
     const std::vector<Axial> lead = shape.lead(direction);
     const std::vector<Axial> trail = shape.trail(direction);
     footprint.lead[d] = offsets(state.lattice, lead, odd_column);

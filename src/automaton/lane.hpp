@@ -2,6 +2,7 @@
 // What a thread has at hand for a strip of the box.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -9,7 +10,7 @@
 #include "automaton/awake_set.hpp"
 #include "automaton/bag.hpp"
 #include "automaton/strips.hpp"
-#include "automaton/update_order.hpp"
+#include "automaton/turns.hpp"
 #include "clca/automaton/footprint.hpp"
 #include "clca/automaton/site_bits.hpp"
 #include "clca/automaton/state.hpp"
@@ -25,21 +26,49 @@ enum class Access : std::uint8_t {
   seam,    ///< site by site: what is near may lie across the seam of a periodic box
 };
 
-/// A particle with a provisional direction.
-struct Mover {
-  lattice::Site site;  ///< the reference site when the step began, wrapped
-  const Footprint* footprint = nullptr;
-  // Of those for which one window is enough, away from a seam:
-  SiteBits::Corner at = {};
-  std::uint64_t taken = 0;  ///< when the step began
+/// A particle that is looked at.
+struct Candidate {
+  lattice::Site site;  ///< the reference site, wrapped
   std::uint32_t id = 0;
-  std::uint16_t strip = 0;
-  Move move = kRest;
-  Access access = Access::alone;
-  bool engaged = false;         ///< overlaps with somebody: has its turn among the contested
-  bool won = false;             ///< what it contested
-  std::uint16_t contested = 0;  ///< so many of its lead sites others want as well
+  std::uint16_t kind = 0;
+  Move previous = kRest;
 };
+
+/// A particle with a provisional direction. Small: each is read and written several times a step.
+struct Mover {
+  lattice::Site site;        ///< the reference site when the step began, wrapped
+  std::uint64_t taken = 0;   ///< then, too: of its window, where one is enough, away from a seam
+  std::uint32_t id = 0;
+  std::uint32_t byte = 0;  ///< SiteBits::Corner of the window
+  std::uint16_t kind = 0;
+  std::uint16_t contested = 0;  ///< so many of its lead sites others want as well
+  Move move = kRest;  ///< that it wants; in the end, of one that has lost against others, none
+  Move previous = kRest;
+  Access access = Access::alone;
+  bool engaged : 1 = false;  ///< overlaps with somebody: has its turn among the contested
+  bool won : 1 = false;      ///< what it contested
+};
+static_assert(sizeof(Mover) == kCacheLine / 2);
+
+/// Of its window.
+inline SiteBits::Corner corner(const Mover& mover, const Footprint& footprint) {
+  return {.byte = mover.byte, .column = SiteBits::column_in_block(footprint.corner_from(mover.site))};
+}
+
+/// What a move adds to column and row, by the parity of the column and by Move.
+inline constexpr auto kSteps = [] {
+  std::array<std::array<lattice::Site, lattice::kDirectionCount + 1>, 2> steps{};
+  for (const int column : {0, 1}) {
+    for (const lattice::Direction direction : lattice::kDirections) {
+      const lattice::Site to = lattice::Site{column, 0} + unit(direction);
+      steps[static_cast<std::size_t>(column)][index_of(direction)] = {to.column - column, to.row};
+    }
+  }
+  return steps;
+}();
+inline lattice::Site step_of(lattice::Site site, Move move) {
+  return kSteps[static_cast<std::size_t>(site.column & 1)][move];
+}
 
 /// From `low` to `high`, both included.
 struct Rows {
@@ -55,12 +84,10 @@ struct Rows {
   Rows widened(int by) const { return low > high ? Rows() : Rows{low - by, high + by}; }
 };
 
-/// A contested mover and its place in the order.
-struct Turn {
-  UpdateKey key;
-  Mover* mover = nullptr;
-
-  bool operator<(const Turn& other) const { return key < other.key; }
+/// Sites whose owners wake: some of a window.
+struct Wake {
+  lattice::Site corner;
+  std::uint64_t sites = 0;
 };
 
 /// Each on a line of the cache of its own: another thread is writing to the next.
@@ -77,12 +104,16 @@ struct alignas(kCacheLine) Lane {
   Stretch inner_before;  ///< in the step before
   std::vector<Bag<std::uint32_t>> of_kind;  ///< ids being looked at
   std::vector<Movers> movers;               ///< found by the looks, by strip
+  std::vector<Movers> movers_before;        ///< in the step before: they are awake
+  AwakeSet awake;   ///< by the moves of the step before here; the movers themselves are marked
+  AwakeSet waking;  ///< the same for the next step
+  Bag<Wake> to_wake;
   std::vector<Turn> turns;
-  Rows claimed;  ///< where the reference sites of the sloping movers lie
-  Load load;     ///< see Strips
+  std::vector<Turn> open;  ///< those that are not for this thread alone to decide
+  Rows claimed;            ///< where the reference sites of the sloping movers lie
+  Load load;               ///< see Strips
   std::size_t looked_at = 0;
   std::size_t dealt = 0;  ///< so many of those awake here have been dealt out
-  AwakeSet awake;         ///< by its moves, for the next step
 };
 
 }  // namespace clca::automaton

@@ -15,25 +15,113 @@ constexpr std::size_t kBatch = 512;
 /// What a move costs that is not along gravity, where one along it costs 1.
 constexpr std::uint32_t kSlopingLoad = 4;
 
-/// From registers: a block of memory whose parts have just been written would have to be waited
-/// for.
-void copy_by_fields(const Mover& from, Mover& to) {
-  to.site.column = from.site.column;
-  to.site.row = from.site.row;
-  to.footprint = from.footprint;
-  to.at.byte = from.at.byte;
-  to.at.column = from.at.column;
-  to.taken = from.taken;
-  to.id = from.id;
-  to.strip = from.strip;
-  to.move = from.move;
-  to.access = from.access;
-  to.engaged = from.engaged;
-  to.won = from.won;
-  to.contested = from.contested;
+}  // namespace
+
+// Far from the borders of its strip of the step before, only its own thread has woken a particle.
+bool Stepper::dealt_elsewhere(const Lane& whose, const Candidate& candidate) const {
+  const bool inner = whose.inner_before.contains(candidate.site);
+  const auto others = std::span(lanes_).first(inner ? 0 : whose.strip);
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Lane& other) { return other.awake.contains(candidate.id); });
 }
 
-}  // namespace
+bool Stepper::lead_is_free(const Mover& mover, lattice::Direction to) const {
+  if (mover.access == Access::seam) {
+    return world_.is_free(world_.state.particles[mover.id], to);
+  }
+  const Occupancy& occupancy = world_.occupancy;
+  const Footprint& footprint = world_.footprints.of(mover.kind, mover.site.column);
+  if (footprint.one_window) {
+    const SiteBits::Corner at = occupancy.corner(footprint.corner_from(mover.site));
+    return (occupancy.window(at) & footprint.windows[index_of(to)].lead) == 0;
+  }
+  const auto& lead = footprint.lead_patches[index_of(to)];
+  return std::none_of(lead.begin(), lead.end(), [&](const Patch& patch) {
+    const SiteBits::Corner at = occupancy.corner(patch.corner(mover.site));
+    return (occupancy.window(at) & patch.sites) != 0;
+  });
+}
+
+Candidate Stepper::candidate(std::uint32_t id) const {
+  const Particle& particle = world_.state.particles[id];
+  return {.site = {world_.state.lattice.wrapped(particle.column), particle.row},
+          .id = id,
+          .kind = particle.kind,
+          .previous = particle.previous};
+}
+
+[[gnu::always_inline]] inline Candidate Stepper::candidate(const Mover& before) const {
+  const lattice::Site step = step_of(before.site, before.move);
+  return {.site = {world_.state.lattice.wrapped(before.site.column + step.column),
+                   before.site.row + step.row},
+          .id = before.id,
+          .kind = before.kind,
+          .previous = before.move};
+}
+
+Access Stepper::access(lattice::Site site, std::size_t strip) const {
+  if (strips_.at_seam(site)) {
+    return Access::seam;
+  }
+  return lanes_[strip].inner.contains(site) ? Access::alone : Access::shared;
+}
+
+Move Stepper::provisional_by_parts(const Candidate& candidate, Access access) const {
+  const Mover mover = {
+      .site = candidate.site, .id = candidate.id, .kind = candidate.kind, .access = access};
+  return rule_.provisional(candidate.id, candidate.previous, world_.state.step,
+                           [&](lattice::Direction to) { return lead_is_free(mover, to); });
+}
+
+[[gnu::always_inline]] inline void Stepper::decide(Lane& lane, const Lane& whose,
+                                                   const Candidate& candidate) {
+  if (whose.strip > 0 && dealt_elsewhere(whose, candidate)) {
+    return;
+  }
+  ++lane.looked_at;
+  const std::size_t strip = in_parallel_ ? strips_.of(candidate.site) : 0;
+  const Access access = this->access(candidate.site, strip);
+  const Footprint& footprint = world_.footprints.of(candidate.kind, candidate.site.column);
+  SiteBits::Corner at;
+  std::uint64_t taken = 0;
+  Move move = kRest;
+  if (footprint.one_window && access != Access::seam) {
+    at = world_.occupancy.corner(footprint.corner_from(candidate.site));
+    taken = world_.occupancy.window(at);
+    move = rule_.provisional(candidate.id, candidate.previous, world_.state.step,
+                             [&](lattice::Direction to) {
+                               return (taken & footprint.windows[index_of(to)].lead) == 0;
+                             });
+  } else {
+    move = provisional_by_parts(candidate, access);
+  }
+  if (move == kRest) {
+    world_.state.particles[candidate.id].previous = kRest;
+    return;
+  }
+  const bool falls = move == static_cast<Move>(world_.state.rules.gravity);
+  if (notes_load_) {
+    lane.load.note(candidate.site, falls ? 1 : kSlopingLoad);
+  }
+  if (strip == lane.strip) {
+    lane.waking.mark(candidate.id);
+  }
+  Movers& movers = lane.movers[strip];
+  // In place: a block of memory whose parts have just been written would have to be waited for.
+  Mover& mover = (falls ? movers.falling : movers.sloping).add();
+  mover.site.column = candidate.site.column;
+  mover.site.row = candidate.site.row;
+  mover.taken = taken;
+  mover.byte = static_cast<std::uint32_t>(at.byte);
+  mover.id = candidate.id;
+  mover.kind = candidate.kind;
+  mover.contested = 0;
+  mover.move = move;
+  mover.previous = candidate.previous;
+  mover.access = access;
+  mover.engaged = false;
+  mover.won = false;
+}
 
 // Where there is most to look at is not where most moves, so threads help each other: each begins
 // with those that it has woken itself.
@@ -43,81 +131,51 @@ void Stepper::look(Lane& lane) {
   }
 }
 
-// Kind after kind: what a processor guesses of the way through the lists of sites is right then.
 void Stepper::look_at(Lane& lane, Lane& whose) {
-  const std::span<const std::uint32_t> ids = whose.awake.ids();
-  std::atomic_ref dealt(whose.dealt);
-  while (dealt.load(std::memory_order_relaxed) < ids.size()) {
-    const std::size_t first =
-        std::min(dealt.fetch_add(kBatch, std::memory_order_relaxed), ids.size());
-    for (const std::uint32_t id : ids.subspan(first, std::min(kBatch, ids.size() - first))) {
-      lane.of_kind[world_.state.particles[id].kind].add(id);
-    }
-    for (Bag<std::uint32_t>& alike : lane.of_kind) {
-      for (const std::uint32_t id : alike) {
-        decide(lane, whose, id);
+  std::size_t dealt_before = 0;
+  /// Calls `look` for parts of the next `count` of all that are awake there.
+  const auto deal = [&](std::size_t count, auto look) {
+    std::atomic_ref dealt(whose.dealt);
+    const std::size_t end = dealt_before + count;
+    std::size_t first = dealt.load(std::memory_order_relaxed);
+    while (first < end) {
+      const std::size_t part = std::min(first + kBatch, end);
+      if (dealt.compare_exchange_weak(first, part, std::memory_order_relaxed)) {
+        look(first - dealt_before, part - first);
+        first = part;
       }
-      alike.clear();
+    }
+    dealt_before = end;
+  };
+  for (const Lane& finder : lanes_) {
+    const Movers& movers = finder.movers_before[whose.strip];
+    for (const Bag<Mover>* list : {&movers.falling, &movers.sloping}) {
+      deal(list->size(), [&](std::size_t first, std::size_t count) {
+        for (const Mover& before : std::span(list->begin(), list->end()).subspan(first, count)) {
+          decide(lane, whose, candidate(before));
+        }
+      });
     }
   }
-}
-
-// Far from the borders of its strip of the step before, only its own thread has woken a particle.
-bool Stepper::dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const {
-  const auto others = std::span(lanes_).first(whose.inner_before.contains(at) ? 0 : whose.strip);
-  return std::any_of(others.begin(), others.end(),
-                     [id](const Lane& other) { return other.awake.contains(id); });
-}
-
-bool Stepper::lead_is_free(const Mover& mover, lattice::Direction to) const {
-  if (mover.access == Access::seam) {
-    return world_.is_free(world_.state.particles[mover.id], to);
-  }
-  const Occupancy& occupancy = world_.occupancy;
-  const Footprint& footprint = *mover.footprint;
-  if (footprint.one_window) {
-    return (occupancy.window(mover.at) & footprint.windows[index_of(to)].lead) == 0;
-  }
-  const auto& lead = footprint.lead_patches[index_of(to)];
-  return std::none_of(lead.begin(), lead.end(), [&](const Patch& patch) {
-    const SiteBits::Corner at = occupancy.corner(patch.corner(mover.site));
-    return (occupancy.window(at) & patch.sites) != 0;
+  const std::span<const std::uint32_t> listed = whose.awake.listed();
+  deal(listed.size(), [&](std::size_t first, std::size_t count) {
+    look_at_listed(lane, whose, listed.subspan(first, count));
   });
 }
 
-Move Stepper::provisional_by_parts(const Mover& mover, Move previous) const {
-  return rule_.provisional(mover.id, previous, world_.state.step,
-                           [&](lattice::Direction to) { return lead_is_free(mover, to); });
-}
-
-void Stepper::decide(Lane& lane, const Lane& whose, std::uint32_t id) {
-  Particle& particle = world_.state.particles[id];
-  if (!particle.present || (!world_.state.pushes.empty() && world_.pushes.engaged(id))) {
-    return;
+// Kind after kind: what a processor guesses of the way through the lists of sites is right then.
+void Stepper::look_at_listed(Lane& lane, const Lane& whose, std::span<const std::uint32_t> ids) {
+  const State& state = world_.state;
+  for (const std::uint32_t id : ids) {
+    const bool engaged = !state.pushes.empty() && world_.pushes.engaged(id);
+    lane.of_kind[state.particles[id].kind].add_if(state.particles[id].present && !engaged, id);
   }
-  Mover mover = this->mover(id, particle);
-  if (whose.strip > 0 && dealt_elsewhere(whose, id, mover.site)) {
-    return;
+  for (Bag<std::uint32_t>& alike : lane.of_kind) {
+    for (const std::uint32_t id : alike) {
+      decide(lane, whose, candidate(id));
+    }
+    alike.clear();
   }
-  ++lane.looked_at;
-  if (mover.footprint->one_window && mover.access != Access::seam) {
-    mover.move =
-        rule_.provisional(id, particle.previous, world_.state.step, [&](lattice::Direction to) {
-          return (mover.taken & mover.footprint->windows[index_of(to)].lead) == 0;
-        });
-  } else {  // a copy is looked at there, so that this one can stay in registers
-    mover.move = provisional_by_parts(Mover(mover), particle.previous);
-  }
-  if (mover.move == kRest) {
-    particle.previous = kRest;
-    return;
-  }
-  const bool falls = mover.move == static_cast<Move>(world_.state.rules.gravity);
-  if (in_parallel_) {
-    lane.load.note(mover.site, falls ? 1 : kSlopingLoad);
-  }
-  Movers& movers = lane.movers[mover.strip];
-  copy_by_fields(mover, (falls ? movers.falling : movers.sloping).add());
 }
 
 }  // namespace clca::automaton

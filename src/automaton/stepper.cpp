@@ -19,6 +19,13 @@ int tallest(const State& state) {
   return most;
 }
 
+void clear(std::vector<Movers>& all) {
+  for (Movers& movers : all) {
+    movers.falling.clear();
+    movers.sloping.clear();
+  }
+}
+
 }  // namespace
 
 Stepper::Stepper(World& world, const Options& options)
@@ -36,6 +43,7 @@ Stepper::Stepper(World& world, const Options& options)
     Lane& lane = lanes_[strip];
     lane.strip = strip;
     lane.movers.resize(lanes_.size());
+    lane.movers_before.resize(lanes_.size());
     lane.of_kind.resize(world.state.kinds.size());
     lane.load = strips_.no_load();
   }
@@ -45,17 +53,7 @@ std::size_t Stepper::advance() {
   if (!options_.sleeping) {
     wake_all();
   }
-  pushed_.clear();
-  quiet_ = true;
-  contested_moved_ = 0;
-  for (Lane& lane : busy()) {
-    for (Movers& movers : lane.movers) {
-      movers.falling.clear();
-      movers.sloping.clear();
-    }
-    lane.turns.clear();
-    lane.looked_at = 0;
-  }
+  begin_step();
   take_woken();
   in_parallel_ = parallel();
   for (Lane& lane : lanes_) {
@@ -67,17 +65,40 @@ std::size_t Stepper::advance() {
     step_alone();
   }
   looked_at_ = 0;
-  std::size_t moved = pushed_.size() + contested_moved_;
+  std::size_t moved = pushed_.size();
   for (const Lane& lane : busy()) {
     looked_at_ += lane.looked_at;
-    moved -= lane.turns.size();
     for (const Movers& movers : lane.movers) {
       moved += movers.falling.size() + movers.sloping.size();
     }
+    moved -= static_cast<std::size_t>(
+        std::count_if(lane.turns.begin(), lane.turns.end(),
+                      [](const Turn& turn) { return !turn.mover->won; }));
   }
   still_ = moved == 0 && quiet_;
   world_.changed = false;
   return moved;
+}
+
+void Stepper::begin_step() {
+  pushed_.clear();
+  quiet_ = true;
+  const bool hold = records_hold_ && !world_.changed && world_.state.pushes.empty();
+  const std::size_t busy_now = busy().size();
+  for (Lane& lane : std::span(lanes_).first(std::max(busy_before_, busy_now))) {
+    std::swap(lane.movers, lane.movers_before);
+    std::swap(lane.awake, lane.waking);
+    clear(lane.movers);
+    lane.turns.clear();
+    lane.open.clear();
+    lane.looked_at = 0;
+    if (!hold) {
+      clear(lane.movers_before);
+      lane.awake.list_marked();
+    }
+  }
+  busy_before_ = busy_now;
+  records_hold_ = world_.state.pushes.empty();
 }
 
 void Stepper::wake_all() {
@@ -91,23 +112,19 @@ void Stepper::take_woken() {
   const State& state = world_.state;
   for (Lane& lane : busy()) {
     lane.awake.resize(state.particles.size());
+    lane.waking.resize(state.particles.size());
   }
-  if (!in_parallel_ && lanes_.front().awake.ids().empty()) {
+  if (!in_parallel_ && lanes_.front().awake.empty()) {
     std::swap(lanes_.front().awake, world_.awake);
     world_.awake.resize(state.particles.size());
     return;
   }
-  for (const std::uint32_t id : world_.awake.ids()) {
+  for (const std::uint32_t id : world_.awake.listed()) {
     const Particle& particle = state.particles[id];
     const lattice::Site site = {state.lattice.wrapped(particle.column), particle.row};
     lanes_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
   }
   world_.awake.clear();
-}
-
-void Stepper::begin_waking(Lane& lane) {
-  lane.awake.clear();
-  lane.dealt = 0;
 }
 
 void Stepper::step_alone() {
@@ -117,9 +134,10 @@ void Stepper::step_alone() {
   // Where nothing has moved or changed since all that overlap had last looked, they rest again.
   const bool engaged_may_move = overlaps && (!still_ || world_.changed || !options_.sleeping);
   lane.inner = strips_.inner();
+  notes_load_ = false;
   look(lane);
   for (Lane& each : lanes_) {
-    begin_waking(each);
+    forget_awake(each);
   }
   if (engaged_may_move) {
     move_engaged(lane);
@@ -127,12 +145,16 @@ void Stepper::step_alone() {
   clock.end(&Profile::decide);
   claim(lane);
   contest_falling(lane);
-  contest_sloping(lane);
   clock.end(&Profile::contest);
-  move_uncontested(lane);
+  move(lane);
   clock.end(&Profile::move);
-  end_contests(lane);
-  give_turns();
+  if (overlaps) {
+    give_turns_in_place(lane);
+  } else {
+    give_own_turns(lane);
+    give_open_turns();
+  }
+  end_turns(lane);
   clock.end(&Profile::turns);
 }
 
@@ -151,9 +173,11 @@ void Stepper::step_together() {
   if (world_.state.step % kSeldom == 0) {
     balance();
   }
+  notes_load_ = world_.state.step % kSeldom == kSeldom - 1;
   for (Lane& lane : lanes_) {
     lane.inner = strips_.inner(lane.strip);
     lane.awake.resize(world_.state.particles.size());
+    lane.waking.resize(world_.state.particles.size());
   }
   PhaseClock clock(options_.profile);
   const auto end = [&](double Profile::*phase) {
@@ -165,22 +189,20 @@ void Stepper::step_together() {
     for_each_lane([this](Lane& lane) { look(lane); });
     end(&Profile::decide);
     for_each_lane([this](Lane& lane) {
-      begin_waking(lane);
+      forget_awake(lane);
+      mark_found_by_others(lane);
       claim(lane);
     });
     for_each_lane([this](Lane& lane) { contest_falling(lane); });
     end(&Profile::contest);
     for_each_lane([this](Lane& lane) {
-      contest_sloping(lane);
-      move_uncontested(lane);
+      move(lane);
+      give_own_turns(lane);
     });
     end(&Profile::move);
 #pragma omp single
-    choose_winners();
-    for_each_lane([this](Lane& lane) {
-      move_winners(lane);
-      end_contests(lane);
-    });
+    give_open_turns();
+    for_each_lane([this](Lane& lane) { end_turns(lane); });
     end(&Profile::turns);
   }
 }
@@ -191,35 +213,6 @@ void Stepper::balance() {
     loads.push_back(&lane.load);
   }
   strips_.balance(loads);
-}
-
-void Stepper::merge_turns() {
-  turns_.clear();
-  for (const Lane& lane : busy()) {
-    const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
-    turns_.insert(turns_.end(), lane.turns.begin(), lane.turns.end());
-    std::inplace_merge(turns_.begin(), turns_.begin() + middle, turns_.end());
-  }
-}
-
-void Stepper::give_turns() {
-  for (const auto& [key, mover] : lanes_.front().turns) {
-    const auto direction = static_cast<lattice::Direction>(mover->move);
-    if (mover->engaged && is_free(world_, mover->id, direction)) {
-      world_.shift(mover->id, direction);
-      ++contested_moved_;
-    } else if (!mover->engaged && lead_is_free(*mover, direction)) {
-      carry(lanes_.front(), *mover);
-      ++contested_moved_;
-    } else {
-      rest(lanes_.front(), mover->id);
-    }
-  }
-}
-
-void Stepper::rest(Lane& lane, std::uint32_t id) {
-  world_.state.particles[id].previous = kRest;
-  lane.awake.insert(id);
 }
 
 }  // namespace clca::automaton

@@ -38,7 +38,7 @@ class Stepper {
       for (const Movers& movers : lane.movers) {
         for (const Bag<Mover>* list : {&movers.falling, &movers.sloping}) {
           for (const Mover& mover : *list) {
-            if (world_.state.particles[mover.id].previous != kRest) {
+            if (mover.move != kRest) {
               visit(mover.id);
             }
           }
@@ -70,56 +70,61 @@ class Stepper {
   }
   void wake_all();
   void take_woken();
-  /// Forgets who was awake, for those to come who are in the next step.
-  static void begin_waking(Lane& lane);
+  /// Forgets the last step but for its movers, whose records hold where nothing else has moved a
+  /// particle.
+  void begin_step();
+  /// After the looks.
+  static void forget_awake(Lane& lane) {
+    lane.awake.clear();
+    lane.dealt = 0;
+  }
   void step_alone();
   void step_together();
   template <class Work>
   void for_each_lane(Work work);
   void balance();
 
-  // Phases of a step, each for one thread, see lane_looks.cpp and lane_moves.cpp.
+  // Phases of a step, each for one thread. Looks, see lane_looks.cpp:
   void look(Lane& lane);
   void look_at(Lane& lane, Lane& whose);
-  bool dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const;
-  void decide(Lane& lane, const Lane& whose, std::uint32_t id);
-  Move provisional_by_parts(const Mover& mover, Move previous) const;
+  void look_at_listed(Lane& lane, const Lane& whose, std::span<const std::uint32_t> ids);
+  Candidate candidate(std::uint32_t id) const;
+  /// One that moved, or lost, in the last step.
+  Candidate candidate(const Mover& before) const;
+  bool dealt_elsewhere(const Lane& whose, const Candidate& candidate) const;
+  Access access(lattice::Site site, std::size_t strip) const;
+  void decide(Lane& lane, const Lane& whose, const Candidate& candidate);
+  Move provisional_by_parts(const Candidate& candidate, Access access) const;
   /// As things stand now, for one that has not moved yet.
   bool lead_is_free(const Mover& mover, lattice::Direction to) const;
-  void claim(Lane& lane);
-  void contest_falling(Lane& lane);
-  void contest_sloping(Lane& lane);
-  void move_uncontested(Lane& lane);
-  void carry(Lane& lane, const Mover& mover);
-  std::uint16_t contested_lead(const Mover& mover) const;
-  void choose_winners();  // for all threads
-  void move_winners(Lane& lane);
-  void end_contests(const Lane& lane);
-  /// Decides nothing yet.
-  [[gnu::always_inline]] Mover mover(std::uint32_t id, const Particle& particle) const {
-    const lattice::Site site = {world_.state.lattice.wrapped(particle.column), particle.row};
-    const std::size_t strip = in_parallel_ ? strips_.of(site) : 0;
-    Mover mover = {.site = site,
-                   .footprint = &world_.footprints.of(particle),
-                   .id = id,
-                   .strip = static_cast<std::uint16_t>(strip),
-                   .access = strips_.at_seam(site)                ? Access::seam
-                             : lanes_[strip].inner.contains(site) ? Access::alone
-                                                                  : Access::shared};
-    if (mover.footprint->one_window && mover.access != Access::seam) {
-      const lattice::Site corner = mover.footprint->corner;
-      mover.at = world_.occupancy.corner({site.column + corner.column, site.row + corner.row});
-      mover.taken = world_.occupancy.window(mover.at);
-    }
-    return mover;
-  }
 
-  void merge_turns();
-  void give_turns();
-  UpdateKey key(std::uint32_t id, Move move) const {
-    return order_.key(id, world_.state.particles[id].previous, move, world_.state.step);
+  // Moves, see lane_moves.cpp:
+  void mark_found_by_others(Lane& lane);
+  void move(Lane& lane);
+  void move_unless_contested(Lane& lane, Mover& mover);
+  void carry(Lane& lane, const Mover& mover);
+  void carry_or_rest(Lane& lane, const Mover& mover);
+  /// Of those carried since the last time.
+  void wake_neighbours(Lane& lane);
+  void end_turns(Lane& lane);
+
+  // Contests, see lane_contests.cpp:
+  void claim(Lane& lane);
+  void contest(Mover& mover);
+  void contest_falling(Lane& lane);
+  void forget_claim(const Mover& mover);
+  std::uint16_t contested_lead(const Mover& mover) const;
+  void give_turn(Mover& mover);
+  bool is_open(const Mover& mover, bool any_open) const;
+  void leave_open(const Mover& mover);
+  void give_own_turns(Lane& lane);
+  void give_open_turns();  // for all threads
+  void end_contests(Lane& lane);
+  /// The same where some may overlap, on one thread.
+  void give_turns_in_place(Lane& lane);
+  UpdateKey key(const Mover& mover) const {
+    return order_.key(mover.id, mover.previous, mover.move, world_.state.step);
   }
-  void rest(Lane& lane, std::uint32_t id);
 
   // Particles that overlap, see engaged_step.cpp.
   void move_engaged(Lane& lane);
@@ -136,12 +141,14 @@ class Stepper {
   Strips strips_;
   int tallest_;  ///< sites from the reference site of a particle to any other, at the most
   std::vector<Lane> lanes_;
-  std::vector<Turn> turns_;
+  std::vector<Turn> open_;
   std::vector<Mover> pushed_;  // by the passive rule
   std::vector<Mover> freed_;   // overlap, but go by themselves
   std::size_t looked_at_;
-  std::size_t contested_moved_ = 0;
   bool in_parallel_ = false;  // this step
+  bool notes_load_ = false;   // in this step
+  std::size_t busy_before_ = 1;   // lanes that took part in the step before the last
+  bool records_hold_ = false;     // see begin_step()
   bool quiet_ = true;
   bool still_ = false;  // nothing moved in the last step, and nothing that overlaps in that before
 };

@@ -2,7 +2,9 @@
 // The order in which movers that want the same site have their turn.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 #include "clca/automaton/footprint.hpp"
 #include "clca/automaton/state.hpp"
@@ -20,6 +22,9 @@ struct UpdateKey {
 
 class UpdateOrder {
  public:
+  /// Ranks are below.
+  static constexpr std::size_t kRanks = std::tuple_size_v<decltype(Rules::update_priority)> + 1;
+
   UpdateOrder(const Rules& rules, std::uint64_t seed);
 
   /// The key of particle `id` that did `previous` in the last step and now wants to do `move`.

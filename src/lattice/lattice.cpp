@@ -8,7 +8,7 @@ namespace clca::lattice {
 namespace {
 constexpr std::size_t kWordBits = 64;
 
-std::size_t stride_for(int rows) {
+std::size_t column_size(int rows) {
   const auto with_border = static_cast<std::size_t>(rows) + 2;
   return (with_border + kWordBits - 1) / kWordBits * kWordBits;
 }
@@ -18,8 +18,8 @@ Lattice::Lattice(int columns, int rows, bool periodic)
     : columns_(columns),
       rows_(rows),
       periodic_(periodic),
-      stride_(stride_for(rows)),
-      wrap_(static_cast<std::ptrdiff_t>(stride_) * columns) {
+      column_size_(column_size(rows)),
+      wrap_(static_cast<std::ptrdiff_t>(column_size_) * columns) {
   if (columns < 1 || rows < 1) {
     throw std::invalid_argument("a lattice has at least one column and one row");
   }
@@ -47,8 +47,13 @@ Offset Lattice::offset(Axial vector, bool odd_column) const {
   if (periodic_) {
     columns %= columns_;  // even, so that the row is the same; at() goes across the seam once
   }
-  const auto linear = static_cast<std::ptrdiff_t>(columns) * static_cast<std::ptrdiff_t>(stride_) +
-                      (to.row - from.row);
+  // As index() counts, the border comes first: odd columns are the first ones of their pairs.
+  const int in_pair = odd_column ? 0 : 1;
+  const int pairs = (in_pair + columns) >> 1;
+  const auto linear =
+      (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) *
+          kRowPitch +
+      (columns - 2 * pairs);
   return {static_cast<std::int32_t>(linear), columns};
 }
 

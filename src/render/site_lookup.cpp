@@ -242,7 +242,8 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
   const std::size_t right = lattice_.index({pair.right, 0});
   look_up(0, floor, near_border);
   const auto between = [&](bool on_right, int row) {
-    return sites.owner((on_right ? right : left) + static_cast<std::size_t>(std::ptrdiff_t{row}));
+    const auto rows = static_cast<std::size_t>(std::ptrdiff_t{row} * lattice::Lattice::kRowPitch);
+    return sites.owner((on_right ? right : left) + rows);
   };
   for (std::size_t first = floor; first < lid;) {
     const std::size_t tile = first / kTileHeight;

@@ -40,7 +40,6 @@ struct Footprint {
   using PerDirection = std::array<std::vector<T>, lattice::kDirectionCount>;
 
   std::vector<lattice::Offset> body;
-  std::array<lattice::Site, lattice::kDirectionCount> step;  ///< columns and rows of a step
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
   PerDirection<Exchange> exchanges;  ///< both, away from a seam
@@ -49,8 +48,10 @@ struct Footprint {
   PerDirection<lattice::Offset> wake;
   // The same by windows: one that is the same for all moves, where that is enough, or several.
   bool one_window = false;
-  lattice::Site corner;             ///< of the one, seen from the reference site
-  std::ptrdiff_t corner_place = 0;  ///< the same in memory
+  lattice::Site corner;  ///< of the one, seen from the reference site
+  lattice::Site corner_from(lattice::Site reference) const {
+    return {reference.column + corner.column, reference.row + corner.row};
+  }
   std::array<MoveWindow, lattice::kDirectionCount> windows;
   PerDirection<Patch> lead_patches;
   PerDirection<Patch> swapped_patches;
@@ -64,8 +65,9 @@ class FootprintTable {
  public:
   explicit FootprintTable(const State& state);
 
-  const Footprint& of(const Particle& particle) const {
-    return table_[2 * particle.kind + (lattice::is_odd(particle.column) ? 1U : 0U)];
+  const Footprint& of(const Particle& particle) const { return of(particle.kind, particle.column); }
+  const Footprint& of(std::uint16_t kind, int column) const {
+    return table_[2U * kind + static_cast<unsigned>(column & 1)];
   }
   /// Of all kinds, for both parities.
   std::span<const Footprint> all() const { return table_; }

@@ -30,8 +30,8 @@ class SiteBits {
   };
 
   explicit SiteBits(const lattice::Lattice& lattice)
-      : stride_(static_cast<std::size_t>(lattice.stride())),
-        height_((stride_ + 3 * kSide) / kSide * kSide),
+      : lattice_(lattice),
+        height_((static_cast<std::size_t>(lattice.rows() + 2) + 4 * kSide) / kSide * kSide),
         words_(height_ / kSide *
                ((static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide)) {}
 
@@ -43,6 +43,10 @@ class SiteBits {
     const std::size_t column = static_cast<std::size_t>(site.column) + 1 + kSide;
     return {.byte = column / kSide * height_ + static_cast<std::size_t>(site.row) + 1 + kSide,
             .column = static_cast<std::uint32_t>(column % kSide)};
+  }
+  /// The same without its byte.
+  static std::uint32_t column_in_block(lattice::Site site) {
+    return static_cast<std::uint32_t>(site.column + 1) % kSide;
   }
 
   std::uint64_t window(Corner at) const {
@@ -150,9 +154,7 @@ class SiteBits {
   }
 
   Corner at(std::size_t place) const {
-    const std::size_t column = place / stride_ + kSide;
-    return {.byte = column / kSide * height_ + place % stride_ + kSide,
-            .column = static_cast<std::uint32_t>(column % kSide)};
+    return corner(lattice_.site(place));
   }
 
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
@@ -195,7 +197,7 @@ class SiteBits {
                   at);
   }
 
-  std::size_t stride_;  ///< places of a column
+  lattice::Lattice lattice_;
   std::size_t height_;  ///< bytes of a column of blocks
   LazyArray<std::uint64_t> words_;
 };

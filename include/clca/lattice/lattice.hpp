@@ -65,7 +65,8 @@ struct Offset {
 };
 
 /// A box of `columns` x `rows` sites with a border one site wide around it, so that a look one
-/// step outside is always valid. Memory runs up the columns; a column starts at a multiple of 64.
+/// step outside is always valid. Memory runs up two neighbouring columns at once, so that what is
+/// near each other in the plane is so in memory, and steps still depend on the parity only.
 class Lattice {
  public:
   /// Throws std::invalid_argument unless both are positive and a periodic box has an even number
@@ -79,25 +80,30 @@ class Lattice {
   int rows() const { return rows_; }
   bool periodic() const { return periodic_; }
   /// Number of places in memory, border included.
-  std::size_t memory_size() const { return static_cast<std::size_t>(columns_ + 2) * stride_; }
+  std::size_t memory_size() const {
+    return (static_cast<std::size_t>(columns_) + 3) / 2 * 2 * column_size_;
+  }
 
   bool contains(Site site) const {
     return site.row >= 0 && site.row < rows_ &&
            (periodic_ || (site.column >= 0 && site.column < columns_));
   }
 
-  /// Places from a column to the next.
-  std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(stride_); }
+  /// Places from a row to the next.
+  static constexpr int kRowPitch = 2;
 
   /// Place in memory of a site of the box or its border.
   std::size_t index(Site site) const {
-    return static_cast<std::size_t>(wrapped(site.column) + 1) * stride_ +
-           static_cast<std::size_t>(site.row + 1);
+    const auto column = static_cast<std::size_t>(wrapped(site.column) + 1);
+    const auto row = static_cast<std::size_t>(site.row + 1);
+    return (column / 2 * column_size_ + row) * std::size_t{kRowPitch} + column % 2;
   }
 
   /// The site at a place in memory (rows beyond the border included).
   Site site(std::size_t index) const {
-    return {static_cast<int>(index / stride_) - 1, static_cast<int>(index % stride_) - 1};
+    const std::size_t row = index / std::size_t{kRowPitch};  // those of all pairs of columns one on the other
+    return {static_cast<int>(row / column_size_ * 2 + index % 2) - 1,
+            static_cast<int>(row % column_size_) - 1};
   }
 
   int wrapped(int column) const {
@@ -138,7 +144,7 @@ class Lattice {
   int columns_;
   int rows_;
   bool periodic_;
-  std::size_t stride_;
+  std::size_t column_size_;  // places, a multiple of 64
   std::ptrdiff_t wrap_;  // places between a column and its periodic image
 };
 

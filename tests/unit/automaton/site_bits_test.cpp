@@ -126,6 +126,10 @@ TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
   }
 }
 
+std::vector<std::uint32_t> listed(const AwakeSet& set) {
+  return {set.listed().begin(), set.listed().end()};
+}
+
 TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
   AwakeSet set;
   set.resize(100'000);
@@ -133,12 +137,28 @@ TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
     set.insert(id);
   }
   const std::vector<std::uint32_t> expected = {99'999, 64, 0, 4096, 63, 4095};
-  EXPECT_TRUE(std::equal(set.ids().begin(), set.ids().end(), expected.begin(), expected.end()));
+  EXPECT_EQ(listed(set), expected);
   EXPECT_TRUE(set.contains(63));
   EXPECT_FALSE(set.contains(62));
   set.clear();
-  EXPECT_TRUE(set.ids().empty());
+  EXPECT_TRUE(set.empty());
   EXPECT_FALSE(set.contains(63));
+}
+
+TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
+  AwakeSet set;
+  set.resize(100);
+  set.mark(7);
+  set.insert(7);
+  set.insert(8);
+  EXPECT_TRUE(set.contains(7));
+  EXPECT_EQ(listed(set), std::vector<std::uint32_t>{8});
+  set.list_marked();
+  EXPECT_EQ(listed(set), (std::vector<std::uint32_t>{8, 7}));
+  set.mark(9);
+  set.clear();
+  EXPECT_TRUE(set.empty());
+  EXPECT_FALSE(set.contains(7) || set.contains(8) || set.contains(9));
 }
 
 /// What 800 columns or rows of a box have to do, shared out among four.
