@@ -16,7 +16,7 @@ void Stepper::move_engaged(Lane& lane) {
   yield_to_pushed(movers.falling);
   yield_to_pushed(movers.sloping);
   for (Mover& mover : freed_) {
-    mover.engaged = true;
+    mover.claim = Claim::engaged;
     movers.sloping.add(mover);
     lane.waking.insert(mover.id);
   }
@@ -93,9 +93,11 @@ void Stepper::give_turns_in_place(Lane& lane) {
   sort(lane.turns);
   for (const auto& [key, mover] : lane.turns) {
     const auto direction = static_cast<lattice::Direction>(mover->move);
-    mover->won = mover->engaged ? is_free(world_, mover->id, direction)
-                                : lead_is_free(*mover, direction);
-    if (mover->won && mover->engaged) {
+    const bool engaged = mover->claim == Claim::engaged;
+    if (engaged ? is_free(world_, mover->id, direction) : lead_is_free(*mover, direction)) {
+      mover->claim = Claim::won;
+    }
+    if (engaged && mover->claim == Claim::won) {
       world_.shift(mover->id, direction);
     } else {
       carry_or_rest(lane, *mover);

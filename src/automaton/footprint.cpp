@@ -12,9 +12,6 @@ namespace {
 using lattice::Axial;
 using lattice::Direction;
 
-/// Exchanges come by so many, some of them twice, lest a processor guess wrong how many there are.
-constexpr std::size_t kExchanges = 5;
-
 std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
                                      const std::vector<Axial>& sites, bool odd_column) {
   std::vector<lattice::Offset> result;
@@ -94,15 +91,12 @@ std::vector<Axial> merged(const std::vector<Axial>& first, const std::vector<Axi
   return both;
 }
 
-std::vector<Exchange> exchanges(const std::vector<lattice::Offset>& lead,
-                                const std::vector<lattice::Offset>& trail) {
-  std::vector<Exchange> result;
-  std::transform(lead.begin(), lead.end(), trail.begin(), std::back_inserter(result),
-                 [](lattice::Offset entered, lattice::Offset left) {
-                   return Exchange{.entered = entered.linear, .left = left.linear};
-                 });
-  for (std::size_t i = 0; result.size() % kExchanges != 0; ++i) {
-    result.push_back(result[i]);
+std::vector<Exchanges> exchanges(const std::vector<lattice::Offset>& lead,
+                                 const std::vector<lattice::Offset>& trail) {
+  std::vector<Exchanges> result((lead.size() + kExchanges - 1) / kExchanges);
+  for (std::size_t i = 0; i < kExchanges * result.size(); ++i) {
+    const std::size_t site = i % lead.size();
+    result[i / kExchanges][i % kExchanges] = {lead[site].linear, trail[site].linear};
   }
   return result;
 }

@@ -34,6 +34,13 @@ struct Candidate {
   Move previous = kRest;
 };
 
+/// Of a mover on the sites that it wants.
+enum class Claim : std::uint8_t {
+  usual,
+  engaged,  ///< it overlaps with somebody: has its turn among the contested
+  won,      ///< it was contested
+};
+
 /// A particle with a provisional direction. Small: each is read and written several times a step.
 struct Mover {
   lattice::Site site;        ///< the reference site when the step began, wrapped
@@ -45,8 +52,7 @@ struct Mover {
   Move move = kRest;  ///< that it wants; in the end, of one that has lost against others, none
   Move previous = kRest;
   Access access = Access::alone;
-  bool engaged : 1 = false;  ///< overlaps with somebody: has its turn among the contested
-  bool won : 1 = false;      ///< what it contested
+  Claim claim = Claim::usual;
 };
 static_assert(sizeof(Mover) == kCacheLine / 2);
 

@@ -18,7 +18,7 @@ constexpr std::uint32_t kSlopingLoad = 4;
 }  // namespace
 
 // Far from the borders of its strip of the step before, only its own thread has woken a particle.
-bool Stepper::dealt_elsewhere(const Lane& whose, const Candidate& candidate) const {
+bool Stepper::dealt_elsewhere(const Lane& whose, Candidate candidate) const {
   const bool inner = whose.inner_before.contains(candidate.site);
   const auto others = std::span(lanes_).first(inner ? 0 : whose.strip);
   return std::any_of(others.begin(), others.end(),
@@ -66,7 +66,7 @@ Access Stepper::access(lattice::Site site, std::size_t strip) const {
   return lanes_[strip].inner.contains(site) ? Access::alone : Access::shared;
 }
 
-Move Stepper::provisional_by_parts(const Candidate& candidate, Access access) const {
+Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   const Mover mover = {
       .site = candidate.site, .id = candidate.id, .kind = candidate.kind, .access = access};
   return rule_.provisional(candidate.id, candidate.previous, world_.state.step,
@@ -119,8 +119,7 @@ Move Stepper::provisional_by_parts(const Candidate& candidate, Access access) co
   mover.move = move;
   mover.previous = candidate.previous;
   mover.access = access;
-  mover.engaged = false;
-  mover.won = false;
+  mover.claim = Claim::usual;
 }
 
 // Where there is most to look at is not where most moves, so threads help each other: each begins

@@ -50,9 +50,10 @@ void carry_inside(World& world, Lane& lane, const Mover& mover, const Footprint&
       flip(occupancy, mover, occupancy.corner(swapped.corner(mover.site)), swapped.sites);
     }
   }
-  occupancy.exchange_owners_shared(world.state.lattice.index(mover.site),
-                                   footprint.exchanges[mover.move],
-                                   static_cast<Owner>(mover.id));
+  const std::size_t place = world.state.lattice.index(mover.site);
+  for (const Exchanges& exchanges : footprint.exchanges[mover.move]) {
+    occupancy.exchange_owners_shared(place, exchanges, static_cast<Owner>(mover.id));
+  }
 }
 
 void carry_across_seam(World& world, Lane& lane, const Mover& mover, const Footprint& footprint) {
@@ -90,7 +91,7 @@ void Stepper::mark_found_by_others(Lane& lane) {
 // A provisional target was free when the step began and what others vacate is nobody's target, so
 // a mover whose lead sites nobody else wants moves whatever its place in the order.
 void Stepper::move_unless_contested(Lane& lane, Mover& mover) {
-  if (mover.contested > 0 || mover.engaged) {
+  if (mover.contested > 0 || mover.claim == Claim::engaged) {
     lane.turns.push_back({key(mover), &mover});
   } else {
     carry(lane, mover);
@@ -109,7 +110,7 @@ void Stepper::move(Lane& lane) {
 }
 
 void Stepper::carry_or_rest(Lane& lane, const Mover& mover) {
-  if (mover.won) {
+  if (mover.claim == Claim::won) {
     carry(lane, mover);
   } else {
     world_.state.particles[mover.id].previous = kRest;

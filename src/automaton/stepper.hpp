@@ -91,10 +91,10 @@ class Stepper {
   Candidate candidate(std::uint32_t id) const;
   /// One that moved, or lost, in the last step.
   Candidate candidate(const Mover& before) const;
-  bool dealt_elsewhere(const Lane& whose, const Candidate& candidate) const;
+  bool dealt_elsewhere(const Lane& whose, Candidate candidate) const;
   Access access(lattice::Site site, std::size_t strip) const;
   void decide(Lane& lane, const Lane& whose, const Candidate& candidate);
-  Move provisional_by_parts(const Candidate& candidate, Access access) const;
+  Move provisional_by_parts(Candidate candidate, Access access) const;
   /// As things stand now, for one that has not moved yet.
   bool lead_is_free(const Mover& mover, lattice::Direction to) const;
 

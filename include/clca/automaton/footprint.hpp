@@ -34,6 +34,11 @@ struct Exchange {
   std::int32_t left = 0;
 };
 
+/// Some of them twice, lest a processor guess wrong how many there are: discs of radius 1 have
+/// three, those of radius 2 five.
+inline constexpr std::size_t kExchanges = 5;
+using Exchanges = std::array<Exchange, kExchanges>;
+
 /// The sites of one kind seen from reference columns of one parity.
 struct Footprint {
   template <class T>
@@ -42,7 +47,7 @@ struct Footprint {
   std::vector<lattice::Offset> body;
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
-  PerDirection<Exchange> exchanges;  ///< both, away from a seam
+  PerDirection<Exchanges> exchanges;  ///< both, away from a seam
   /// Sites whose owners may gain a free direction when the particle has moved that way (seen from
   /// where it stood before).
   PerDirection<lattice::Offset> wake;

@@ -73,7 +73,7 @@ class Occupancy {
     std::atomic_ref(not_owners_[index]).store(~owner, std::memory_order_relaxed);
   }
   /// Of a move from `place`: places that are free afterwards, and places of `owner`.
-  void exchange_owners_shared(std::size_t place, std::span<const Exchange> exchanges, Owner owner) {
+  void exchange_owners_shared(std::size_t place, const Exchanges& exchanges, Owner owner) {
     const std::span<Owner> all(not_owners_.data(), not_owners_.size());
     for (const Exchange exchange : exchanges) {
       const auto entered = static_cast<std::size_t>(std::ptrdiff_t{exchange.entered});
