@@ -22,6 +22,23 @@ void Stepper::move_engaged(Lane& lane) {
   }
 }
 
+Mover Stepper::engaged_mover(std::uint32_t id) const {
+  const Particle& particle = world_.state.particles[id];
+  Mover mover = {.site = site_of(particle),
+                 .id = id,
+                 .kind = particle.kind,
+                 .previous = particle.previous,
+                 .access = access(site_of(particle), 0),
+                 .claim = Claim::engaged};
+  const Footprint& footprint = world_.footprints.of(particle);
+  if (footprint.one_window && mover.access != Access::seam) {
+    const SiteBits::Corner at = world_.occupancy.corner(footprint.corner_from(mover.site));
+    mover.byte = static_cast<std::uint32_t>(at.byte);
+    mover.taken = world_.occupancy.window(at);
+  }
+  return mover;
+}
+
 void Stepper::decide_engaged() {
   pushed_.clear();
   freed_.clear();
@@ -29,12 +46,7 @@ void Stepper::decide_engaged() {
   for (const std::uint32_t id : PushBook::engaged_particles(state)) {
     Particle& particle = state.particles[id];
     quiet_ = quiet_ && particle.previous == kRest;
-    const Candidate candidate = this->candidate(id);
-    Mover mover = {.site = candidate.site,
-                   .id = id,
-                   .kind = candidate.kind,
-                   .previous = candidate.previous,
-                   .access = access(candidate.site, 0)};
+    Mover mover = engaged_mover(id);
     if (!PushBook::onto(state, id).empty()) {
       mover.move = passive_.provisional(id);
       pushed_.push_back(mover);

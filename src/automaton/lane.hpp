@@ -43,8 +43,8 @@ enum class Claim : std::uint8_t {
 
 /// A particle with a provisional direction. Small: each is read and written several times a step.
 struct Mover {
-  lattice::Site site;        ///< the reference site when the step began, wrapped
-  std::uint64_t taken = 0;   ///< then, too: of its window, where one is enough, away from a seam
+  lattice::Site site;       ///< the reference site when the step began, wrapped
+  std::uint64_t taken = 0;  ///< then, too: of its window, where one is enough, away from a seam
   std::uint32_t id = 0;
   std::uint32_t byte = 0;  ///< SiteBits::Corner of the window
   std::uint16_t kind = 0;
@@ -58,7 +58,8 @@ static_assert(sizeof(Mover) == kCacheLine / 2);
 
 /// Of its window.
 inline SiteBits::Corner corner(const Mover& mover, const Footprint& footprint) {
-  return {.byte = mover.byte, .column = SiteBits::column_in_block(footprint.corner_from(mover.site))};
+  return {.byte = mover.byte,
+          .column = SiteBits::column_in_block(footprint.corner_from(mover.site))};
 }
 
 /// What a move adds to column and row, by the parity of the column and by Move.

@@ -14,7 +14,8 @@ std::uint16_t count(std::uint64_t sites) {
 
 /// Calls `window` for the windows of the lead sites or, at a seam, `single` for each site.
 template <class Window, class Single>
-[[gnu::always_inline]] inline void for_each_lead(const World& world, const Mover& mover, Window window, Single single) {
+[[gnu::always_inline]] inline void for_each_lead(const World& world, const Mover& mover,
+                                                 Window window, Single single) {
   const Footprint& footprint = world.footprints.of(mover.kind, mover.site.column);
   if (mover.access == Access::seam) {
     const std::size_t place = world.state.lattice.index(mover.site);

@@ -18,11 +18,10 @@ constexpr std::uint32_t kSlopingLoad = 4;
 }  // namespace
 
 // Far from the borders of its strip of the step before, only its own thread has woken a particle.
-bool Stepper::dealt_elsewhere(const Lane& whose, Candidate candidate) const {
-  const bool inner = whose.inner_before.contains(candidate.site);
-  const auto others = std::span(lanes_).first(inner ? 0 : whose.strip);
+bool Stepper::dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const {
+  const auto others = std::span(lanes_).first(whose.inner_before.contains(at) ? 0 : whose.strip);
   return std::any_of(others.begin(), others.end(),
-                     [&](const Lane& other) { return other.awake.contains(candidate.id); });
+                     [&](const Lane& other) { return other.awake.contains(id); });
 }
 
 bool Stepper::lead_is_free(const Mover& mover, lattice::Direction to) const {
@@ -40,14 +39,6 @@ bool Stepper::lead_is_free(const Mover& mover, lattice::Direction to) const {
     const SiteBits::Corner at = occupancy.corner(patch.corner(mover.site));
     return (occupancy.window(at) & patch.sites) != 0;
   });
-}
-
-Candidate Stepper::candidate(std::uint32_t id) const {
-  const Particle& particle = world_.state.particles[id];
-  return {.site = {world_.state.lattice.wrapped(particle.column), particle.row},
-          .id = id,
-          .kind = particle.kind,
-          .previous = particle.previous};
 }
 
 [[gnu::always_inline]] inline Candidate Stepper::candidate(const Mover& before) const {
@@ -73,11 +64,7 @@ Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
                            [&](lattice::Direction to) { return lead_is_free(mover, to); });
 }
 
-[[gnu::always_inline]] inline void Stepper::decide(Lane& lane, const Lane& whose,
-                                                   const Candidate& candidate) {
-  if (whose.strip > 0 && dealt_elsewhere(whose, candidate)) {
-    return;
-  }
+[[gnu::always_inline]] inline void Stepper::decide(Lane& lane, const Candidate& candidate) {
   ++lane.looked_at;
   const std::size_t strip = in_parallel_ ? strips_.of(candidate.site) : 0;
   const Access access = this->access(candidate.site, strip);
@@ -88,10 +75,9 @@ Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   if (footprint.one_window && access != Access::seam) {
     at = world_.occupancy.corner(footprint.corner_from(candidate.site));
     taken = world_.occupancy.window(at);
-    move = rule_.provisional(candidate.id, candidate.previous, world_.state.step,
-                             [&](lattice::Direction to) {
-                               return (taken & footprint.windows[index_of(to)].lead) == 0;
-                             });
+    move = rule_.provisional(
+        candidate.id, candidate.previous, world_.state.step,
+        [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
   } else {
     move = provisional_by_parts(candidate, access);
   }
@@ -151,7 +137,10 @@ void Stepper::look_at(Lane& lane, Lane& whose) {
     for (const Bag<Mover>* list : {&movers.falling, &movers.sloping}) {
       deal(list->size(), [&](std::size_t first, std::size_t count) {
         for (const Mover& before : std::span(list->begin(), list->end()).subspan(first, count)) {
-          decide(lane, whose, candidate(before));
+          const Candidate candidate = this->candidate(before);
+          if (whose.strip == 0 || !dealt_elsewhere(whose, candidate.id, candidate.site)) {
+            decide(lane, candidate);
+          }
         }
       });
     }
@@ -171,7 +160,13 @@ void Stepper::look_at_listed(Lane& lane, const Lane& whose, std::span<const std:
   }
   for (Bag<std::uint32_t>& alike : lane.of_kind) {
     for (const std::uint32_t id : alike) {
-      decide(lane, whose, candidate(id));
+      const Particle& particle = state.particles[id];
+      const lattice::Site site = site_of(particle);
+      // Who looks at it may already change the rest.
+      if (whose.strip == 0 || !dealt_elsewhere(whose, id, site)) {
+        decide(lane,
+               {.site = site, .id = id, .kind = particle.kind, .previous = particle.previous});
+      }
     }
     alike.clear();
   }

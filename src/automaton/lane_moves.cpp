@@ -27,8 +27,7 @@ void wake_in_window(Lane& lane, const Mover& mover, const Footprint& footprint) 
   lane.to_wake.add_if(sites != 0, {footprint.corner_from(mover.site), sites});
 }
 
-void wake_by_sites(const World& world, Lane& lane, const Mover& mover,
-                   const Footprint& footprint) {
+void wake_by_sites(const World& world, Lane& lane, const Mover& mover, const Footprint& footprint) {
   for (const lattice::Offset offset : footprint.wake[mover.move]) {
     wake(world, lane, place_of(world.state.lattice, mover, offset));
   }
@@ -99,8 +98,7 @@ void Stepper::move_unless_contested(Lane& lane, Mover& mover) {
 }
 
 void Stepper::move(Lane& lane) {
-  for_each_mover(lane, &Movers::falling,
-                 [&](Mover& mover) { move_unless_contested(lane, mover); });
+  for_each_mover(lane, &Movers::falling, [&](Mover& mover) { move_unless_contested(lane, mover); });
   for_each_mover(lane, &Movers::sloping, [&](Mover& mover) {
     mover.contested = contested_lead(mover);
     forget_claim(mover);  // nobody asks any more what is wanted

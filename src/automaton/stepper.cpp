@@ -120,8 +120,7 @@ void Stepper::take_woken() {
     return;
   }
   for (const std::uint32_t id : world_.awake.listed()) {
-    const Particle& particle = state.particles[id];
-    const lattice::Site site = {state.lattice.wrapped(particle.column), particle.row};
+    const lattice::Site site = site_of(state.particles[id]);
     lanes_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
   }
   world_.awake.clear();

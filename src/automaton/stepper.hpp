@@ -88,12 +88,14 @@ class Stepper {
   void look(Lane& lane);
   void look_at(Lane& lane, Lane& whose);
   void look_at_listed(Lane& lane, const Lane& whose, std::span<const std::uint32_t> ids);
-  Candidate candidate(std::uint32_t id) const;
+  lattice::Site site_of(const Particle& particle) const {
+    return {world_.state.lattice.wrapped(particle.column), particle.row};
+  }
   /// One that moved, or lost, in the last step.
   Candidate candidate(const Mover& before) const;
-  bool dealt_elsewhere(const Lane& whose, Candidate candidate) const;
+  bool dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const;
   Access access(lattice::Site site, std::size_t strip) const;
-  void decide(Lane& lane, const Lane& whose, const Candidate& candidate);
+  void decide(Lane& lane, const Candidate& candidate);
   Move provisional_by_parts(Candidate candidate, Access access) const;
   /// As things stand now, for one that has not moved yet.
   bool lead_is_free(const Mover& mover, lattice::Direction to) const;
@@ -128,6 +130,7 @@ class Stepper {
 
   // Particles that overlap, see engaged_step.cpp.
   void move_engaged(Lane& lane);
+  Mover engaged_mover(std::uint32_t id) const;
   void decide_engaged();
   void move_pushed();
   void yield_to_pushed(Bag<Mover>& movers);
@@ -145,10 +148,10 @@ class Stepper {
   std::vector<Mover> pushed_;  // by the passive rule
   std::vector<Mover> freed_;   // overlap, but go by themselves
   std::size_t looked_at_;
-  bool in_parallel_ = false;  // this step
-  bool notes_load_ = false;   // in this step
-  std::size_t busy_before_ = 1;   // lanes that took part in the step before the last
-  bool records_hold_ = false;     // see begin_step()
+  bool in_parallel_ = false;     // this step
+  bool notes_load_ = false;      // in this step
+  std::size_t busy_before_ = 1;  // lanes that took part in the step before the last
+  bool records_hold_ = false;    // see begin_step()
   bool quiet_ = true;
   bool still_ = false;  // nothing moved in the last step, and nothing that overlaps in that before
 };

@@ -51,8 +51,7 @@ Offset Lattice::offset(Axial vector, bool odd_column) const {
   const int in_pair = odd_column ? 0 : 1;
   const int pairs = (in_pair + columns) >> 1;
   const auto linear =
-      (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) *
-          kRowPitch +
+      (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) * kRowPitch +
       (columns - 2 * pairs);
   return {static_cast<std::int32_t>(linear), columns};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clca/render/area_filter.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_choice.hpp"
 

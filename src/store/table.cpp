@@ -45,7 +45,8 @@ void Table::add_row(std::vector<Cell> cells) {
 std::string Table::header() const {
   std::string line;
   for (const std::string& column : columns_) {
-    line += (line.empty() ? "" : ",") + quoted(column);
+    line += line.empty() ? "" : ",";
+    line += quoted(column);
   }
   return line + '\n';
 }

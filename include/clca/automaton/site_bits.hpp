@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 
 #include "clca/automaton/lazy_array.hpp"
 #include "clca/lattice/lattice.hpp"
@@ -25,15 +26,19 @@ class SiteBits {
  public:
   /// Where a window lies; the same in all SiteBits of a lattice.
   struct Corner {
-    std::size_t byte = 0;      ///< of its first row in the left block
+    std::size_t byte = 0;      ///< of its first row in the left block; below 2^32
     std::uint32_t column = 0;  ///< of that block, where the window begins
   };
 
+  /// Throws std::length_error for more than 2^35 sites.
   explicit SiteBits(const lattice::Lattice& lattice)
       : lattice_(lattice),
         height_((static_cast<std::size_t>(lattice.rows() + 2) + 4 * kSide) / kSide * kSide),
-        words_(height_ / kSide *
-               ((static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide)) {}
+        words_(height_ / kSide * blocks_beside(lattice)) {
+    if (words_.size() > kMostWords) {
+      throw std::length_error("a box has at most 2^35 sites");
+    }
+  }
 
   /// Bytes for a lattice of so many places.
   static double bytes_for(double places) { return places / 8; }
@@ -128,6 +133,7 @@ class SiteBits {
 
  private:
   static constexpr std::size_t kSide = kWindow;
+  static constexpr std::size_t kMostWords = std::size_t{1} << 29U;
   static constexpr std::uint64_t kEachRow = 0x0101010101010101;
   static_assert(std::endian::native == std::endian::little, "the first row of a block comes first");
 
@@ -136,6 +142,10 @@ class SiteBits {
     std::uint64_t left = 0;
     std::uint64_t right = 0;
   };
+
+  static std::size_t blocks_beside(const lattice::Lattice& lattice) {
+    return (static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide;
+  }
 
   /// All sites in so many rows of a block.
   static std::uint64_t first_rows(std::size_t count) {
@@ -153,9 +163,7 @@ class SiteBits {
     return {.left = (window & left) << at.column, .right = (window & ~left) >> (kSide - at.column)};
   }
 
-  Corner at(std::size_t place) const {
-    return corner(lattice_.site(place));
-  }
+  Corner at(std::size_t place) const { return corner(lattice_.site(place)); }
 
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
   const unsigned char* bytes() const {

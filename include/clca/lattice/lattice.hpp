@@ -94,14 +94,15 @@ class Lattice {
 
   /// Place in memory of a site of the box or its border.
   std::size_t index(Site site) const {
-    const auto column = static_cast<std::size_t>(wrapped(site.column) + 1);
-    const auto row = static_cast<std::size_t>(site.row + 1);
+    const auto column = static_cast<std::size_t>(wrapped(site.column)) + 1;
+    const auto row = static_cast<std::size_t>(site.row) + 1;
     return (column / 2 * column_size_ + row) * std::size_t{kRowPitch} + column % 2;
   }
 
   /// The site at a place in memory (rows beyond the border included).
   Site site(std::size_t index) const {
-    const std::size_t row = index / std::size_t{kRowPitch};  // those of all pairs of columns one on the other
+    const std::size_t row =
+        index / std::size_t{kRowPitch};  // those of all pairs of columns one on the other
     return {static_cast<int>(row / column_size_ * 2 + index % 2) - 1,
             static_cast<int>(row % column_size_) - 1};
   }
@@ -145,7 +146,7 @@ class Lattice {
   int rows_;
   bool periodic_;
   std::size_t column_size_;  // places, a multiple of 64
-  std::ptrdiff_t wrap_;  // places between a column and its periodic image
+  std::ptrdiff_t wrap_;      // places between a column and its periodic image
 };
 
 }  // namespace clca::lattice

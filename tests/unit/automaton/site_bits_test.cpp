@@ -74,7 +74,8 @@ TEST(SiteBits, WhatIsChangedThroughAWindowIsChangedThereAndNowhereElse) {
     if (!inside) {
       return;
     }
-    const std::uint64_t sites = random() & random();
+    const std::uint64_t half = random();
+    const std::uint64_t sites = half & random();
     const std::uint64_t before = filled.window(corner);
     const Site beside = {corner.column + 3, corner.row - 5};
     SiteBits& bits = filled.bits;

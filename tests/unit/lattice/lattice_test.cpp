@@ -66,6 +66,12 @@ TEST(Lattice, MemoryPlacesAndSitesCorrespondOneToOne) {
   EXPECT_EQ(places.size(), 7U * 9U);
 }
 
+TEST(Lattice, WhatIsNearInTwoColumnsIsNearInMemory) {
+  const Lattice lattice(5, 100, false);
+  EXPECT_EQ(lattice.index({2, 7}), lattice.index({1, 7}) + 1);
+  EXPECT_EQ(lattice.index({1, 8}), lattice.index({1, 7}) + Lattice::kRowPitch);
+}
+
 TEST(Lattice, CoversTheAskedWidthAndHeight) {
   const Lattice lattice = Lattice::covering(300, 200, false);
   EXPECT_EQ(lattice.columns(), 347);  // ceil(300 / 0.8660)
