@@ -16,7 +16,7 @@ void Stepper::move_engaged(Lane& lane) {
   yield_to_pushed(movers.falling);
   yield_to_pushed(movers.sloping);
   for (Mover& mover : freed_) {
-    mover.claim = Claim::engaged;
+    mover.standing = Standing::engaged;
     movers.sloping.add(mover);
     lane.waking.insert(mover.id);
   }
@@ -29,7 +29,7 @@ Mover Stepper::engaged_mover(std::uint32_t id) const {
                  .kind = particle.kind,
                  .previous = particle.previous,
                  .access = access(site_of(particle), 0),
-                 .claim = Claim::engaged};
+                 .standing = Standing::engaged};
   const Footprint& footprint = world_.footprints.of(particle);
   if (footprint.one_window && mover.access != Access::seam) {
     const SiteBits::Corner at = world_.occupancy.corner(footprint.corner_from(mover.site));
@@ -105,11 +105,11 @@ void Stepper::give_turns_in_place(Lane& lane) {
   sort(lane.turns);
   for (const auto& [key, mover] : lane.turns) {
     const auto direction = static_cast<lattice::Direction>(mover->move);
-    const bool engaged = mover->claim == Claim::engaged;
+    const bool engaged = mover->standing == Standing::engaged;
     if (engaged ? is_free(world_, mover->id, direction) : lead_is_free(*mover, direction)) {
-      mover->claim = Claim::won;
+      mover->standing = Standing::won;
     }
-    if (engaged && mover->claim == Claim::won) {
+    if (engaged && mover->standing == Standing::won) {
       world_.shift(mover->id, direction);
     } else {
       carry_or_rest(lane, *mover);

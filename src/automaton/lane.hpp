@@ -35,7 +35,7 @@ struct Candidate {
 };
 
 /// Of a mover on the sites that it wants.
-enum class Claim : std::uint8_t {
+enum class Standing : std::uint8_t {
   usual,
   engaged,  ///< it overlaps with somebody: has its turn among the contested
   won,      ///< it was contested
@@ -52,7 +52,7 @@ struct Mover {
   Move move = kRest;  ///< that it wants; in the end, of one that has lost against others, none
   Move previous = kRest;
   Access access = Access::alone;
-  Claim claim = Claim::usual;
+  Standing standing = Standing::usual;
 };
 static_assert(sizeof(Mover) == kCacheLine / 2);
 

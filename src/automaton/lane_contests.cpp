@@ -104,7 +104,7 @@ std::uint16_t Stepper::contested_lead(const Mover& mover) const {
 // In their order: who still finds all that it contests wins it.
 void Stepper::give_turn(Mover& mover) {
   if (contested_lead(mover) == mover.contested) {
-    mover.claim = Claim::won;
+    mover.standing = Standing::won;
     for_each_lead(
         world_, mover, [&](SiteBits::Corner at, std::uint64_t sites) { claims_.win(at, sites); },
         [&](std::size_t place) { claims_.win(place); });
@@ -176,7 +176,7 @@ void Stepper::end_contests(Lane& lane) {
         [&](std::size_t place) { claims_.close_shared(place); });
   }
   for (const auto& [key, mover] : lane.turns) {
-    mover->move = mover->claim == Claim::won ? mover->move : kRest;
+    mover->move = mover->standing == Standing::won ? mover->move : kRest;
   }
 }
 

@@ -105,7 +105,7 @@ Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   mover.move = move;
   mover.previous = candidate.previous;
   mover.access = access;
-  mover.claim = Claim::usual;
+  mover.standing = Standing::usual;
 }
 
 // Where there is most to look at is not where most moves, so threads help each other: each begins

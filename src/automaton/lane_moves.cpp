@@ -90,7 +90,7 @@ void Stepper::mark_found_by_others(Lane& lane) {
 // A provisional target was free when the step began and what others vacate is nobody's target, so
 // a mover whose lead sites nobody else wants moves whatever its place in the order.
 void Stepper::move_unless_contested(Lane& lane, Mover& mover) {
-  if (mover.contested > 0 || mover.claim == Claim::engaged) {
+  if (mover.contested > 0 || mover.standing == Standing::engaged) {
     lane.turns.push_back({key(mover), &mover});
   } else {
     carry(lane, mover);
@@ -108,7 +108,7 @@ void Stepper::move(Lane& lane) {
 }
 
 void Stepper::carry_or_rest(Lane& lane, const Mover& mover) {
-  if (mover.claim == Claim::won) {
+  if (mover.standing == Standing::won) {
     carry(lane, mover);
   } else {
     world_.state.particles[mover.id].previous = kRest;

@@ -73,7 +73,7 @@ std::size_t Stepper::advance() {
     }
     moved -= static_cast<std::size_t>(
         std::count_if(lane.turns.begin(), lane.turns.end(),
-                      [](const Turn& turn) { return turn.mover->claim != Claim::won; }));
+                      [](const Turn& turn) { return turn.mover->standing != Standing::won; }));
   }
   still_ = moved == 0 && quiet_;
   world_.changed = false;

@@ -34,11 +34,7 @@ class SiteBits {
   explicit SiteBits(const lattice::Lattice& lattice)
       : lattice_(lattice),
         height_((static_cast<std::size_t>(lattice.rows() + 2) + 4 * kSide) / kSide * kSide),
-        words_(height_ / kSide * blocks_beside(lattice)) {
-    if (words_.size() > kMostWords) {
-      throw std::length_error("a box has at most 2^35 sites");
-    }
-  }
+        words_(checked(height_ / kSide * blocks_beside(lattice))) {}
 
   /// Bytes for a lattice of so many places.
   static double bytes_for(double places) { return places / 8; }
@@ -145,6 +141,13 @@ class SiteBits {
 
   static std::size_t blocks_beside(const lattice::Lattice& lattice) {
     return (static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide;
+  }
+
+  static std::size_t checked(std::size_t words) {
+    if (words > kMostWords) {
+      throw std::length_error("a box has at most 2^35 sites");
+    }
+    return words;
   }
 
   /// All sites in so many rows of a block.

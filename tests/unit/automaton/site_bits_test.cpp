@@ -56,6 +56,11 @@ void for_each_corner(const lattice::Lattice& lattice, Visit visit) {
   }
 }
 
+TEST(SiteBits, ABoxOfMoreThanTwoToTheThirtyFiveSitesIsRefused) {
+  const lattice::Lattice lattice(1 << 18, 1 << 17, false);
+  EXPECT_THROW(SiteBits{lattice}, std::length_error);
+}
+
 TEST(SiteBits, AWindowIsItsSitesWhereverItLies) {
   const Filled filled(lattice::Lattice(21, 70, false));
   for_each_corner(filled.lattice, [&](Site corner) {
