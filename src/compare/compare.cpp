@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "clca/boltzmann/distribution.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/output_folder.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/table.hpp"
 #include "compare/read_runs.hpp"
 
@@ -18,6 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kKind = "comparison";
+constexpr const char* kComparison = "comparison.csv";
+constexpr const char* kDistances = "distances.csv";
 
 bool is_of_automaton(const Distribution& distribution) {
   return distribution.name.starts_with("automaton");
@@ -134,16 +137,14 @@ std::vector<Distance> distances(const Comparison& comparison) {
 }
 
 void write(const Comparison& comparison, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw store::StoreError(
-        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  }
   refuse_run(folder);
-  store::write_whole(folder / "comparison.csv", comparison_csv(comparison));
-  store::write_whole(folder / "distances.csv", distances_csv(comparison));
-  store::write_whole(folder / "run.json", store::to_json(summary(comparison)));
+  const store::OutputFolder files(folder);
+  for (const char* name : {kComparison, kDistances, store::kSummaryFile}) {
+    files.require_free(name);
+  }
+  files.write(kComparison, comparison_csv(comparison));
+  files.write(kDistances, distances_csv(comparison));
+  files.write(store::kSummaryFile, store::to_json(summary(comparison)));
 }
 
 }  // namespace clca::compare

@@ -20,7 +20,7 @@ std::string_view ending(Format format) {
   return ".xyz";
 }
 
-std::unique_ptr<Writer> writer(Format format, const std::filesystem::path& file,
+std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
                                const scene::Scene& scene,
                                const std::vector<automaton::Kind>& kinds) {
   switch (format) {

@@ -73,9 +73,9 @@ Bytes column(const std::vector<Body>& all, Append append_to) {
 
 }  // namespace
 
-GsdWriter::GsdWriter(const std::filesystem::path& file, const scene::Scene& scene,
+GsdWriter::GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<automaton::Kind>& kinds)
-    : file_(file, chunk_names()), kinds_(kind_looks(scene, kinds)) {}
+    : file_(file.create(), chunk_names()), kinds_(kind_looks(scene, kinds)) {}
 
 void GsdWriter::add(const automaton::State& state) {
   const std::vector<Body> all = bodies(state);

@@ -9,7 +9,7 @@ namespace clca::exports {
 
 class GsdWriter : public Writer {
  public:
-  GsdWriter(const std::filesystem::path& file, const scene::Scene& scene,
+  GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
             const std::vector<automaton::Kind>& kinds);
 
   void add(const automaton::State& state) override;

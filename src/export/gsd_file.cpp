@@ -42,8 +42,8 @@ Bytes name_list(const std::vector<std::string>& names) {
 
 }  // namespace
 
-GsdFile::GsdFile(const std::filesystem::path& path, std::vector<std::string> names)
-    : file_(path), names_(std::move(names)) {
+GsdFile::GsdFile(store::AtomicFile file, std::vector<std::string> names)
+    : file_(std::move(file)), names_(std::move(names)) {
   file_.write(bytes_of(Header()));
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/store/whole_file.hpp"
+#include "clca/store/atomic_file.hpp"
 #include "export/bytes.hpp"
 
 namespace clca::exports {
@@ -33,7 +33,7 @@ struct GsdChunk {
 class GsdFile {
  public:
   /// All names that chunks will have. The schema is "hoomd" 1.4.
-  GsdFile(const std::filesystem::path& path, std::vector<std::string> names);
+  GsdFile(store::AtomicFile file, std::vector<std::string> names);
 
   /// Within a frame names must grow.
   void write(const GsdChunk& chunk, std::span<const std::uint8_t> numbers);
@@ -53,7 +53,7 @@ class GsdFile {
   };
   static_assert(sizeof(Entry) == 32);
 
-  store::WholeFile file_;
+  store::AtomicFile file_;
   std::vector<std::string> names_;
   std::uint64_t frame_ = 0;
   std::vector<Entry> index_;

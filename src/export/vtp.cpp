@@ -75,17 +75,16 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-VtpWriter::VtpWriter(std::filesystem::path collection, const scene::Scene& scene,
+VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
                      const std::vector<automaton::Kind>& kinds)
     : collection_(std::move(collection)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
       kinds_(kind_looks(scene, kinds)) {}
 
-std::filesystem::path VtpWriter::beside(const std::string& part, std::uint64_t step) const {
+std::string VtpWriter::beside(const std::string& part, std::uint64_t step) const {
   const std::string repeat = earlier_ > 0 ? fmt::format("-{}", earlier_ + 1) : "";
-  return collection_.parent_path() /
-         fmt::format("{}{}-{:06}{}.vtp", collection_.stem().string(), part, step, repeat);
+  return fmt::format("{}{}-{:06}{}.vtp", collection_.path().stem().string(), part, step, repeat);
 }
 
 double VtpWriter::time(std::uint64_t step) const {
@@ -100,7 +99,7 @@ void VtpWriter::count_frame(std::uint64_t step) {
 
 void VtpWriter::add(const automaton::State& state) {
   count_frame(state.step);
-  const std::filesystem::path file = beside("", state.step);
+  const std::string file = beside("", state.step);
   write_particles(file, state);
   collect(state.step, 0, "particles", file);
   if (state.walls.empty()) {
@@ -115,8 +114,7 @@ void VtpWriter::add(const automaton::State& state) {
   collect(state.step, 1, "walls", wall_file_);
 }
 
-void VtpWriter::write_particles(const std::filesystem::path& file,
-                                const automaton::State& state) const {
+void VtpWriter::write_particles(const std::string& file, const automaton::State& state) const {
   VtpFile polygons;
   Bytes id;
   Bytes species;
@@ -142,11 +140,10 @@ void VtpWriter::write_particles(const std::filesystem::path& file,
   polygons.add_cell_data("velocity", "Float32", 3, std::move(velocity));
   polygons.add_cell_data("displacement", "Float32", 3, std::move(displacement));
   polygons.add_cell_data("force", "Float32", 1, std::move(force));
-  polygons.write(file);
+  polygons.write(collection_.folder.create(file));
 }
 
-void VtpWriter::write_walls(const std::filesystem::path& file,
-                            const automaton::State& state) const {
+void VtpWriter::write_walls(const std::string& file, const automaton::State& state) const {
   VtpFile polygons;
   Bytes number;
   for (std::size_t i = 0; i < state.walls.size(); ++i) {
@@ -163,20 +160,22 @@ void VtpWriter::write_walls(const std::filesystem::path& file,
   polygons.set_time(time(state.step));
   polygons.set_names("wall_names", wall_names_);
   polygons.add_cell_data("wall", "UInt32", 1, std::move(number));
-  polygons.write(file);
+  polygons.write(collection_.folder.create(file));
 }
 
 void VtpWriter::collect(std::uint64_t step, int part, const std::string& name,
-                        const std::filesystem::path& file) {
+                        const std::string& file) {
   entries_ += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
-                          time(step), part, name, escaped(file.filename().string()));
+                          time(step), part, name, escaped(file));
 }
 
 void VtpWriter::finish() {
-  store::write_whole(collection_,
-                     "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-                     "byte_order=\"LittleEndian\">\n<Collection>\n" +
-                         entries_ + "</Collection>\n</VTKFile>\n");
+  store::AtomicFile file = collection_.create();
+  file.write(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n" +
+      entries_ + "</Collection>\n</VTKFile>\n");
+  file.finish();
 }
 
 }  // namespace clca::exports

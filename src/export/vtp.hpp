@@ -13,7 +13,7 @@ namespace clca::exports {
 
 class VtpWriter : public Writer {
  public:
-  VtpWriter(std::filesystem::path collection, const scene::Scene& scene,
+  VtpWriter(store::OutputFile collection, const scene::Scene& scene,
             const std::vector<automaton::Kind>& kinds);
 
   void add(const automaton::State& state) override;
@@ -24,21 +24,20 @@ class VtpWriter : public Writer {
   using Place = std::optional<lattice::Axial>;
 
   /// STEM-000120.vtp beside the collection; STEM-000120-2.vtp for a second frame of that step.
-  std::filesystem::path beside(const std::string& part, std::uint64_t step) const;
+  std::string beside(const std::string& part, std::uint64_t step) const;
   /// Of this frame: its step, and a little more for a second one, as no two can be at one time.
   double time(std::uint64_t step) const;
   void count_frame(std::uint64_t step);
-  void write_particles(const std::filesystem::path& file, const automaton::State& state) const;
-  void write_walls(const std::filesystem::path& file, const automaton::State& state) const;
-  void collect(std::uint64_t step, int part, const std::string& name,
-               const std::filesystem::path& file);
+  void write_particles(const std::string& file, const automaton::State& state) const;
+  void write_walls(const std::string& file, const automaton::State& state) const;
+  void collect(std::uint64_t step, int part, const std::string& name, const std::string& file);
 
-  std::filesystem::path collection_;
+  store::OutputFile collection_;
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
   std::vector<KindLook> kinds_;
   std::vector<Place> seen_;  // the walls that wall_file_ shows
-  std::filesystem::path wall_file_;
+  std::string wall_file_;
   std::optional<std::uint64_t> step_;  // of the last frame
   int earlier_ = 0;                    // frames of the same step before it
   std::string entries_;

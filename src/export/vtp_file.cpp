@@ -22,7 +22,7 @@ class Appended {
     return text + "\n";
   }
 
-  void write(store::WholeFile& file) const {
+  void write(store::AtomicFile& file) const {
     file.write("<AppendedData encoding=\"raw\">\n_");
     for (const Bytes* numbers : arrays_) {
       file.write(bytes_of(std::uint64_t{numbers->size()}));
@@ -73,7 +73,7 @@ std::string VtpFile::field_data() const {
       time_, names_);
 }
 
-void VtpFile::write(const std::filesystem::path& path) const {
+void VtpFile::write(store::AtomicFile file) const {
   Appended appended;
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
@@ -90,7 +90,6 @@ void VtpFile::write(const std::filesystem::path& path) const {
     text += appended.element(array.name, array.type, array.components, array.numbers);
   }
   text += "</CellData>\n</Piece>\n</PolyData>\n";
-  store::WholeFile file(path);
   file.write(text);
   appended.write(file);
   file.write("</VTKFile>\n");

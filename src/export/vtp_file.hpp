@@ -3,11 +3,11 @@
 // "PolyData", appended data).
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "clca/store/atomic_file.hpp"
 #include "export/bytes.hpp"
 
 namespace clca::exports {
@@ -26,7 +26,7 @@ class VtpFile {
   void set_names(std::string_view name, const std::vector<std::string>& texts);
 
   /// Throws store::StoreError.
-  void write(const std::filesystem::path& path) const;
+  void write(store::AtomicFile file) const;
 
  private:
   struct Array {

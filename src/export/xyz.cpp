@@ -39,9 +39,9 @@ void append_comment(Text& text, const automaton::State& state) {
 
 }  // namespace
 
-XyzWriter::XyzWriter(const std::filesystem::path& file, const scene::Scene& scene,
+XyzWriter::XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<automaton::Kind>& kinds)
-    : file_(file) {
+    : file_(file.create()) {
   for (const automaton::Kind& kind : kinds) {
     species_.push_back(scene.species[kind.species].name);
   }

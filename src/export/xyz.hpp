@@ -4,21 +4,20 @@
 #include <string>
 
 #include "clca/export/export.hpp"
-#include "clca/store/whole_file.hpp"
 #include "export/frame.hpp"
 
 namespace clca::exports {
 
 class XyzWriter : public Writer {
  public:
-  XyzWriter(const std::filesystem::path& file, const scene::Scene& scene,
+  XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
             const std::vector<automaton::Kind>& kinds);
 
   void add(const automaton::State& state) override;
   void finish() override { file_.finish(); }
 
  private:
-  store::WholeFile file_;
+  store::AtomicFile file_;
   std::vector<std::string> species_;  // by kind
 };
 

@@ -22,11 +22,12 @@ FrameWriter::~FrameWriter() {
   thread_.join();
 }
 
-void FrameWriter::write(std::filesystem::path path, std::function<Picture()> picture) {
+void FrameWriter::write(store::OutputFolder folder, std::string name,
+                        std::function<Picture()> picture) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
   rethrow_failure();
-  jobs_.push_back({std::move(path), std::move(picture)});
+  jobs_.push_back({std::move(folder), std::move(name), std::move(picture)});
   changed_.notify_all();
 }
 
@@ -50,7 +51,7 @@ void FrameWriter::work() {
     std::exception_ptr failure;
     try {
       const Picture picture = job.picture();
-      store::write_whole(job.path, render::encode_png(picture.image, picture.text));
+      job.folder.write(job.name, render::encode_png(picture.image, picture.text));
     } catch (...) {
       failure = std::current_exception();
     }

@@ -4,11 +4,12 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
+#include "clca/store/output_folder.hpp"
 #include "run/frame_painter.hpp"
 
 namespace clca::run {
@@ -24,13 +25,14 @@ class FrameWriter {
   FrameWriter& operator=(const FrameWriter&) = delete;
 
   /// `picture` is called once, on that thread. Rethrows what went wrong with an earlier one.
-  void write(std::filesystem::path path, std::function<Picture()> picture);
+  void write(store::OutputFolder folder, std::string name, std::function<Picture()> picture);
   /// Waits until everything is written. Rethrows likewise.
   void finish();
 
  private:
   struct Job {
-    std::filesystem::path path;
+    store::OutputFolder folder;
+    std::string name;
     std::function<Picture()> picture;
   };
 

@@ -15,6 +15,7 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
+#include "run/begin.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_slots.hpp"
 #include "run/log.hpp"
@@ -39,7 +40,7 @@ class GasRun {
         options_(options),
         events_(events),
         folder_(std::move(folder)),
-        log_(folder_.log(), course.log_bytes, events),
+        log_(folder_, course.log_bytes, events),
         carrier_(scene),
         course_(std::move(course)),
         cases_told_(std::exchange(course_.cases_ended, 0)),
@@ -60,7 +61,7 @@ class GasRun {
   void warn();
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
-    store::write_whole(folder_.summary(), store::to_json(summary(status)));
+    folder_.files().write(store::kSummaryFile, store::to_json(summary(status)));
   }
   void note_failure() {
     try {
@@ -111,7 +112,7 @@ class GasRun {
 store::RunSummary GasRun::execute() {
   write_summary("running");
   try {
-    store::write_whole(folder_.scene(), scene::to_yaml(scene_));
+    folder_.files().write(store::kSceneFile, scene::to_yaml(scene_));
     if (log_.bytes() == 0) {
       warn();
     }
@@ -123,6 +124,9 @@ store::RunSummary GasRun::execute() {
   }
   const std::string status = complete_ ? "done" : "interrupted";
   write_summary(status);
+  if (complete_ && !scene_.checkpoint) {
+    store::remove_checkpoints(folder_.files());
+  }
   return summary(status);
 }
 
@@ -257,7 +261,7 @@ void GasRun::save() {
                                   .summary = store::to_json(summary("running")),
                                   .fields = {}};
   fields::encode(kSavedGases, course_, checkpoint.fields);
-  saver_.save(folder_.path(), std::move(checkpoint), [] {});
+  saver_.save(folder_.files(), std::move(checkpoint), [] {});
 }
 
 store::RunSummary GasRun::summary(const std::string& status) const {
@@ -277,21 +281,37 @@ store::RunSummary GasRun::summary(const std::string& status) const {
   return summary;
 }
 
+store::Checkpoint start_checkpoint(const scene::BoltzmannScene& scene, const RunOptions& options) {
+  store::RunSummary summary = provenance();
+  summary.kind = "boltzmann";
+  summary.scene = scene.name;
+  summary.seed = scene.seed;
+  summary.threads = options.threads;
+  summary.status = "running";
+  return {.kind = summary.kind,
+          .scene_name = scene.name,
+          .scene = scene::to_yaml(scene),
+          .summary = store::to_json(summary),
+          .fields = {}};
+}
+
 }  // namespace
 
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
-  return GasRun(scene, options, events, store::RunFolder::for_new_run(options.folder)).execute();
+  store::RunFolder folder =
+      begin_run(options, events, start_checkpoint(scene, options), gas_table_names(scene));
+  return GasRun(scene, options, events, std::move(folder)).execute();
 }
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
-  if (!saved.checkpoint) {
+  if (saved.checkpoint.is_start()) {
     saved.folder.clear_results();
     return GasRun(scene, options, events, std::move(saved.folder)).execute();
   }
   GasCourse course = saved_course(saved);
-  saved.checkpoint.reset();  // as large as the gases
+  saved.checkpoint.fields.clear();  // as large as the gases
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
 }
 

@@ -137,9 +137,9 @@ void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const S
 }  // namespace
 
 GasCourse saved_course(const SavedRun& saved) {
-  const store::Checkpoint& checkpoint = *saved.checkpoint;
+  const store::Checkpoint& checkpoint = saved.checkpoint;
   const auto old_scene = std::get<scene::BoltzmannScene>(
-      scene::parse_any(checkpoint.scene, saved.folder.scene().string()));
+      scene::parse_any(checkpoint.scene, (saved.folder.path() / store::kSceneFile).string()));
   GasCourse course;
   try {
     fields::decode(kSavedGases, checkpoint.fields, saved.most_bytes, course);

@@ -176,6 +176,10 @@ std::string steady_csv(const scene::BoltzmannScene& scene, const std::vector<Gas
   return table.to_csv();
 }
 
+std::string histogram_name(const GasTime& time) {
+  return store::table_name("histogram", fmt::format("{}", time.time));
+}
+
 }  // namespace
 
 std::size_t GasCase::observations() const {
@@ -211,22 +215,32 @@ Estimate estimate(const std::vector<double>& values) {
                                   : std::numeric_limits<double>::quiet_NaN()};
 }
 
+std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene) {
+  std::vector<std::string> names = {store::table_name("series"), store::table_name("closure")};
+  for (const GasTime& time : gas_times(scene)) {
+    names.push_back(histogram_name(time));
+  }
+  return names;
+}
+
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                   const store::RunFolder& folder) {
-  store::write_whole(folder.table("series"), series_csv(scene, cases));
+  const auto write = [&](const std::string& name, const std::string& csv) {
+    folder.files().write(name, csv);
+  };
+  write(store::table_name("series"), series_csv(scene, cases));
   const std::vector<GasTime> times = gas_times(scene);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const bool reached = std::any_of(cases.begin(), cases.end(),
                                      [i](const GasCase& one) { return i < one.observations(); });
     if (times[i].in_histograms && reached) {
-      store::write_whole(folder.table("histogram", fmt::format("{}", times[i].time)),
-                         histogram_csv(scene, cases, i));
+      write(histogram_name(times[i]), histogram_csv(scene, cases, i));
     }
   }
   if (scene.shear_rate == 0) {
-    store::write_whole(folder.table("closure"), closure_csv(scene, cases));
+    write(store::table_name("closure"), closure_csv(scene, cases));
   } else if (scene.friction == 0) {
-    store::write_whole(folder.table("closure"), steady_csv(scene, cases));
+    write(store::table_name("closure"), steady_csv(scene, cases));
   }
 }
 

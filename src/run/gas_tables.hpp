@@ -40,6 +40,8 @@ Estimate estimate(const std::vector<double>& values);
 /// Throws store::StoreError.
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                   const store::RunFolder& folder);
+/// Names of all tables that write_tables() may write.
+std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene);
 
 /// The last row of the series, with what else is to be known of a case.
 std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,

@@ -24,6 +24,18 @@ Outputs::Outputs(const scene::Scene& scene, const automaton::State& state,
   }
 }
 
+std::vector<std::string> Outputs::file_names() const {
+  std::vector<std::string> names = {store::table_name("series"), store::table_name("cycles"),
+                                    store::table_name("fields"), "trajectory.h5"};
+  for (const scene::Stage& stage : scene_.stages) {
+    for (const char* kind : {"profile", "convection", "fluctuation", "contacts", "forces", "loads",
+                             "walls"}) {
+      names.push_back(store::table_name(kind, stage.name));
+    }
+  }
+  return names;
+}
+
 void Outputs::Growing::take(store::Table& table, std::size_t least) {
   if (table.waiting() > 0 && table.waiting() >= least) {
     const std::string header = file.bytes() == 0 ? table.header() : "";
@@ -39,11 +51,11 @@ void Outputs::reopen(const store::RunFolder& folder, const automaton::State& sta
                      const OutputHistory& history) {
   folder_ = &folder;
   last_picture_only_ = history.last_picture_only;
-  series_file_.emplace(Growing{{folder.table("series"), history.series_bytes}});
-  cycles_file_.emplace(Growing{{folder.table("cycles"), history.cycles_bytes}});
-  fields_file_.emplace(Growing{{folder.table("fields"), history.fields_bytes}});
+  series_file_.emplace(Growing{{folder.files(), store::table_name("series"), history.series_bytes}});
+  cycles_file_.emplace(Growing{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
+  fields_file_.emplace(Growing{{folder.files(), store::table_name("fields"), history.fields_bytes}});
   if (scene_.output.trajectory) {
-    trajectory_.emplace(folder.path(), scene_, state, history.trajectory);
+    trajectory_.emplace(folder.files(), scene_, state, history.trajectory);
     trajectory_step_ = history.trajectory_step;
   }
   folder.remove_frames_after(history.pictures.last_step);
@@ -52,7 +64,7 @@ void Outputs::reopen(const store::RunFolder& folder, const automaton::State& sta
   }
   if (pictures_) {
     pictures_->history() = history.pictures;
-    folder.make_frames();
+    folder.files().make_folder(store::kFramesFolder);
   }
 }
 
@@ -146,7 +158,7 @@ void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton
                            const Records& records, const StageHistory& history) {
   const automaton::State& state = automaton.state();
   const auto write = [&](const char* kind, const std::string& csv) {
-    store::write_whole(folder_->table(kind, stage.name), csv);
+    folder_->files().write(store::table_name(kind, stage.name), csv);
   };
   if (wants(scene::Measure::profile)) {
     write("profile", profile_table(history.profile_at_start, measure::surface_profile(state)));

@@ -45,6 +45,8 @@ class Outputs {
  public:
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
   Outputs(const scene::Scene& scene, const automaton::State& state, const RunOptions& options);
+  /// Names of the tables and of the trajectory that the scene may ask for.
+  std::vector<std::string> file_names() const;
 
   /// From here on files go to `folder`, which must outlive this object; `state` is one of the run.
   void open(const store::RunFolder& folder, const automaton::State& state);

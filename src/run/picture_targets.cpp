@@ -23,7 +23,7 @@ int cell_width(int columns) {
 
 /// Throws store::StoreError where `file` could not be written.
 void check_writable(const std::filesystem::path& file) {
-  const store::WholeFile tried(file);
+  store::named_file(file).create();
 }
 
 render::MovieFormat format_of(const std::filesystem::path& movie) {
@@ -36,22 +36,20 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
 
 }  // namespace
 
-FilesTarget::FilesTarget(const scene::Scene& scene, std::filesystem::path folder,
-                         std::uint64_t step)
+FilesTarget::FilesTarget(const scene::Scene& scene, store::OutputFolder folder, std::uint64_t step)
     : folder_(std::move(folder)), scene_(scene.name) {
-  store::make_folder(folder_);
-  check_writable(folder_ / store::frame_name(scene_, step));
+  folder_.create(store::frame_name(scene_, step));  // throws where it cannot be written
 }
 
 void FilesTarget::add(Picture picture, std::uint64_t step) {
-  writer_.write(folder_ / store::frame_name(scene_, step),
+  writer_.write(folder_, store::frame_name(scene_, step),
                 [picture = std::move(picture)] { return picture; });
 }
 
 MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
                          int frames_per_second)
-    : file_(file),
-      movie_(file_.aside(), format_of(file), frames.width, frames.height, frames_per_second) {}
+    : file_(store::named_file(file).create()),
+      movie_(file_.temporary_path(), format_of(file), frames.width, frames.height, frames_per_second) {}
 
 void MovieTarget::finish() {
   movie_.finish();
@@ -94,8 +92,8 @@ PictureTargets::PictureTargets(const scene::Scene& scene, const RedrawOptions& o
   if (!options.sheet.empty()) {
     sheet_.emplace(scene, options.sheet, options.columns, pictures);
   }
-  if (!options.folder.empty()) {
-    files_.emplace(scene, options.folder, step);
+  if (options.folder) {
+    files_.emplace(scene, *options.folder, step);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "clca/render/contact_sheet.hpp"
 #include "clca/render/movie.hpp"
 #include "clca/run/redraw.hpp"
-#include "clca/store/whole_file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_writer.hpp"
 
@@ -18,12 +18,12 @@ namespace clca::run {
 class FilesTarget {
  public:
   /// `step`: of the first picture, to find out whether it can be written. Throws store::StoreError.
-  FilesTarget(const scene::Scene& scene, std::filesystem::path folder, std::uint64_t step);
+  FilesTarget(const scene::Scene& scene, store::OutputFolder folder, std::uint64_t step);
   void add(Picture picture, std::uint64_t step);
   void finish() { writer_.finish(); }
 
  private:
-  std::filesystem::path folder_;
+  store::OutputFolder folder_;
   std::string scene_;
   FrameWriter writer_;
 };
@@ -39,7 +39,7 @@ class MovieTarget {
   void finish();
 
  private:
-  store::WholeFile file_;
+  store::AtomicFile file_;
   render::Movie movie_;
 };
 

@@ -19,7 +19,8 @@ void Pictures::draw(const automaton::Automaton& automaton, const Records& record
   }
   history_.last_step = state.step;
   Negative negative = painter_.expose({state, automaton.occupancy(), &records.cycles()}, history_);
-  writer_.write(folder.frame(scene_.name, state.step),
+  writer_.write(folder.files().subfolder(store::kFramesFolder),
+                store::frame_name(scene_.name, state.step),
                 [this, negative = std::move(negative)] { return painter_.develop(negative); });
 }
 

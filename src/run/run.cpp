@@ -11,6 +11,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
+#include "run/begin.hpp"
 #include "run/force_measures.hpp"
 #include "run/gas_run.hpp"
 #include "run/log.hpp"
@@ -31,8 +32,9 @@ class Run {
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, initial_state(scene)) {
     prepare_stage(automaton_, scene, scene.stages.front());
-    folder_.emplace(folder ? std::move(*folder) : store::RunFolder::for_new_run(options.folder));
-    log_.emplace(folder_->log(), 0, events);
+    folder_.emplace(folder ? std::move(*folder)
+                           : begin_run(options, events, checkpoint(), outputs_.file_names()));
+    log_.emplace(*folder_, 0, events);
   }
 
   /// Goes on with `saved`, which `parts` are of.
@@ -64,12 +66,14 @@ class Run {
   StageEnd run_steps();
   void step();
   void end_stage(StageEnd end);
+  /// A checkpoint of the run before its first step.
+  store::Checkpoint checkpoint() const;
   /// Writes a checkpoint of the run between two steps.
   void save();
   void show_progress(double moving_share, std::optional<double> seconds_left);
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
-    store::write_whole(folder_->summary(), store::to_json(summary(status)));
+    folder_->files().write(store::kSummaryFile, store::to_json(summary(status)));
   }
   /// A disk that is full for the rest may be so for the summary: the first error is the one to
   /// tell.
@@ -110,8 +114,9 @@ class Run {
 };
 
 store::RunSummary Run::execute() {
-  store::write_whole(folder_->scene(), scene::to_yaml(scene_));
+  // Before the scene: a run that is done and goes on is not done with another scene.
   write_summary("running");
+  folder_->files().write(store::kSceneFile, scene::to_yaml(scene_));
   try {
     run_stages();
   } catch (const std::exception& error) {
@@ -121,6 +126,9 @@ store::RunSummary Run::execute() {
   }
   const std::string status = interrupted_ ? "interrupted" : "done";
   write_summary(status);
+  if (!interrupted_ && !scene_.output.checkpoint) {
+    store::remove_checkpoints(folder_->files());
+  }
   return summary(status);
 }
 
@@ -129,8 +137,8 @@ void Run::go_on(SavedRun& saved, SavedParts& parts) {
   course_ = parts.course;
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
-  records_.resume_stage(stage(), automaton_, saved.checkpoint->fields, saved.most_bytes);
-  log_.emplace(folder_->log(), course_.log_bytes, events_);
+  records_.resume_stage(stage(), automaton_, saved.checkpoint.fields, saved.most_bytes);
+  log_.emplace(*folder_, course_.log_bytes, events_);
   outputs_.reopen(*folder_, automaton_.state(), parts.outputs);
   in_stage_ = true;
 }
@@ -232,23 +240,27 @@ void Run::end_stage(StageEnd end) {
   }
 }
 
+store::Checkpoint Run::checkpoint() const {
+  return {.kind = "automaton",
+          .scene_name = scene_.name,
+          .scene = scene::to_yaml(scene_),
+          .summary = store::to_json(summary("running")),
+          .fields = {}};
+}
+
 void Run::save() {
   const OutputHistory outputs = outputs_.settle(records_);
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
   course.log_bytes = log_->bytes();
-  store::Checkpoint checkpoint = {.kind = "automaton",
-                                  .scene_name = scene_.name,
-                                  .scene = scene::to_yaml(scene_),
-                                  .summary = store::to_json(summary("running")),
-                                  .fields = {}};
-  fields::encode(kSavedState, automaton_.state(), checkpoint.fields);
-  fields::encode(kSavedCourse, course, checkpoint.fields);
-  fields::encode(kSavedHistory, history_, checkpoint.fields);
-  fields::encode(kSavedOutputs, outputs, checkpoint.fields);
-  records_.save(checkpoint.fields);
-  saver_.save(folder_->path(), std::move(checkpoint), [this] { outputs_.sync(); });
+  store::Checkpoint saved = checkpoint();
+  fields::encode(kSavedState, automaton_.state(), saved.fields);
+  fields::encode(kSavedCourse, course, saved.fields);
+  fields::encode(kSavedHistory, history_, saved.fields);
+  fields::encode(kSavedOutputs, outputs, saved.fields);
+  records_.save(saved.fields);
+  saver_.save(folder_->files(), std::move(saved), [this] { outputs_.sync(); });
 }
 
 void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
@@ -304,11 +316,17 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   if (!saved.warning.empty() && events.warning) {
     events.warning(saved.warning);
   }
+  if (saved.finished) {
+    if (events.message) {
+      events.message("the run is done: there is nothing to go on with");
+    }
+    return *saved.finished;
+  }
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }
   const auto& scene = std::get<scene::Scene>(saved.scene);
-  if (!saved.checkpoint) {
+  if (saved.checkpoint.is_start()) {
     saved.folder.clear_results();
     return Run(scene, options, events, std::move(saved.folder)).execute();
   }

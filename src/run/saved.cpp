@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <system_error>
 
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
@@ -38,20 +39,52 @@ scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path
   return scene;
 }
 
-/// What a run has left that was killed before its first checkpoint.
-SavedScene scene_in(const store::RunFolder& folder, double most_bytes) {
-  if (!std::filesystem::exists(folder.scene()) || !std::filesystem::exists(folder.summary())) {
-    throw store::StoreError(
-        fmt::format("cannot go on in {}: no run has begun there", folder.path().string()));
+/// The summary of a run that needs no going on: it is done, and no other end is asked for.
+std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(folder.path() / store::kSummaryFile, unknown)) {
+    return std::nullopt;
   }
-  const auto text = store::read_whole(folder.scene(), most_bytes);
-  return {std::string(text.begin(), text.end()), store::read_summary(folder.summary()).scene};
+  store::RunSummary summary = store::read_summary(folder.path() / store::kSummaryFile);
+  return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
+}
+
+/// Whether the next run has begun to replace the one that has left its run.json.
+bool is_about_to_start(const store::RunFolder& folder, double most_bytes) {
+  try {
+    const auto found = store::read_checkpoint(folder.path(), most_bytes);
+    return found && found->checkpoint.is_start();
+  } catch (const store::StoreError&) {  // it is older and damaged: it is not needed
+    return false;
+  }
+}
+
+store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double most_bytes) {
+  if (auto found = store::read_checkpoint(folder.path(), most_bytes)) {
+    return *std::move(found);
+  }
+  throw store::StoreError(fmt::format(
+      "cannot go on in {}: the run is done and has kept no checkpoint (output.checkpoint: none)",
+      folder.path().string()));
+}
+
+/// Throws ScenePlaceError for an end that the last stage has passed.
+void require_ahead(const std::string& until, const scene::Stage& stage,
+                   const StageHistory& history) {
+  const auto* steps = std::get_if<scene::UntilSteps>(&stage.until);
+  const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
+  if ((steps != nullptr && steps->steps < history.steps) ||
+      (cycles != nullptr && cycles->cycles < history.cycles)) {
+    throw ScenePlaceError(fmt::format(
+        "--until {}: error: stage {} has passed this end: it is at step {}{}", until, stage.name,
+        history.steps, cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
+  }
 }
 
 automaton::State saved_state(const scene::Scene& scene, const SavedRun& saved) {
   const automaton::State beginning = initial_state(scene);
   automaton::State state = beginning;
-  fields::decode(kSavedState, saved.checkpoint->fields, saved.most_bytes, state);
+  fields::decode(kSavedState, saved.checkpoint.fields, saved.most_bytes, state);
   automaton::check_reachable(state, beginning);
   return state;
 }
@@ -60,24 +93,24 @@ automaton::State saved_state(const scene::Scene& scene, const SavedRun& saved) {
 
 SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
                   const std::optional<std::string>& until) {
-  if (!std::filesystem::is_directory(folder)) {
-    throw store::StoreError(
-        fmt::format("cannot go on in {}: there is no such folder", folder.string()));
+  SavedRun run = {.folder = store::RunFolder::for_resumed_run(folder),
+                  .scene = {},
+                  .checkpoint = {},
+                  .finished = {},
+                  .most_bytes = most_bytes,
+                  .until = until,
+                  .warning = ""};
+  auto done = until ? std::nullopt : finished(run.folder);
+  if (done && !is_about_to_start(run.folder, most_bytes)) {
+    run.finished = std::move(done);
+    return run;
   }
-  store::RunFolder run_folder = store::RunFolder::for_resumed_run(folder);
-  std::optional<store::FoundCheckpoint> found = store::read_checkpoint(folder, most_bytes);
-  const SavedScene saved = found ? SavedScene{found->checkpoint.scene, found->checkpoint.scene_name}
-                                 : scene_in(run_folder, most_bytes);
-  scene::AnyScene scene = parse_saved(saved, run_folder.scene(), until);
-  SavedRun result = {.folder = std::move(run_folder),
-                     .scene = std::move(scene),
-                     .checkpoint = {},
-                     .most_bytes = most_bytes,
-                     .warning = found ? found->warning : ""};
-  if (found) {
-    result.checkpoint = std::move(found->checkpoint);
-  }
-  return result;
+  store::FoundCheckpoint found = found_checkpoint(run.folder, most_bytes);
+  run.checkpoint = std::move(found.checkpoint);
+  run.warning = std::move(found.warning);
+  run.scene = parse_saved({run.checkpoint.scene, run.checkpoint.scene_name},
+                          folder / store::kSceneFile, until);
+  return run;
 }
 
 store::StoreError not_of_this_run(const std::filesystem::path& folder, const std::string& reason) {
@@ -89,15 +122,18 @@ store::StoreError not_of_this_run(const std::filesystem::path& folder, const std
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   SavedParts parts = {
       .state = saved_state(scene, saved), .course = {}, .history = {}, .outputs = {}, .stages = {}};
-  const fields::Columns& columns = saved.checkpoint->fields;
+  const fields::Columns& columns = saved.checkpoint.fields;
   fields::decode(kSavedCourse, columns, saved.most_bytes, parts.course);
   fields::decode(kSavedHistory, columns, saved.most_bytes, parts.history);
   fields::decode(kSavedOutputs, columns, saved.most_bytes, parts.outputs);
-  parts.stages = store::parse_summary(saved.checkpoint->summary, "its summary").stages;
+  parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const auto columns_of_lattice = static_cast<std::size_t>(parts.state.lattice.columns());
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw fields::Mismatch("its stages are others");
+  }
+  if (saved.until && parts.course.stage + 1 == scene.stages.size()) {
+    require_ahead(*saved.until, scene.stages.back(), parts.history);
   }
   return parts;
 }

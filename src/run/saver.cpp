@@ -16,7 +16,7 @@ bool Saver::due(std::uint64_t step) {
   return by_steps || (ticker_ && ticker_->due());
 }
 
-void Saver::save(const std::filesystem::path& run_folder, store::Checkpoint checkpoint,
+void Saver::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
                  std::function<void()> before) {
   finish();
   writing_ = std::async(std::launch::async, [run_folder, checkpoint = std::move(checkpoint),

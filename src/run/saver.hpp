@@ -19,7 +19,7 @@ class Saver {
   bool due(std::uint64_t step);
   /// Writes the checkpoint on a thread of its own, `before` it what has to be on the disk first.
   /// Waits for the one before. Rethrows what went wrong with that.
-  void save(const std::filesystem::path& run_folder, store::Checkpoint checkpoint,
+  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
             std::function<void()> before);
   /// Waits until all is written. Rethrows likewise.
   void finish();

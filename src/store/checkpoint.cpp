@@ -18,10 +18,10 @@ constexpr const char* kList = "fields";
 constexpr const char* kFields = "run/";
 
 fs::path newest(const fs::path& run_folder) {
-  return run_folder / "checkpoint.h5";
+  return run_folder / kCheckpointFile;
 }
 fs::path one_before(const fs::path& run_folder) {
-  return run_folder / "checkpoint-previous.h5";
+  return run_folder / kCheckpointBefore;
 }
 
 template <class... Numbers>
@@ -50,9 +50,7 @@ Checkpoint read(const fs::path& file, double most_bytes) {
   return checkpoint;
 }
 
-}  // namespace
-
-void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) {
+std::vector<std::uint8_t> encoded(const Checkpoint& checkpoint) {
   SealedWriter writer(kCheckpointKind);
   writer.add_text("kind", checkpoint.kind);
   writer.add_text("scene_name", checkpoint.scene_name);
@@ -68,16 +66,25 @@ void write_checkpoint(const fs::path& run_folder, const Checkpoint& checkpoint) 
         one.second);
   }
   writer.add_texts(kList, paths);
-  const fs::path next = run_folder / "checkpoint-next.h5";
-  write_whole(next, writer.seal());
-  std::error_code none_yet;
-  fs::rename(newest(run_folder), one_before(run_folder), none_yet);
-  std::error_code error;
-  fs::rename(next, newest(run_folder), error);
-  if (error) {
-    throw StoreError(
-        fmt::format("cannot write {}: {}", newest(run_folder).string(), error.message()));
-  }
+  return writer.seal();
+}
+
+}  // namespace
+
+void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
+  AtomicFile file = folder.create(kCheckpointFile);
+  file.write(encoded(checkpoint));
+  folder.rename(kCheckpointFile, kCheckpointBefore);
+  file.finish();
+}
+
+void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
+  folder.write(kCheckpointFile, encoded(checkpoint));
+}
+
+void remove_checkpoints(const OutputFolder& folder) {
+  folder.remove(kCheckpointBefore);
+  folder.remove(kCheckpointFile);
 }
 
 std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double most_bytes) {

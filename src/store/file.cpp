@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-#include "clca/store/whole_file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {
@@ -24,7 +24,7 @@ namespace {
 }  // namespace
 
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  WholeFile file(path);
+  AtomicFile file = named_file(path).create();
   file.write(bytes);
   file.finish();
 }

@@ -24,13 +24,6 @@ std::optional<std::uint64_t> part_number(const std::string& name) {
   return name == part_name(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Written aside by write_whole when the run was killed.
-bool is_left_aside(const std::string& name) {
-  const std::size_t end = name.find(".h5.part-");
-  return end != std::string::npos &&
-         (name.starts_with(kTrajectoryIndex) || part_number(name.substr(0, end + 3)));
-}
-
 /// Names in a folder; none where there is no such folder.
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
@@ -60,22 +53,6 @@ std::vector<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
   return numbers;
 }
 
-void remove_file(const std::filesystem::path& file) {
-  std::error_code error;
-  std::filesystem::remove(file, error);
-  if (error) {
-    throw StoreError(fmt::format("cannot remove {}: {}", file.string(), error.message()));
-  }
-}
-
-void remove_left_aside(const std::filesystem::path& folder) {
-  for (const std::string& name : names_in(folder)) {
-    if (is_left_aside(name)) {
-      remove_file(folder / name);
-    }
-  }
-}
-
 }  // namespace
 
 std::string part_name(std::uint64_t number) {
@@ -100,17 +77,15 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
   return parts;
 }
 
-void remove_parts(const std::filesystem::path& run_folder, std::uint64_t kept) {
-  const std::filesystem::path folder = run_folder / kTrajectoryFolder;
+void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {
   if (kept == 0) {
-    remove_file(run_folder / kTrajectoryIndex);
+    run_folder.remove(kTrajectoryIndex);
   }
-  const std::vector<std::uint64_t> numbers = part_numbers(folder);
+  const OutputFolder folder = run_folder.subfolder(kTrajectoryFolder);
+  const std::vector<std::uint64_t> numbers = part_numbers(folder.path());
   for (auto number = numbers.rbegin(); number != numbers.rend() && *number >= kept; ++number) {
-    remove_file(folder / part_name(*number));
+    folder.remove(part_name(*number));
   }
-  remove_left_aside(folder);
-  remove_left_aside(run_folder);
 }
 
 }  // namespace clca::store

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "clca/store/output_folder.hpp"
+
 namespace clca::store {
 
 inline constexpr const char* kTrajectoryFolder = "trajectory";
@@ -18,8 +20,8 @@ std::string part_name(std::uint64_t number);
 /// between others.
 std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder);
 
-/// Removes parts from the number `kept` on, the last one first, and what a killed run has left
-/// beside them; the index as well where no part is kept. Throws StoreError.
-void remove_parts(const std::filesystem::path& run_folder, std::uint64_t kept);
+/// Removes parts that clca has written from the number `kept` on, the last one first; the index as
+/// well where no part is kept. Throws StoreError.
+void remove_parts(const OutputFolder& run_folder, std::uint64_t kept);
 
 }  // namespace clca::store

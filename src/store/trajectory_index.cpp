@@ -104,7 +104,7 @@ std::vector<std::uint8_t> image_of(const Handle& file) {
 
 }  // namespace
 
-void write_index(const std::filesystem::path& run_folder, const std::vector<Extents>& parts,
+void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
                  std::size_t walls) {
   constexpr std::size_t kGrowth = 1U << 16U;
   const hdf5::Session session;
@@ -120,7 +120,7 @@ void write_index(const std::filesystem::path& run_folder, const std::vector<Exte
   check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
                            H5P_DEFAULT),
         "link");
-  write_whole(run_folder / kTrajectoryIndex, image_of(file));
+  run_folder.write(kTrajectoryIndex, image_of(file));
 }
 
 }  // namespace clca::store

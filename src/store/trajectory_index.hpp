@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "clca/store/output_folder.hpp"
 #include "store/trajectory_part.hpp"
 
 namespace clca::store {
@@ -12,7 +13,7 @@ namespace clca::store {
 /// Writes `trajectory.h5` of a run folder: virtual datasets over parts with these extents, and
 /// group `scene` as a link into the first part. At least one part. Throws StoreError, and
 /// std::runtime_error when HDF5 fails.
-void write_index(const std::filesystem::path& run_folder, const std::vector<Extents>& parts,
+void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
                  std::size_t walls);
 
 }  // namespace clca::store

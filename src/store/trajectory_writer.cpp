@@ -20,15 +20,6 @@ namespace {
 /// memory and readers see what there is soon.
 constexpr std::size_t kPartBytes = std::size_t{16} << 20U;
 
-void make_trajectory_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw StoreError(
-        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  }
-}
-
 /// Room for the file itself and `most_frames` of columns by frame.
 double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t most_frames) {
   constexpr double kOthers = 1U << 24U;
@@ -43,9 +34,9 @@ double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t most_fr
 
 class TrajectoryWriter::Impl {
  public:
-  Impl(std::filesystem::path run_folder, SceneTables tables, std::size_t walls, const Written& kept)
+  Impl(OutputFolder run_folder, SceneTables tables, std::size_t walls, const Written& kept)
       : run_folder_(std::move(run_folder)), tables_(std::move(tables)), walls_(walls) {
-    make_trajectory_folder(run_folder_ / kTrajectoryFolder);
+    run_folder_.make_folder(kTrajectoryFolder);
     if (kept.parts > 0) {
       take_up(kept);
       write_index(run_folder_, parts_, walls_);
@@ -74,7 +65,7 @@ class TrajectoryWriter::Impl {
                     [&file]<class T>(const Column& column, const std::vector<T>& values) {
                       file.add<T>(column.path, values, column.width());
                     });
-    write_whole(run_folder_ / kTrajectoryFolder / part_name(parts_.size()), file.seal());
+    run_folder_.subfolder(kTrajectoryFolder).write(part_name(parts_.size()), file.seal());
     count(part_.extents());
     part_ = {};
     write_index(run_folder_, parts_, walls_);
@@ -90,11 +81,11 @@ class TrajectoryWriter::Impl {
 
   /// Learns how much the kept parts hold.
   void take_up(const Written& kept) {
-    const std::vector<std::filesystem::path> parts = find_parts(run_folder_);
+    const std::vector<std::filesystem::path> parts = find_parts(run_folder_.path());
     if (parts.size() < kept.parts) {
       throw StoreError(
           fmt::format("cannot read {}: missing, though the run had written it",
-                      (run_folder_ / kTrajectoryFolder / part_name(parts.size())).string()));
+                      (run_folder_.path() / kTrajectoryFolder / part_name(parts.size())).string()));
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
       const SealedReader file(parts[part], kTrajectoryKind,
@@ -116,12 +107,12 @@ class TrajectoryWriter::Impl {
     }
     if (written_.frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
-                                   (run_folder_ / kTrajectoryFolder).string(), written_.frames,
+                                   (run_folder_.path() / kTrajectoryFolder).string(), written_.frames,
                                    kept.frames));
     }
   }
 
-  std::filesystem::path run_folder_;
+  OutputFolder run_folder_;
   SceneTables tables_;
   std::size_t walls_;
   std::vector<Extents> parts_;
@@ -130,7 +121,7 @@ class TrajectoryWriter::Impl {
   TrajectoryPart part_;      // not yet written
 };
 
-TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& run_folder,
+TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder,
                                    const scene::Scene& scene, const automaton::State& state,
                                    const Written& kept)
     : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), state.walls.size(),

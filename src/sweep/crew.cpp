@@ -61,7 +61,8 @@ Ended Crew::carried_out(std::size_t run) const {
                                   {.folder = folder_.run(plan_.name(run)),
                                    .threads = 1,
                                    .stop = &stop_,
-                                   .last_picture_only = !all_pictures_},
+                                   .last_picture_only = !all_pictures_,
+                                   .overwrite = true},
                                   events);
     one.result.status = one.result.summary.status == "done" ? Status::done : Status::interrupted;
   } catch (const store::StoreError& error) {

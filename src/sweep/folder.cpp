@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
 
 namespace clca::sweep {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kRuns = "runs.csv";
+constexpr const char* kMeasures = "measures.csv";
+constexpr const char* kOverview = "overview.png";
 
 std::string to_json(const Plan& plan) {
   using Json = nlohmann::ordered_json;
@@ -33,19 +37,26 @@ std::string to_json(const Plan& plan) {
 
 }  // namespace
 
-Folder::Folder(fs::path path, const Plan& plan) : path_(std::move(path)) {
-  const fs::path runs = path_ / "runs";
-  const fs::path request = path_ / "sweep.json";
-  std::error_code error;
-  fs::create_directories(runs, error);
-  if (error) {
-    throw store::StoreError(
-        fmt::format("cannot make the folder {}: {}", runs.string(), error.message()));
+Folder::Folder(fs::path path, const Plan& plan) : files_(std::move(path)) {
+  if (files_.owns(store::kSummaryFile)) {
+    throw store::StoreError(fmt::format("cannot sweep in {}: it is the folder of a run; write elsewhere",
+                                        files_.path().string()));
   }
-  if (fs::exists(request, error)) {
-    fs::remove(overview(), error);  // what cannot be removed cannot be replaced: told then
+  for (const char* name : {kRuns, kMeasures, kOverview}) {
+    files_.require_free(name);
   }
-  store::write_whole(request, to_json(plan));
+  files_.write("sweep.json", to_json(plan));
+  files_.remove(kOverview);
+  files_.make_folder("runs");
+}
+
+void Folder::write_tables(const std::string& runs, const std::string& measures) const {
+  files_.write(kRuns, runs);
+  files_.write(kMeasures, measures);
+}
+
+void Folder::write_overview(const std::vector<std::uint8_t>& png) const {
+  files_.write(kOverview, png);
 }
 
 }  // namespace clca::sweep

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "clca/store/output_folder.hpp"
 #include "clca/sweep/plan.hpp"
 
 namespace clca::sweep {
@@ -11,17 +12,18 @@ namespace clca::sweep {
 class Folder {
  public:
   /// Makes the folder if need be and writes what is asked. What lies there stays, but for the
-  /// overview of an earlier sweep, which may show something else. Throws store::StoreError.
+  /// overview of an earlier sweep, which may show something else. Throws store::StoreError, also
+  /// for a folder of a run.
   Folder(std::filesystem::path path, const Plan& plan);
 
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path run(const std::string& name) const { return path_ / "runs" / name; }
-  std::filesystem::path runs_table() const { return path_ / "runs.csv"; }
-  std::filesystem::path measures_table() const { return path_ / "measures.csv"; }
-  std::filesystem::path overview() const { return path_ / "overview.png"; }
+  std::filesystem::path run(const std::string& name) const {
+    return files_.path() / "runs" / name;
+  }
+  void write_tables(const std::string& runs, const std::string& measures) const;
+  void write_overview(const std::vector<std::uint8_t>& png) const;
 
  private:
-  std::filesystem::path path_;
+  store::OutputFolder files_;
 };
 
 }  // namespace clca::sweep

@@ -167,8 +167,7 @@ void Sweep::show_progress() {
 }
 
 void Sweep::write_tables() {
-  store::write_whole(folder_.runs_table(), runs_table(plan_, results_));
-  store::write_whole(folder_.measures_table(), measures_table(plan_, results_));
+  folder_.write_tables(runs_table(plan_, results_), measures_table(plan_, results_));
 }
 
 /// Every so often, and never for more than a small part of the time.
@@ -190,10 +189,8 @@ void Sweep::write_overview() {
     return;
   }
   const std::string title = plan_.variants.front().scene.title;
-  store::write_whole(
-      folder_.overview(),
-      render::encode_png(*image,
-                         {{"Title", title}, {"Software", fmt::format("clca {}", run::version())}}));
+  folder_.write_overview(render::encode_png(
+      *image, {{"Title", title}, {"Software", fmt::format("clca {}", run::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));

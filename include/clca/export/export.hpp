@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 
 #include "clca/automaton/state.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/trajectory.hpp"
 
 namespace clca::exports {
@@ -46,7 +46,7 @@ class Writer {
 
 /// A writer of `file`; those of VTK write files of single frames beside it. The states to come are
 /// of this scene and have these kinds. Throws store::StoreError.
-std::unique_ptr<Writer> writer(Format format, const std::filesystem::path& file,
+std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
                                const scene::Scene& scene,
                                const std::vector<automaton::Kind>& kinds);
 

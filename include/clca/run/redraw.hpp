@@ -23,8 +23,8 @@ class RedrawError : public std::runtime_error {
 };
 
 struct RedrawOptions {
-  std::filesystem::path run = {};     ///< folder of the run
-  std::filesystem::path folder = {};  ///< for pictures one by one; empty: none
+  std::filesystem::path run = {};    ///< folder of the run
+  std::optional<store::OutputFolder> folder = {};  ///< for pictures one by one
   std::filesystem::path movie = {};   ///< see render::movie_format; empty: none
   int frames_per_second = 25;         ///< of the movie
   std::filesystem::path sheet = {};   ///< a PNG file; empty: none

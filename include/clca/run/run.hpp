@@ -59,6 +59,14 @@ struct RunOptions {
   std::optional<double> time_limit = {};
   /// Draws no picture but that of the final state, whatever the scene says of `every`.
   bool last_picture_only = false;
+  /// Replaces a run in the folder that was interrupted, too.
+  bool overwrite = false;
+};
+
+/// A run that was interrupted is in the way of a new one. what() is one line with the folder.
+class UnfinishedRunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// All optional; called from the thread that runs.
@@ -71,9 +79,9 @@ struct RunEvents {
   std::function<void(const std::string&)> warning = {};
 };
 
-/// Throws ScenePlaceError or store::StoreError. Several threads may run at once, each into a folder
-/// of its own. No folder is made for a scene whose first stage
-/// cannot begin.
+/// Replaces what an earlier run has left in the folder; other files stay as they are. Throws
+/// ScenePlaceError, UnfinishedRunError or store::StoreError. Several threads may run at once, each
+/// into a folder of its own. No folder is made for a scene whose first stage cannot begin.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
@@ -86,20 +94,24 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 struct SavedRun {
   store::RunFolder folder;
   scene::AnyScene scene;
-  std::optional<store::Checkpoint> checkpoint;  ///< none: killed before the first, begins anew
-  double most_bytes = 0;                        ///< that loading it may take
+  store::Checkpoint checkpoint;
+  std::optional<store::RunSummary> finished;  ///< there is nothing to go on with: its summary
+  double most_bytes = 0;             ///< that loading it may take
+  std::optional<std::string> until;  ///< the end that was asked for in place of the scene's
   std::string warning;  ///< one line where the newest checkpoint could not be used
 };
 
 /// Loads what `folder` has saved. With `until`, in the words of a scene, the run goes on as if its
 /// scene had said so from the beginning: that of the last stage (a plain number: steps), or the
 /// time of a gas. Throws store::StoreError where there is nothing to go on from, or no checkpoint
-/// that may be read with `most_bytes` of memory; scene::SceneError for a wrong `until`.
+/// that may be read with `most_bytes` of memory; scene::SceneError for a wrong `until`. Changes
+/// nothing in the folder.
 SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
                   const std::optional<std::string>& until = {});
 
 /// Goes on to the end that the scene asks for: the same bits as those of a run that was never
-/// stopped. The folder of the options is not used. Throws as run() does.
+/// stopped. The folder of the options is not used. Throws as run() does, and ScenePlaceError for an
+/// `until` that the run has passed.
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events = {});
 
 /// A summary with version, compiler and build type filled in.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clca/fields/columns.hpp"
+#include "clca/store/output_folder.hpp"
 
 namespace clca::store {
 
@@ -14,12 +15,22 @@ struct Checkpoint {
   std::string scene_name;  ///< as RunSummary::scene
   std::string scene;       ///< resolved, as in scene.yaml
   std::string summary;     ///< run.json as it was then
-  fields::Columns fields;  ///< all that the run has changed
+  fields::Columns fields;  ///< all that the run has changed; empty before its first step
+
+  /// Whether the run begins anew from here.
+  bool is_start() const { return fields.empty(); }
 };
 
-/// Writes `checkpoint.h5`; the one before becomes `checkpoint-previous.h5`. Either is there whole
-/// at any moment. Throws StoreError.
-void write_checkpoint(const std::filesystem::path& run_folder, const Checkpoint& checkpoint);
+inline constexpr const char* kCheckpointFile = "checkpoint.h5";
+inline constexpr const char* kCheckpointBefore = "checkpoint-previous.h5";
+
+/// Writes a checkpoint; the one before gets the name kCheckpointBefore. Either is there whole at any
+/// moment. Throws StoreError.
+void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
+/// The same in place of the newest one.
+void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
+/// Removes both, the older one first. Throws StoreError.
+void remove_checkpoints(const OutputFolder& folder);
 
 struct FoundCheckpoint {
   Checkpoint checkpoint;

@@ -1,5 +1,5 @@
 #pragma once
-// Files that appear whole or not at all.
+// Reading whole files, and writing those that the user has named.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,8 +16,8 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes beside `path`, flushes to the disk and renames. Throws StoreError; then `path` is as it
-/// was and nothing is left beside it.
+/// Writes a file that the user has named, in place of any regular file there. It appears when it is
+/// whole. Throws StoreError; then `path` is as it was.
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 

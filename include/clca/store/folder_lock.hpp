@@ -5,12 +5,12 @@
 
 namespace clca::store {
 
-/// Holds the file `lock` of a folder, in which stands the number of the process. It is the system
-/// that holds it: a lock goes with the process, however that ends.
+/// Holds the file `.clca.lock` of a folder. The system holds the lock for the process, so that it is
+/// gone with it, however that ends. The file is empty and stays.
 class FolderLock {
  public:
-  /// Throws StoreError when somebody else holds it, with the number of that process, or when the
-  /// file cannot be made.
+  /// Throws StoreError when somebody else holds it, with the number of that process where the
+  /// system tells it, or when the file cannot be made.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
@@ -19,7 +19,6 @@ class FolderLock {
   FolderLock& operator=(FolderLock&&) = delete;
 
  private:
-  std::filesystem::path file_;
   int descriptor_ = -1;
 };
 

@@ -2,8 +2,10 @@
 // Text files that grow while a run goes on.
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <string_view>
+
+#include "clca/store/output_folder.hpp"
 
 namespace clca::store {
 
@@ -13,17 +15,18 @@ class GrowingFile {
  public:
   /// Keeps the first `kept` bytes of the file. Made only when something is added. Throws StoreError
   /// for a file that has less.
-  GrowingFile(std::filesystem::path path, std::uint64_t kept);
+  GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
 
   /// Throws StoreError.
   void append(std::string_view text);
   /// Has it on the disk, if it is there. May be called while another thread appends. Throws
   /// StoreError.
-  void sync() const;
+  void sync() const { folder_.sync(name_); }
   std::uint64_t bytes() const { return bytes_; }
 
  private:
-  std::filesystem::path path_;
+  OutputFolder folder_;
+  std::string name_;
   std::uint64_t bytes_;
 };
 

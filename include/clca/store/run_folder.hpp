@@ -6,7 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "clca/store/checkpoint.hpp"
 #include "clca/store/folder_lock.hpp"
+#include "clca/store/output_folder.hpp"
+#include "clca/store/summary.hpp"
 
 namespace clca::store {
 
@@ -16,49 +19,56 @@ std::string frame_name(const std::string& scene, std::uint64_t step);
 std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
                                  std::uint64_t step);
 
-/// Folder in the run folder `run` for pictures that are drawn again: `render`.
-std::filesystem::path redrawn_folder(const std::filesystem::path& run);
+// Names in a run folder.
+inline constexpr const char* kSceneFile = "scene.yaml";
+inline constexpr const char* kSummaryFile = "run.json";
+inline constexpr const char* kLogFile = "log.txt";
+inline constexpr const char* kFramesFolder = "frames";
+inline constexpr const char* kRedrawnFolder = "render";  ///< pictures that are drawn again
+inline constexpr const char* kPlotsFolder = "plots";
+inline constexpr const char* kExportFolder = "export";
 
-/// Whose folder it is as long as this object lives: nobody else writes to it meanwhile.
+/// A table of the whole run, `series.csv`, or of one stage, `profile-STAGE.csv`.
+std::string table_name(const std::string& kind);
+std::string table_name(const std::string& kind, const std::string& stage);
+
+/// What lies in a folder from an earlier run.
+struct EarlierRun {
+  RunSummary summary;
+  std::string when;         ///< local time at which run.json was written; empty where it was not
+  bool unfinished = false;  ///< it is not done and may go on from a checkpoint
+};
+
+/// A folder of one run at a time: nobody else runs in it as long as this object lives.
 class RunFolder {
  public:
-  /// For a new run. Makes the folder if need be. Where a run.json says that a run has been here
-  /// before, clears what it has left: its pictures, also those drawn again, tables, figures,
-  /// exports, checkpoints, scene.yaml, run.json, log.txt and report.html. Other files stay. Throws
-  /// StoreError, also when another run is at work in the folder.
-  static RunFolder for_new_run(std::filesystem::path path);
-  /// For a run that goes on: clears nothing. Throws StoreError likewise.
-  static RunFolder for_resumed_run(std::filesystem::path path);
-
-  /// For a run that begins anew: removes what for_new_run() removes but scene.yaml and run.json,
-  /// which say what is to be run.
-  void clear_results() const;
+  /// For a new run. Makes the folder if need be and changes nothing in it. Throws StoreError, also
+  /// when another run is at work in it or clca has written something else than a run there.
+  static RunFolder for_new_run(const std::filesystem::path& path);
+  /// For a run that goes on. Throws StoreError, also where no run has begun.
+  static RunFolder for_resumed_run(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Makes the folder of pictures if need be. Throws StoreError.
-  void make_frames() const;
+  const OutputFolder& files() const { return files_; }
+
+  /// Nothing where clca has written nothing. Throws StoreError where the run.json of an earlier run
+  /// cannot be read.
+  std::optional<EarlierRun> earlier_run() const;
+
+  /// Begins a run: once `start` has replaced the checkpoint, the earlier run is no more, and
+  /// clear_results() may be repeated until it has succeeded.
+  void start_over(const Checkpoint& start) const;
+  /// Removes everything that clca has written into the folder but the newest checkpoint.
+  void clear_results() const;
   /// Removes the pictures of steps after `last_step`; all of them where it is none.
   void remove_frames_after(std::optional<std::uint64_t> last_step) const;
-  std::filesystem::path frame(const std::string& scene, std::uint64_t step) const {
-    return frame_path(path_, scene, step);
-  }
-
-  std::filesystem::path scene() const { return path_ / "scene.yaml"; }
-  std::filesystem::path summary() const { return path_ / "run.json"; }
-  std::filesystem::path log() const { return path_ / "log.txt"; }
-  /// A table of the whole run: `series.csv`.
-  std::filesystem::path table(const std::string& kind) const { return path_ / (kind + ".csv"); }
-  /// A table of one stage: `profile-STAGE.csv`.
-  std::filesystem::path table(const std::string& kind, const std::string& stage) const {
-    return path_ / (kind + "-" + stage + ".csv");
-  }
 
  private:
-  explicit RunFolder(std::filesystem::path path);
-  std::filesystem::path frames() const { return path_ / "frames"; }
+  RunFolder(const std::filesystem::path& path, FolderLock lock);
 
   std::filesystem::path path_;
   FolderLock lock_;
+  OutputFolder files_;
 };
 
 }  // namespace clca::store

@@ -14,6 +14,7 @@
 #include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/store/output_folder.hpp"
 
 namespace clca::store {
 
@@ -31,9 +32,9 @@ class TrajectoryWriter {
     }
   };
 
-  /// Keeps the first `kept.parts` parts of the run folder and removes later ones, so that a run
+  /// Keeps the first `kept.parts` parts of the run folder and removes later ones of clca's, so that a run
   /// goes on where its checkpoint was; a new run keeps none. Throws StoreError.
-  TrajectoryWriter(const std::filesystem::path& run_folder, const scene::Scene& scene,
+  TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                    const automaton::State& state, const Written& kept);
   ~TrajectoryWriter();
   TrajectoryWriter(const TrajectoryWriter&) = delete;

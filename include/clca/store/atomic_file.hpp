@@ -1,0 +1,42 @@
+#pragma once
+// Files that are written piece by piece and yet appear whole or not at all.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace clca::store {
+
+/// Made by OutputFolder::create(). The bytes go to a temporary file beside it until finish();
+/// without that the file is as it was and the temporary file is removed. All throw StoreError;
+/// nothing can be written after that.
+class AtomicFile {
+ public:
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+
+  /// Another program may write there in place of write().
+  std::filesystem::path temporary_path() const;
+  /// At the end.
+  void write(std::span<const std::uint8_t> bytes);
+  void write(std::string_view text);
+  /// In place of the first bytes, which must have been written.
+  void rewrite_begin(std::span<const std::uint8_t> bytes);
+  std::uint64_t size() const;  ///< bytes written at the end
+  /// Flushes to the disk and renames.
+  void finish();
+
+ private:
+  friend class OutputFolder;
+  struct State;
+  explicit AtomicFile(std::unique_ptr<State> state);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace clca::store

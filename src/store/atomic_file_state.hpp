@@ -1,0 +1,32 @@
+#pragma once
+// What an AtomicFile is made of.
+
+#include <functional>
+#include <string>
+
+#include "clca/store/atomic_file.hpp"
+#include "store/descriptor.hpp"
+
+namespace clca::store {
+
+struct AtomicFile::State {
+  std::filesystem::path path;  ///< for messages
+  Descriptor folder;
+  std::string name;       ///< in the folder
+  std::string temporary;  ///< likewise; empty when there is nothing to remove
+  Descriptor file;
+  /// Called right before the file gets its name; returns whether it may replace one.
+  std::function<bool()> claim;
+  std::uint64_t size = 0;
+
+  ~State();
+};
+
+/// Gives a file a name in its folder that no other file has. Sets errno and returns false where
+/// that fails.
+bool rename_without_replacing(int folder, const std::string& from, const std::string& to);
+
+/// `cannot write PATH: clca did not write the file that is there; ...`
+[[noreturn]] void refuse_foreign(const std::filesystem::path& path);
+
+}  // namespace clca::store

@@ -1,0 +1,454 @@
+#include "clca/store/output_folder.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <cstring>
+#include <mutex>
+#include <random>
+#include <utility>
+
+#include "clca/store/file.hpp"
+#include "store/atomic_file_state.hpp"
+#include "store/manifest.hpp"
+
+namespace clca::store {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kTemporary = ".clca-";
+constexpr int kFolderFlags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+
+[[noreturn]] void fail_at(const char* what, const fs::path& path, const char* reason) {
+  throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
+}
+
+/// In the names of all temporary files of this process: nobody else has it by chance.
+const std::string& mark_of_process() {
+  static const std::string mark = [] {
+    std::random_device device;
+    return fmt::format("{:08x}{:08x}", device(), device());
+  }();
+  return mark;
+}
+
+std::string temporary_name() {
+  static std::atomic<std::uint64_t> count = 0;
+  return fmt::format("{}{}-{}", kTemporary, mark_of_process(), ++count);
+}
+
+std::pair<std::string, std::string> folder_and_leaf(const std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  return slash == std::string::npos ? std::pair(std::string(), name)
+                                    : std::pair(name.substr(0, slash), name.substr(slash + 1));
+}
+
+enum class Found : std::uint8_t { nothing, file, other };
+
+Found found_in(int folder, const std::string& leaf) {
+  struct stat status {};
+  if (::fstatat(folder, leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+    return Found::nothing;
+  }
+  return S_ISREG(status.st_mode) ? Found::file : Found::other;
+}
+
+std::vector<std::string> names_in(int folder) {
+  std::vector<std::string> names;
+  const int copy = ::openat(folder, ".", kFolderFlags);
+  DIR* stream = copy < 0 ? nullptr : ::fdopendir(copy);
+  while (const dirent* entry = stream != nullptr ? ::readdir(stream) : nullptr) {
+    names.emplace_back(entry->d_name);
+  }
+  if (stream != nullptr) {
+    ::closedir(stream);
+  } else if (copy >= 0) {
+    ::close(copy);
+  }
+  return names;
+}
+
+/// Removes a temporary file unless a process is still at work on it.
+void remove_if_abandoned(int folder, const std::string& name) {
+  const Descriptor file(
+      ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file.is_open() && file.is_regular() && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) {
+    ::unlinkat(folder, name.c_str(), 0);
+  }
+}
+
+}  // namespace
+
+/// The open folder and what its manifest lists. Names are from the root on.
+class OutputFolder::State {
+ public:
+  explicit State(fs::path path) : path_(std::move(path)) {
+    folder_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!folder_.is_open() && errno != ENOENT) {
+      fail_at("write to", path_, std::strerror(errno));
+    }
+    if (folder_.is_open()) {
+      manifest_ = manifest_file().read();
+    }
+  }
+  ~State() {
+    if (!marked_) {
+      return;
+    }
+    try {
+      manifest_file().remove_if_only(mark_of_process());
+    } catch (const StoreError&) {  // it stays: that is harmless
+    }
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  const fs::path& path() const { return path_; }
+  ManifestFile manifest_file() const { return {folder_.number(), path_}; }
+
+  bool owns(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    return manifest_.files.contains(name);
+  }
+  std::vector<std::string> files(const std::string& prefix);
+  void require_free(const std::string& name);
+  /// Lists a file that is about to get its name. Returns whether it was listed before.
+  bool claim(const std::string& name);
+  /// The folder that the file `name` lies in; not open where it is not there or is reached by a
+  /// symbolic link only.
+  Descriptor parent(const std::string& name) const;
+  /// The same, made if need be. Throws StoreError.
+  Descriptor make_parent(const std::string& name);
+  /// Lists the mark of this process before its first temporary file is made.
+  void mark();
+  void remove(const std::string& name) const;
+  void clear(const std::string& first, const std::string& kept);
+
+ private:
+  /// Of processes that were killed.
+  void remove_temporary_files() const;
+  /// Re-reads the manifest, which another process may have changed.
+  void refresh() { manifest_.files.merge(manifest_file().read().files); }
+
+  fs::path path_;
+  std::mutex mutex_;  // of all below
+  Descriptor folder_;
+  Manifest manifest_;
+  bool marked_ = false;
+};
+
+std::vector<std::string> OutputFolder::State::files(const std::string& prefix) {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> there;
+  for (const std::string& name : manifest_.files) {
+    const Descriptor folder = parent(name);
+    if (name.starts_with(prefix) && folder.is_open() &&
+        found_in(folder.number(), folder_and_leaf(name).second) == Found::file) {
+      there.push_back(name.substr(prefix.size()));
+    }
+  }
+  return there;
+}
+
+void OutputFolder::State::require_free(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const Descriptor folder = parent(name);
+  const Found found = folder.is_open() ? found_in(folder.number(), folder_and_leaf(name).second)
+                                       : Found::nothing;
+  if (found == Found::other) {
+    fail_at("write", path_ / name, "what is there is no regular file");
+  }
+  if (found == Found::file && !manifest_.files.contains(name)) {
+    refresh();
+    if (!manifest_.files.contains(name)) {
+      refuse_foreign(path_ / name);
+    }
+  }
+}
+
+bool OutputFolder::State::claim(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  if (manifest_.files.contains(name)) {
+    return true;
+  }
+  manifest_file().add_file(name);
+  manifest_.files.insert(name);
+  return false;
+}
+
+Descriptor OutputFolder::State::parent(const std::string& name) const {
+  Descriptor folder(folder_.is_open() ? ::openat(folder_.number(), ".", kFolderFlags) : -1);
+  const std::string below = folder_and_leaf(name).first;
+  for (std::size_t start = 0; start < below.size() && folder.is_open();) {
+    const std::size_t end = std::min(below.find('/', start), below.size());
+    folder = Descriptor(
+        ::openat(folder.number(), below.substr(start, end - start).c_str(), kFolderFlags));
+    start = end + 1;
+  }
+  return folder;
+}
+
+Descriptor OutputFolder::State::make_parent(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  if (!folder_.is_open()) {
+    store::make_folder(path_);
+    folder_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  }
+  Descriptor folder(::openat(folder_.number(), ".", kFolderFlags));
+  const std::string below = folder_and_leaf(name).first;
+  for (std::size_t start = 0; start < below.size() && folder.is_open();) {
+    const std::size_t end = std::min(below.find('/', start), below.size());
+    const std::string part = below.substr(start, end - start);
+    if (::mkdirat(folder.number(), part.c_str(), 0777) == 0) {
+      manifest_file().add_folder(below.substr(0, end));
+      manifest_.folders.insert(below.substr(0, end));
+    } else if (errno != EEXIST) {
+      fail_at("make the folder", path_ / below.substr(0, end), std::strerror(errno));
+    }
+    folder = Descriptor(::openat(folder.number(), part.c_str(), kFolderFlags));
+    if (!folder.is_open() && (errno == ELOOP || errno == ENOTDIR)) {
+      fail_at("write to", path_ / below.substr(0, end),
+              "it is no folder, or a symbolic link, which is not followed");
+    }
+    start = end + 1;
+  }
+  if (!folder.is_open()) {
+    fail_at("write to", (path_ / name).parent_path(), std::strerror(errno));
+  }
+  return folder;
+}
+
+void OutputFolder::State::mark() {
+  const std::lock_guard lock(mutex_);
+  if (!marked_) {
+    remove_temporary_files();
+    manifest_file().add_temporary(mark_of_process());
+    marked_ = true;
+  }
+}
+
+void OutputFolder::State::remove(const std::string& name) const {
+  const Descriptor folder = parent(name);
+  const std::string leaf = folder_and_leaf(name).second;
+  if (folder.is_open() && found_in(folder.number(), leaf) == Found::file &&
+      ::unlinkat(folder.number(), leaf.c_str(), 0) != 0 && errno != ENOENT) {
+    fail_at("remove", path_ / name, std::strerror(errno));
+  }
+}
+
+void OutputFolder::State::clear(const std::string& first, const std::string& kept) {
+  const std::lock_guard lock(mutex_);
+  manifest_ = manifest_file().read();
+  if (manifest_.files.contains(first)) {
+    remove(first);
+  }
+  Manifest left;
+  for (const std::string& name : manifest_.files) {
+    if (name == kept) {
+      left.files.insert(name);
+    } else {
+      remove(name);
+    }
+  }
+  for (auto name = manifest_.folders.rbegin(); name != manifest_.folders.rend(); ++name) {
+    const Descriptor folder = parent(*name);
+    const std::string leaf = folder_and_leaf(*name).second;
+    if (folder.is_open() && ::unlinkat(folder.number(), leaf.c_str(), AT_REMOVEDIR) != 0 &&
+        errno != ENOENT) {
+      left.folders.insert(*name);  // it is not empty
+    }
+  }
+  left.temporary = {mark_of_process()};
+  marked_ = true;
+  manifest_file().replace(left, temporary_name());
+  manifest_ = std::move(left);
+}
+
+void OutputFolder::State::remove_temporary_files() const {
+  std::set<std::string> folders = {""};
+  for (const std::string& name : manifest_.files) {
+    folders.insert(folder_and_leaf(name).first);
+  }
+  for (const std::string& below : folders) {
+    const Descriptor folder = parent(below.empty() ? below : below + "/");
+    if (!folder.is_open() || manifest_.temporary.empty()) {
+      continue;
+    }
+    for (const std::string& name : names_in(folder.number())) {
+      const std::size_t end = name.rfind('-');
+      if (name.starts_with(kTemporary) && end > kTemporary.size() &&
+          manifest_.temporary.contains(
+              name.substr(kTemporary.size(), end - kTemporary.size()))) {
+        remove_if_abandoned(folder.number(), name);
+      }
+    }
+  }
+}
+
+OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path)) {}
+
+OutputFolder::OutputFolder(std::shared_ptr<State> state, std::string prefix)
+    : state_(std::move(state)), prefix_(std::move(prefix)) {}
+
+OutputFolder OutputFolder::subfolder(const std::string& name) const {
+  return {state_, prefix_ + name + "/"};
+}
+
+fs::path OutputFolder::path() const {
+  return prefix_.empty() ? state_->path()
+                         : state_->path() / prefix_.substr(0, prefix_.size() - 1);
+}
+
+fs::path OutputFolder::path(const std::string& name) const {
+  return state_->path() / (prefix_ + name);
+}
+
+bool OutputFolder::owns(const std::string& name) const {
+  return state_->owns(prefix_ + name);
+}
+
+std::vector<std::string> OutputFolder::files() const {
+  return state_->files(prefix_);
+}
+
+void OutputFolder::require_free(const std::string& name) const {
+  state_->require_free(prefix_ + name);
+}
+
+void OutputFolder::make_folder(const std::string& name) const {
+  state_->make_parent(prefix_ + name + "/");
+}
+
+AtomicFile OutputFolder::create(const std::string& name, Replace replace) const {
+  const std::string whole = prefix_ + name;
+  if (!is_inside(whole)) {
+    fail_at("write", path(name), "it is no name of a file");
+  }
+  std::error_code unknown;
+  if (replace == Replace::named && !fs::exists(state_->path(), unknown)) {
+    fail_at("write", path(name), "there is no such folder");
+  }
+  auto file = std::make_unique<AtomicFile::State>();
+  file->path = path(name);
+  file->folder = state_->make_parent(whole);
+  file->name = folder_and_leaf(whole).second;
+  if (replace == Replace::own) {
+    require_free(name);
+    file->claim = [state = state_, whole] { return state->claim(whole); };
+  } else {
+    if (found_in(file->folder.number(), file->name) == Found::other) {
+      fail_at("write", file->path, "what is there is no regular file");
+    }
+    file->claim = [state = state_] { return true; };
+  }
+  state_->mark();
+  const std::string temporary = temporary_name();
+  file->file = Descriptor(::openat(file->folder.number(), temporary.c_str(),
+                                   O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                   kReadableByAll));
+  if (!file->file.is_open() || ::flock(file->file.number(), LOCK_EX | LOCK_NB) != 0) {
+    fail_at("write", file->path, std::strerror(errno));
+  }
+  file->temporary = temporary;
+  return AtomicFile(std::move(file));
+}
+
+void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> bytes,
+                         Replace replace) const {
+  AtomicFile file = create(name, replace);
+  file.write(bytes);
+  file.finish();
+}
+
+void OutputFolder::write(const std::string& name, std::string_view text, Replace replace) const {
+  write(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), replace);
+}
+
+int OutputFolder::open_to_append(const std::string& name) const {
+  const std::string whole = prefix_ + name;
+  const Descriptor folder = state_->make_parent(whole);
+  require_free(name);
+  const bool known = state_->claim(whole);
+  const std::string leaf = folder_and_leaf(whole).second;
+  const bool there = found_in(folder.number(), leaf) != Found::nothing;
+  Descriptor file(::openat(folder.number(), leaf.c_str(),
+                           O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC |
+                               (known && there ? 0 : O_CREAT | O_EXCL),
+                           kReadableByAll));
+  if (!file.is_open()) {
+    fail_at("write", path(name), std::strerror(errno));
+  }
+  return file.release();
+}
+
+bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
+  require_free(name);
+  const Descriptor folder = state_->parent(prefix_ + name);
+  const std::string leaf = folder_and_leaf(prefix_ + name).second;
+  struct stat status {};
+  if (!folder.is_open() || ::fstatat(folder.number(), leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+    return bytes == 0;
+  }
+  if (static_cast<std::uint64_t>(status.st_size) <= bytes) {
+    return static_cast<std::uint64_t>(status.st_size) == bytes;
+  }
+  const Descriptor file(::openat(folder.number(), leaf.c_str(),
+                                 O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file.is_open() || ::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
+    fail_at("write", path(name), std::strerror(errno));
+  }
+  return true;
+}
+
+void OutputFolder::sync(const std::string& name) const {
+  const Descriptor folder = state_->parent(prefix_ + name);
+  const std::string leaf = folder_and_leaf(prefix_ + name).second;
+  const Descriptor file(::openat(folder.number(), leaf.c_str(),
+                                 O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file.is_open() && errno == ENOENT) {
+    return;
+  }
+  if (!file.is_open() || ::fsync(file.number()) != 0) {
+    fail_at("write", path(name), std::strerror(errno));
+  }
+}
+
+void OutputFolder::rename(const std::string& from, const std::string& to) const {
+  require_free(from);
+  require_free(to);
+  state_->claim(prefix_ + to);
+  const Descriptor folder = state_->parent(prefix_ + from);
+  const Descriptor target = state_->parent(prefix_ + to);
+  if (::renameat(folder.number(), folder_and_leaf(prefix_ + from).second.c_str(), target.number(),
+                 folder_and_leaf(prefix_ + to).second.c_str()) != 0 &&
+      errno != ENOENT) {
+    fail_at("write", path(to), std::strerror(errno));
+  }
+}
+
+void OutputFolder::remove(const std::string& name) const {
+  if (owns(name)) {
+    state_->remove(prefix_ + name);
+  }
+}
+
+void OutputFolder::clear(const std::string& first, const std::string& kept) const {
+  state_->clear(first, kept);
+}
+
+OutputFile named_file(const fs::path& path) {
+  return {OutputFolder(path.has_parent_path() ? path.parent_path() : "."),
+          path.filename().string(), Replace::named};
+}
+
+OutputFolder named_folder(const fs::path& named, const fs::path& run, const std::string& below) {
+  return named.empty() ? OutputFolder(run).subfolder(below) : OutputFolder(named);
+}
+
+}  // namespace clca::store
