@@ -1,7 +1,5 @@
 // clca check: what a scene says, with every default filled in, and what it needs.
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "clca/scene/resolve.hpp"
@@ -9,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -17,17 +16,17 @@ namespace {
 void print(const scene::Scene& scene) {
   scene::check_walls(scene);
   const scene::Size size = scene::size_of(scene);
-  fmt::print("{}", scene::to_yaml(scene));
-  fmt::print("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
-             size.rows, size.particles, size.bytes / kMebibyte);
+  print_out("{}", scene::to_yaml(scene));
+  print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
+            size.rows, size.particles, size.bytes / kMebibyte);
 }
 
 void print(const scene::BoltzmannScene& scene) {
   const int threads = machine_threads();
-  fmt::print("{}", scene::to_yaml(scene));
-  fmt::print("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
-             scene.restitutions.size(), scene.ensemble, scene.particles,
-             scene::bytes_of(scene, threads) / kMebibyte, threads);
+  print_out("{}", scene::to_yaml(scene));
+  print_out("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
+            scene.restitutions.size(), scene.ensemble, scene.particles,
+            scene::bytes_of(scene, threads) / kMebibyte, threads);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // clca compare: a run of the automaton beside one of the Boltzmann equation.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -10,6 +8,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/terminal.hpp"
 #include "scene/text.hpp"
 
 namespace clca::cli {
@@ -36,15 +35,15 @@ ExitCode compare_runs(const CompareOptions& options) {
     const compare::Comparison comparison =
         compare::comparison(options.automaton, options.boltzmann, options.choice);
     compare::write(comparison, options.folder);
-    fmt::print("stage {} beside time {}\n", scene::printable(comparison.stage), comparison.time);
+    print_out("stage {} beside time {}\n", scene::printable(comparison.stage), comparison.time);
     for (const compare::Distance& distance : compare::distances(comparison)) {
-      fmt::print("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
-                 distance.floor);
+      print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
+                distance.floor);
     }
     draw_figure(options.folder);
-    fmt::print("{}\n", options.folder);
+    print_out("{}\n", options.folder);
   } catch (const compare::CompareError& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    complain(error);
     return ExitCode::wrong_input;
   }
   return ExitCode::done;

@@ -11,7 +11,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "scene/text.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -39,8 +39,8 @@ ExitCode diff(const DiffOptions& options) {
   const render::Image first = read_picture(options.first);
   const render::Image second = read_picture(options.second);
   if (first.width != second.width || first.height != second.height) {
-    fmt::print("sizes differ: {} x {} and {} x {}\n", first.width, first.height, second.width,
-               second.height);
+    print_out("sizes differ: {} x {} and {} x {}\n", first.width, first.height, second.width,
+              second.height);
     return ExitCode::failed;
   }
   const render::Difference difference = render::compare(first, second, options.tolerance);
@@ -48,12 +48,12 @@ ExitCode diff(const DiffOptions& options) {
     store::write_whole(options.out, render::encode_png(difference.picture, {}));
   }
   if (difference.pixels == 0) {
-    fmt::print("alike (largest channel difference {})\n", difference.largest);
+    print_out("alike (largest channel difference {})\n", difference.largest);
     return ExitCode::done;
   }
-  fmt::print("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
-             difference.largest, difference.left, difference.right, difference.top,
-             difference.bottom);
+  print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
+            difference.largest, difference.left, difference.right, difference.top,
+            difference.bottom);
   return difference.pixels <= options.pixels ? ExitCode::done : ExitCode::failed;
 }
 
@@ -62,7 +62,7 @@ ExitCode diff_or_complain(const DiffOptions& options) {
   try {
     return diff(options);
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    complain(error);
     return ExitCode::wrong_input;
   }
 }

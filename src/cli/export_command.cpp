@@ -16,7 +16,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
-#include "scene/text.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -71,17 +71,14 @@ Source open_run(const ExportOptions& options) {
 
 /// What cannot be read is wrong input. Nothing: it has been told.
 std::optional<Source> open_or_complain(const ExportOptions& options) {
-  const auto complain = [](const std::exception& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
-    return std::nullopt;
-  };
   try {
     return open_run(options);
   } catch (const exports::ExportError& error) {
-    return complain(error);
+    complain(error);
   } catch (const store::StoreError& error) {
-    return complain(error);
+    complain(error);
   }
+  return std::nullopt;
 }
 
 int export_run(const ExportOptions& options) {
@@ -100,7 +97,7 @@ int export_run(const ExportOptions& options) {
   const auto writer =
       exports::writer(options.format, file, source->scene, run::initial_state(source->scene).kinds);
   const std::size_t frames = exports::write(*source->trajectory, options.choice, *writer, stop);
-  fmt::print("{} frames\n{}\n", frames, file.string());
+  print_out("{} frames\n{}\n", frames, file.string());
   const int signal = stop.load();
   return signal == 0 ? static_cast<int>(ExitCode::done)
                      : static_cast<int>(ExitCode::signal_base) + signal;

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string_view>
 
 #include "clca/run/run.hpp"
@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/signals.hpp"
+#include "cli/terminal.hpp"
 #include "scene/text.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ using clca::cli::ExitCode;
 
 /// One line on standard error.
 int fail(ExitCode code, std::string_view message) {
-  fmt::print(stderr, "{}\n", clca::scene::printable(message));
+  clca::cli::print_error("{}\n", clca::scene::printable(message));
   return static_cast<int>(code);
 }
 
@@ -54,15 +55,17 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_input);
+    std::ostringstream out;
+    std::ostringstream err;
+    const bool is_help = app.exit(error, out, err) == 0;
+    clca::cli::write_out(out.str());
+    clca::cli::write_error(err.str());
+    return static_cast<int>(is_help ? ExitCode::done : ExitCode::wrong_input);
   }
   return code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  clca::cli::ignore_file_size_signal();
+int run_or_complain(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const clca::scene::SceneError& error) {
@@ -74,4 +77,18 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail(ExitCode::failed, fmt::format("clca: error: {}", error.what()));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  clca::cli::occupy_closed_streams();
+  clca::cli::ignore_write_signals();
+  int code = static_cast<int>(ExitCode::failed);
+  try {
+    code = run_or_complain(argc, argv);
+  } catch (...) {  // no memory for a message either
+    clca::cli::write_error("clca: error: out of memory\n");
+  }
+  return clca::cli::end_output(code);
 }

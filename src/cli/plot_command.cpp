@@ -1,9 +1,6 @@
 // clca plot: figures of a run folder.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -11,7 +8,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "scene/text.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -34,7 +31,7 @@ void draw_all(const PlotOptions& options) {
     store::make_folder(folder);
     const std::filesystem::path file = folder / (figure.name + ".png");
     store::write_whole(file, picture);
-    fmt::print("{}\n", file.string());
+    print_out("{}\n", file.string());
   }
 }
 
@@ -43,7 +40,7 @@ ExitCode plot_or_complain(const PlotOptions& options) {
     draw_all(options);
     return ExitCode::done;
   } catch (const plot::InputError& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    complain(error);
     return ExitCode::wrong_input;
   }
 }

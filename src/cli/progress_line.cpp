@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
+
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -79,24 +81,22 @@ void ProgressLine::show(const sweep::Progress& progress) {
 
 void ProgressLine::show(const std::string& text) {
   if (terminal_) {
-    fmt::print(stderr, "\r{:<{}}", text, width_);
-    std::fflush(stderr);
-    width_ = text.size();
+    print_error("\r{}\033[K", text);
+    stands_ = true;
   } else if (std::chrono::steady_clock::now() >= next_plain_) {
     next_plain_ = std::chrono::steady_clock::now() + kPlainInterval;
-    fmt::print(stderr, "{}\n", text);
+    print_error("{}\n", text);
   }
 }
 
 void ProgressLine::print(const std::string& line) {
   clear();
-  fmt::print(stderr, "{}\n", line);
+  print_error("{}\n", line);
 }
 
 void ProgressLine::clear() {
-  if (terminal_ && width_ > 0) {
-    fmt::print(stderr, "\r{:<{}}\r", "", width_);
-    width_ = 0;
+  if (std::exchange(stands_, false)) {
+    write_error("\r\033[K");
   }
 }
 

@@ -31,7 +31,7 @@ class ProgressLine {
   void clear();
 
   bool terminal_;
-  std::size_t width_ = 0;  // of the line that stands there now
+  bool stands_ = false;  // a line, on the terminal
   std::chrono::steady_clock::time_point next_plain_;
 };
 

@@ -17,7 +17,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
-#include "scene/text.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -74,24 +74,21 @@ scene::Scene scene_of(const RenderOptions& options) {
 
 /// Makes out all that can be wrong with the input. Nothing: it has been told.
 std::unique_ptr<run::Redraw> redraw_or_complain(const RenderOptions& options) {
-  const auto complain = [](const std::exception& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
-    return nullptr;
-  };
   try {
     return std::make_unique<run::Redraw>(scene_of(options), options.redraw);
   } catch (const run::RedrawError& error) {
-    return complain(error);
+    complain(error);
   } catch (const store::StoreError& error) {
-    return complain(error);
+    complain(error);
   }
+  return nullptr;
 }
 
 void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
-  fmt::print("{} of {} pictures drawn\n", drawn, pictures);
+  print_out("{} of {} pictures drawn\n", drawn, pictures);
   for (const fs::path& place : {options.folder, options.movie, options.sheet}) {
     if (!place.empty() && drawn > 0) {
-      fmt::print("{}\n", place.string());
+      print_out("{}\n", place.string());
     }
   }
 }

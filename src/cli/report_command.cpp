@@ -1,14 +1,12 @@
 // clca report: a page about a run.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "clca/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/terminal.hpp"
 #include "scene/text.hpp"
 
 namespace clca::cli {
@@ -26,13 +24,13 @@ ExitCode report_or_complain(const ReportOptions& options) {
     const auto file = report::write_report(options.run, {.file = options.file,
                                                          .most_frames = options.most_frames,
                                                          .warning = [](const std::string& text) {
-                                                           fmt::print(stderr, "clca: warning: {}\n",
-                                                                      scene::printable(text));
+                                                           print_error("clca: warning: {}\n",
+                                                                       scene::printable(text));
                                                          }});
-    fmt::print("{}\n", file.string());
+    print_out("{}\n", file.string());
     return ExitCode::done;
   } catch (const report::InputError& error) {
-    fmt::print(stderr, "clca: error: {}\n", scene::printable(error.what()));
+    complain(error);
     return ExitCode::wrong_input;
   }
 }

@@ -5,6 +5,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/signals.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -56,7 +57,7 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
                                             .time_limit = options.time_limit},
                                            events);
   if (!options.quiet) {
-    fmt::print("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, folder);
+    print_out("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, folder);
   }
   return exit_code_of(summary, stop);
 }

@@ -25,8 +25,9 @@ const std::atomic<int>& catch_stop_signals() {
   return caught;
 }
 
-void ignore_file_size_signal() {
+void ignore_write_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 }  // namespace clca::cli

@@ -9,7 +9,8 @@ namespace clca::cli {
 /// ends the program at once.
 const std::atomic<int>& catch_stop_signals();
 
-/// A file that would pass the limit on its size is an error of that write, not the end.
-void ignore_file_size_signal();
+/// What cannot be written, to a file that may not grow or to a pipe that nobody reads any more, is
+/// an error of that write, not the end.
+void ignore_write_signals();
 
 }  // namespace clca::cli

@@ -14,6 +14,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -59,9 +60,9 @@ void print_totals(const sweep::Progress& totals, double seconds, const std::stri
   const std::size_t missing = totals.runs - totals.done - totals.failed;
   const std::string interrupted =
       missing > 0 ? fmt::format(", {} interrupted or not begun", missing) : "";
-  fmt::print("{} runs: {} done{}, {} failed{}, in {:.3g} s\n", totals.runs, totals.done, reused,
-             totals.failed, interrupted, seconds);
-  fmt::print("{}\n", folder);
+  print_out("{} runs: {} done{}, {} failed{}, in {:.3g} s\n", totals.runs, totals.done, reused,
+            totals.failed, interrupted, seconds);
+  print_out("{}\n", folder);
 }
 
 sweep::Events events_to(ProgressLine& line, bool quiet) {
@@ -103,7 +104,7 @@ int run_sweep(const SweepCommandOptions& options) {
     return static_cast<int>(ExitCode::signal_base) + stop;
   }
   if (totals.failed > 0) {
-    fmt::print(stderr, "clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
+    print_error("clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
     return static_cast<int>(ExitCode::failed);
   }
   return static_cast<int>(ExitCode::done);

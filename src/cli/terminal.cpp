@@ -1,0 +1,78 @@
+#include "cli/terminal.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "cli/exit_code.hpp"
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): so is standard output
+int output_error = 0;  // errno of the first failure
+
+/// 0, or errno.
+int write_all(int stream, std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t count = ::write(stream, text.data(), text.size());
+    if (count >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno == EAGAIN) {  // somebody else made the terminal non-blocking
+      pollfd writable = {.fd = stream, .events = POLLOUT, .revents = 0};
+      ::poll(&writable, 1, -1);
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) {
+      ::open("/", O_PATH);  // takes the lowest free number; reading and writing fail
+    }
+  }
+}
+
+void write_out(std::string_view text) noexcept {
+  if (output_error == 0) {
+    output_error = write_all(STDOUT_FILENO, text);
+  }
+}
+
+void write_error(std::string_view text) noexcept {
+  write_all(STDERR_FILENO, text);
+}
+
+void complain(const std::exception& error) {
+  print_error("clca: error: {}\n", scene::printable(error.what()));
+}
+
+int end_output(int code) noexcept {
+  if (::close(STDOUT_FILENO) != 0 && output_error == 0) {  // a file on a network may fail only now
+    output_error = errno;
+  }
+  if (output_error == 0) {
+    return code;
+  }
+  if (output_error == EPIPE) {
+    return code == 0 ? static_cast<int>(ExitCode::signal_base) + SIGPIPE : code;
+  }
+  write_error("clca: error: cannot write to standard output: ");
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): the other threads have ended
+  write_error(std::strerror(output_error));
+  write_error("\n");
+  return code == 0 ? static_cast<int>(ExitCode::failed) : code;
+}
+
+}  // namespace clca::cli
