@@ -2,7 +2,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 REQUIRED)
 find_dependency(fmt REQUIRED)
-find_dependency(spdlog REQUIRED)
 find_dependency(yaml-cpp REQUIRED)
 find_dependency(nlohmann_json REQUIRED)
 find_dependency(PNG REQUIRED)

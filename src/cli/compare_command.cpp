@@ -5,7 +5,7 @@
 
 #include "clca/compare/compare.hpp"
 #include "clca/plot/plot.hpp"
-#include "clca/store/file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
@@ -25,7 +25,7 @@ struct CompareOptions {
 void draw_figure(const std::filesystem::path& folder) {
   for (const plot::Figure& figure :
        plot::figures(folder, {"comparison"}, plot::template_folder())) {
-    store::write_whole(folder / (figure.name + ".png"), plot::draw(figure, plot::Size()));
+    store::OutputFolder(folder).write(figure.name + ".png", plot::draw(figure, plot::Size()));
   }
 }
 

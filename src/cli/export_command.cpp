@@ -11,6 +11,7 @@
 #include "clca/export/export.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -81,23 +82,28 @@ std::optional<Source> open_or_complain(const ExportOptions& options) {
   return std::nullopt;
 }
 
+store::OutputFile output_file(const ExportOptions& options, const std::string& scene) {
+  if (options.file.empty()) {
+    return {store::OutputFolder(options.run).subfolder(store::kExportFolder),
+            scene + std::string(exports::ending(options.format))};
+  }
+  if (options.file.has_parent_path()) {
+    store::make_folder(options.file.parent_path());
+  }
+  return store::named_file(options.file);
+}
+
 int export_run(const ExportOptions& options) {
   const std::optional<Source> source = open_or_complain(options);
   if (!source) {
     return static_cast<int>(ExitCode::wrong_input);
   }
   const std::atomic<int>& stop = catch_stop_signals();
-  const fs::path file =
-      options.file.empty()
-          ? options.run / "export" / (source->name + std::string(exports::ending(options.format)))
-          : options.file;
-  if (file.has_parent_path()) {
-    store::make_folder(file.parent_path());
-  }
+  const store::OutputFile file = output_file(options, source->name);
   const auto writer =
       exports::writer(options.format, file, source->scene, run::initial_state(source->scene).kinds);
   const std::size_t frames = exports::write(*source->trajectory, options.choice, *writer, stop);
-  print_out("{} frames\n{}\n", frames, file.string());
+  print_out("{} frames\n{}\n", frames, file.path().string());
   const int signal = stop.load();
   return signal == 0 ? static_cast<int>(ExitCode::done)
                      : static_cast<int>(ExitCode::signal_base) + signal;

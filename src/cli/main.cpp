@@ -70,6 +70,8 @@ int run_or_complain(int argc, char** argv) {
     return run_program(argc, argv);
   } catch (const clca::scene::SceneError& error) {
     return fail(ExitCode::wrong_input, error.what());
+  } catch (const clca::run::UnfinishedRunError& error) {
+    return fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
   } catch (const clca::run::ScenePlaceError& error) {
     return fail(ExitCode::wrong_input, error.what());
   } catch (const std::bad_alloc&) {

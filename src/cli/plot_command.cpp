@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "clca/plot/plot.hpp"
-#include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
@@ -23,15 +23,13 @@ struct PlotOptions {
 
 void draw_all(const PlotOptions& options) {
   const auto figures = plot::figures(options.run, options.only, plot::template_folder());
-  const std::filesystem::path folder = options.folder.empty()
-                                           ? std::filesystem::path(options.run) / "plots"
-                                           : std::filesystem::path(options.folder);
+  const store::OutputFolder folder =
+      store::named_folder(options.folder, options.run, store::kPlotsFolder);
   for (const plot::Figure& figure : figures) {
     const auto picture = plot::draw(figure, options.size);
-    store::make_folder(folder);
-    const std::filesystem::path file = folder / (figure.name + ".png");
-    store::write_whole(file, picture);
-    print_out("{}\n", file.string());
+    const std::string file = figure.name + ".png";
+    folder.write(file, picture);
+    print_out("{}\n", folder.path(file).string());
   }
 }
 

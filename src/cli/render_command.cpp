@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 
 struct RenderOptions {
   run::RedrawOptions redraw;
+  fs::path folder;  ///< for the pictures
   SceneOptions scene;
   std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
@@ -86,7 +87,8 @@ std::unique_ptr<run::Redraw> redraw_or_complain(const RenderOptions& options) {
 
 void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
   print_out("{} of {} pictures drawn\n", drawn, pictures);
-  for (const fs::path& place : {options.folder, options.movie, options.sheet}) {
+  const fs::path folder = options.folder ? options.folder->path() : fs::path();
+  for (const fs::path& place : {folder, options.movie, options.sheet}) {
     if (!place.empty() && drawn > 0) {
       print_out("{}\n", place.string());
     }
@@ -95,8 +97,8 @@ void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::siz
 
 int render_run(RenderOptions options) {
   run::RedrawOptions& redraw = options.redraw;
-  if (redraw.folder.empty() && redraw.movie.empty() && redraw.sheet.empty()) {
-    redraw.folder = store::redrawn_folder(redraw.run);
+  if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
+    redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
   }
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
@@ -155,7 +157,7 @@ void add_choice_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_target_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("-o,--output", options.redraw.folder,
+  command.add_option("-o,--output", options.folder,
                      "Folder for the pictures [DIR/render; none with --movie or --sheet]");
   command
       .add_option("--movie", options.redraw.movie,

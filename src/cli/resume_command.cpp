@@ -4,7 +4,9 @@
 #include <variant>
 
 #include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/run_options.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
@@ -20,6 +22,10 @@ struct ResumeOptions {
 int resume_run(const ResumeOptions& options) {
   const double limit = memory_limit(options.scene);
   run::SavedRun saved = run::load_run(options.folder, limit, options.until);
+  if (saved.finished) {
+    print_out("the run is done: there is nothing to go on with\n{}\n", options.folder);
+    return static_cast<int>(ExitCode::done);
+  }
   if (const auto* automaton = std::get_if<scene::Scene>(&saved.scene)) {
     check_memory(*automaton, limit);
   } else {

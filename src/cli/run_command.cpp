@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <variant>
 
 #include "clca/run/run.hpp"
@@ -17,16 +19,32 @@ namespace {
 struct RunCommandOptions {
   SceneOptions scene;
   std::string folder;
+  bool keep = false;
+  bool overwrite = false;
   RunCommonOptions run;
 };
 
+/// The folder, or the first of FOLDER-2, FOLDER-3, ... that is not there.
+std::string free_folder(std::string folder) {
+  while (folder.size() > 1 && folder.ends_with('/')) {
+    folder.pop_back();
+  }
+  std::string free = folder;
+  std::error_code unknown;
+  for (int number = 2; std::filesystem::exists(free, unknown); ++number) {
+    free = fmt::format("{}-{}", folder, number);
+  }
+  return free;
+}
+
 template <class Scene>
 int run_one(const Scene& scene, const RunCommandOptions& options) {
-  const std::string folder = options.folder.empty() ? "renders/" + scene.name : options.folder;
-  return show_run(folder, options.run,
-                  [&](const run::RunOptions& run, const run::RunEvents& events) {
-                    return run::run(scene, run, events);
-                  });
+  const std::string wanted = options.folder.empty() ? "renders/" + scene.name : options.folder;
+  const std::string folder = options.keep ? free_folder(wanted) : wanted;
+  return show_run(folder, options.run, [&](run::RunOptions run, const run::RunEvents& events) {
+    run.overwrite = options.overwrite;
+    return run::run(scene, run, events);
+  });
 }
 
 int run_scene(const RunCommandOptions& options) {
@@ -52,6 +70,12 @@ CLI::App* add_command(CLI::App& app, int& code, const char* name, const char* wh
   auto options = std::make_shared<RunCommandOptions>();
   add_scene_options(*command, options->scene);
   command->add_option("-o,--output", options->folder, "Folder to write to [renders/SCENE-NAME]");
+  CLI::Option* keep = command->add_flag(
+      "--keep", options->keep, "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
+  command
+      ->add_flag("--overwrite", options->overwrite,
+                 "Replace an earlier run in the folder even where it could go on")
+      ->excludes(keep);
   add_run_options(*command, options->run);
   command->callback([options, &code, run_it] { code = run_it(*options); });
   return command;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "clca/store/whole_file.hpp"
+#include "clca/store/atomic_file.hpp"
 
 namespace clca::exports {
 

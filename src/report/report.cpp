@@ -8,6 +8,7 @@
 
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "report/charts.hpp"
 #include "report/maps.hpp"
@@ -109,9 +110,11 @@ fs::path write_report(const fs::path& run, const Options& options) {
   page.charts = charts_html(tables);
   page.maps = maps_html(tables);
   page.files = tables.files();
-  fs::path file = options.file.empty() ? run / "report.html" : options.file;
-  store::write_whole(file, to_html(page, summary, warnings));
-  return file;
+  const store::OutputFile file =
+      options.file.empty() ? store::OutputFile{store::OutputFolder(run), "report.html"}
+                           : store::named_file(options.file);
+  file.folder.write(file.name, to_html(page, summary, warnings), file.replace);
+  return file.path();
 }
 
 }  // namespace clca::report

@@ -317,9 +317,6 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
     events.warning(saved.warning);
   }
   if (saved.finished) {
-    if (events.message) {
-      events.message("the run is done: there is nothing to go on with");
-    }
     return *saved.finished;
   }
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {

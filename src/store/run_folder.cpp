@@ -77,7 +77,7 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
   if (!is_of_run(OutputFolder(path))) {
     throw StoreError(fmt::format("cannot go on in {}: no run has begun there{}", path.string(),
                                  fs::exists(path / kSummaryFile, unknown)
-                                     ? ", or an older version of clca has written it"
+                                     ? ", or it has lost its .clca.manifest"
                                      : ""));
   }
   return {path, FolderLock(path)};

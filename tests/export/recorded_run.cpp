@@ -20,7 +20,7 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
   summary.status = "done";
   store::write_whole(folder / "run.json", store::to_json(summary));
   automaton::Automaton automaton(run::initial_state(scene));
-  store::TrajectoryWriter writer(folder, scene, automaton.state(), {});
+  store::TrajectoryWriter writer(store::OutputFolder(folder), scene, automaton.state(), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);
     writer.add(automaton.state(), stage, true);

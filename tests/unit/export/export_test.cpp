@@ -105,7 +105,7 @@ TEST(Xyz, SaysEachParticleInALine) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "a.xyz";
   const automaton::State state = three_particles();
-  const auto out = writer(Format::xyz, file, two_species(), state.kinds);
+  const auto out = writer(Format::xyz, store::named_file(file), two_species(), state.kinds);
   out->add(state);
   EXPECT_FALSE(fs::exists(file));
   out->finish();
@@ -122,7 +122,7 @@ TEST(Vtp, ASecondFrameOfAStepHasAFileAndATimeOfItsOwn) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "a<b&c.pvd";
   const automaton::State state = three_particles();
-  const auto out = writer(Format::vtp, file, two_species(), state.kinds);
+  const auto out = writer(Format::vtp, store::named_file(file), two_species(), state.kinds);
   out->add(state);
   out->add(state);
   out->finish();
@@ -136,7 +136,7 @@ TEST(Writers, LeaveNothingUnlessTheyFinish) {
   const testing::ScratchFolder folder;
   for (const Format format : {Format::gsd, Format::xyz}) {
     const automaton::State state = three_particles();
-    writer(format, folder.path() / "a", two_species(), state.kinds)->add(state);
+    writer(format, store::named_file(folder.path() / "a"), two_species(), state.kinds)->add(state);
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
@@ -144,7 +144,7 @@ TEST(Writers, LeaveNothingUnlessTheyFinish) {
 TEST(Gsd, BeginsWithTheNumberAndTheVersionsOfTheLayout) {
   const testing::ScratchFolder folder;
   const automaton::State state = three_particles();
-  const auto out = writer(Format::gsd, folder.path() / "a.gsd", two_species(), state.kinds);
+  const auto out = writer(Format::gsd, store::named_file(folder.path() / "a.gsd"), two_species(), state.kinds);
   out->add(state);
   out->finish();
   const std::string text = text_of(folder.path() / "a.gsd");

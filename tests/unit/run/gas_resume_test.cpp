@@ -307,7 +307,7 @@ TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
     }
   }
   fields::encode(kSavedGases, course, checkpoint.fields);
-  store::write_checkpoint(folder_.path(), checkpoint);
+  store::write_checkpoint(store::OutputFolder(folder_.path()), checkpoint);
   EXPECT_THAT(problem("500"), HasSubstr("has not kept its gases as they were before the end"));
 }
 
@@ -364,7 +364,7 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
     forgery.change(course);
     store::Checkpoint forged = sound;
     fields::encode(kSavedGases, course, forged.fields);
-    store::write_checkpoint(folder_.path(), forged);
+    store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), ::testing::AllOf(HasSubstr("its checkpoint is not of this run"),
                                             HasSubstr(forgery.reason)));
   }
@@ -377,10 +377,10 @@ TEST_F(GasResumeTest, AnyColumnThatIsMissingOrOfOtherNumbersIsRefused) {
   for (const auto& [path, column] : sound.fields) {
     store::Checkpoint forged = sound;
     forged.fields.erase(path);
-    store::write_checkpoint(folder_.path(), forged);
+    store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), HasSubstr(path + " is missing"));
     forged.fields[path] = std::vector<std::int32_t>{1};
-    store::write_checkpoint(folder_.path(), forged);
+    store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), HasSubstr(path + " holds other numbers"));
   }
 }

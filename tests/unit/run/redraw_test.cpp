@@ -77,7 +77,7 @@ class RedrawTest : public ::testing::Test {
     const fs::path again = scratch.path() / "again";
     const scene::Scene scene = parse(text, settings);
     testing::run_and_store(scene, run, 5);
-    Redraw redraw(scene, {.run = run, .folder = again});
+    Redraw redraw(scene, {.run = run, .folder = store::OutputFolder(again)});
     EXPECT_EQ(redraw.draw(), redraw.pictures());
     ASSERT_EQ(names(again), names(run / "frames"));
     ASSERT_GT(names(again).size(), 5U);
@@ -105,7 +105,7 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
   const scene::Scene scene = parse(kDrained);
   testing::run_and_store(scene, folder_.path() / "run", 10);
   RedrawOptions options = {
-      .run = folder_.path() / "run", .folder = folder_.path() / "some", .from = 10, .to = 20};
+      .run = folder_.path() / "run", .folder = store::OutputFolder(folder_.path() / "some"), .from = 10, .to = 20};
   Redraw(scene, options).draw();
   EXPECT_THAT(names(options.folder), ElementsAre("tried-000010.png", "tried-000020.png"));
   options.from = 11;
@@ -137,7 +137,7 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   testing::run_and_store(scene, folder_.path() / "run", 1);
   std::atomic<int> stop = 0;
   Redraw redraw(scene, {.run = folder_.path() / "run",
-                        .folder = folder_.path() / "some",
+                        .folder = store::OutputFolder(folder_.path() / "some"),
                         .sheet = folder_.path() / "sheet.png",
                         .stop = &stop});
   const std::size_t drawn =

@@ -115,7 +115,7 @@ class ResumeTest : public ::testing::Test {
   void change(Change change) const {
     auto checkpoint = store::read_checkpoint(path(), kMuch)->checkpoint;
     change(checkpoint);
-    store::write_checkpoint(path(), checkpoint);
+    store::write_checkpoint(store::OutputFolder(path()), checkpoint);
   }
 
   testing::ScratchFolder folder_;
@@ -220,8 +220,8 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
   const auto refusal = [&](const auto& damage) {
     auto checkpoint = original;
     damage(checkpoint);
-    store::write_checkpoint(path(), checkpoint);
-    store::write_checkpoint(path(), checkpoint);
+    store::write_checkpoint(store::OutputFolder(path()), checkpoint);
+    store::write_checkpoint(store::OutputFolder(path()), checkpoint);
     try {
       resume(load_run(path(), kMuch), {});
     } catch (const store::StoreError& error) {

@@ -36,7 +36,7 @@ std::filesystem::path only_part(const std::filesystem::path& run) {
 /// The plate scene from the frame on in which the plate begins to move.
 void write_plate(const std::filesystem::path& run) {
   const scene::Scene scene = testing::plate_scene();
-  TrajectoryWriter writer(run, scene, run::initial_state(scene), {});
+  TrajectoryWriter writer(OutputFolder(run), scene, run::initial_state(scene), {});
   testing::play(scene, 10, [&](const automaton::State& state, std::size_t stage, bool begins) {
     if (stage == 1) {
       writer.add(state, stage, begins);

@@ -1,21 +1,15 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "clca/store/file.hpp"
-#include "clca/store/growing_file.hpp"
-#include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
-#include "clca/store/whole_file.hpp"
 
 namespace clca::store {
 namespace {
@@ -55,34 +49,22 @@ TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
   EXPECT_THAT(
       [&] { write_whole(folder_ / "no" / "a.txt", "x"); },
       ::testing::ThrowsMessage<StoreError>("cannot write " + (folder_ / "no/a.txt").string() +
-                                           ": No such file or directory"));
+                                           ": there is no such folder"));
   EXPECT_THAT([&] { read_whole(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
 }
 
-TEST_F(WriteWhole, AFilePieceByPieceIsThereWhenItIsFinished) {
-  {
-    WholeFile file(folder_ / "a.txt");
-    file.write("first, ");
-    file.write("second");
-    file.rewrite_begin(std::vector<std::uint8_t>{'F'});
-    file.write(" and third");
-    EXPECT_EQ(file.size(), 23U);
-    EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
-    file.finish();
-  }
-  EXPECT_EQ(text_of(folder_ / "a.txt"), "First, second and third");
-  { WholeFile(folder_ / "a.txt").write("lost"); }
-  EXPECT_EQ(text_of(folder_ / "a.txt"), "First, second and third");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
-}
-
-TEST_F(WriteWhole, LeavesEverythingAsItWasWhenTheLastStepFails) {
-  // A folder cannot be replaced by a file: the rename fails after all was written.
+TEST_F(WriteWhole, LeavesEverythingAsItWasWhenItCannotReplaceWhatIsThere) {
   fs::create_directories(folder_ / "taken" / "inside");
-  EXPECT_THROW(write_whole(folder_ / "taken", "x"), StoreError);
+  fs::create_symlink("elsewhere", folder_ / "link");
+  for (const char* name : {"taken", "link"}) {
+    EXPECT_THAT([&] { write_whole(folder_ / name, "x"); },
+                ::testing::ThrowsMessage<StoreError>(
+                    ::testing::EndsWith("what is there is no regular file")));
+  }
   EXPECT_TRUE(fs::exists(folder_ / "taken" / "inside"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+  EXPECT_EQ(fs::read_symlink(folder_ / "link"), "elsewhere");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
 }
 
 TEST(Table, WritesShortestNumbersAndQuotesText) {
@@ -176,115 +158,6 @@ TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
   }
   EXPECT_THAT([&] { read_summary(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
-}
-
-using RunFolderTest = StoreTest;
-
-TEST_F(RunFolderTest, ClearsWhatAnEarlierRunLeftAndNothingElse) {
-  std::optional<RunFolder> first(RunFolder::for_new_run(folder_ / "run"));
-  first->make_frames();
-  fs::create_directories(first->path() / "plots");
-  fs::create_directories(first->path() / "export");
-  for (const char* name :
-       {"run.json", "series.csv", "cycles.csv", "profile-flow.csv", "contacts-flow.csv",
-        "histogram-5.csv", "checkpoint.h5", "checkpoint-previous.h5", "trajectory.h5",
-        "series.csv.part-17", "plots/profile.png", "export/scene.gsd", "export/mine.txt",
-        "notes.txt", "other.csv"}) {
-    write_whole(first->path() / name, "x");
-  }
-  write_whole(first->frame("scene", 120), "x");
-  write_whole(first->path() / "frames" / "mine.png", "x");
-  first.reset();
-  const RunFolder second = RunFolder::for_new_run(folder_ / "run");
-  EXPECT_EQ(second.frame("scene", 120).filename(), "scene-000120.png");
-  EXPECT_FALSE(fs::exists(second.summary()));
-  EXPECT_FALSE(fs::exists(second.table("series")));
-  EXPECT_FALSE(fs::exists(second.table("cycles")));
-  EXPECT_FALSE(fs::exists(second.table("profile", "flow")));
-  EXPECT_FALSE(fs::exists(second.table("contacts", "flow")));
-  EXPECT_FALSE(fs::exists(second.table("histogram", "5")));
-  EXPECT_FALSE(fs::exists(second.path() / "plots" / "profile.png"));
-  EXPECT_FALSE(fs::exists(second.path() / "export" / "scene.gsd"));
-  EXPECT_TRUE(fs::exists(second.path() / "export" / "mine.txt"));
-  EXPECT_FALSE(fs::exists(second.frame("scene", 120)));
-  for (const char* name : {"checkpoint.h5", "checkpoint-previous.h5", "trajectory.h5"}) {
-    EXPECT_FALSE(fs::exists(second.path() / name)) << name;
-  }
-  EXPECT_FALSE(fs::exists(second.path() / "series.csv.part-17")) << "what a killed run left";
-  EXPECT_TRUE(fs::exists(second.path() / "notes.txt"));
-  EXPECT_TRUE(fs::exists(second.path() / "other.csv"));
-  EXPECT_TRUE(fs::exists(second.path() / "frames" / "mine.png"));
-}
-
-TEST_F(RunFolderTest, KeepsFramesUpToAStepWhenARunGoesOn) {
-  const RunFolder run = RunFolder::for_new_run(folder_ / "run");
-  run.make_frames();
-  for (const std::uint64_t step : {10U, 20U, 1'000'000U}) {
-    write_whole(run.frame("scene", step), "x");
-  }
-  run.remove_frames_after(10);
-  EXPECT_TRUE(fs::exists(run.frame("scene", 10)));
-  EXPECT_FALSE(fs::exists(run.frame("scene", 20)));
-  EXPECT_FALSE(fs::exists(run.frame("scene", 1'000'000)));
-  run.remove_frames_after(std::nullopt);
-  EXPECT_FALSE(fs::exists(run.frame("scene", 10)));
-}
-
-TEST_F(RunFolderTest, IsOfOneRunAtATime) {
-  std::optional<RunFolder> first(RunFolder::for_new_run(folder_ / "run"));
-  EXPECT_THAT([&] { RunFolder::for_resumed_run(folder_ / "run"); },
-              ::testing::ThrowsMessage<StoreError>(::testing::EndsWith(
-                  fmt::format("run: another run is at work in it (process {})", ::getpid()))));
-  RunFolder moved = std::move(*first);
-  first.reset();
-  EXPECT_THROW(RunFolder::for_new_run(folder_ / "run"), StoreError);
-  EXPECT_NO_THROW(RunFolder::for_new_run(folder_ / "other"));
-}
-
-TEST_F(RunFolderTest, TakesOverTheLockOfADeadProcess) {
-  fs::create_directories(folder_ / "run");
-  write_whole(folder_ / "run" / "lock", "999999\n");
-  { const RunFolder run = RunFolder::for_new_run(folder_ / "run"); }
-  EXPECT_FALSE(fs::exists(folder_ / "run" / "lock"));
-}
-
-using GrowingFileTest = StoreTest;
-
-TEST_F(GrowingFileTest, KeepsWhatItIsToldAndCutsOffTheRest) {
-  const fs::path path = folder_ / "table.csv";
-  GrowingFile file(path, 0);
-  EXPECT_FALSE(fs::exists(path));
-  file.append("a,b\n");
-  file.append("");
-  file.append("1,2\n");
-  EXPECT_EQ(file.bytes(), 8U);
-  GrowingFile again(path, 4);
-  again.append("3,4\n");
-  again.sync();
-  const auto bytes = read_whole(path);
-  EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "a,b\n3,4\n");
-  GrowingFile anew(path, 0);
-  EXPECT_FALSE(fs::exists(path));
-  anew.sync();
-}
-
-TEST_F(GrowingFileTest, OneThatIsTooShortIsRefused) {
-  write_whole(folder_ / "table.csv", "a");
-  EXPECT_THAT([&] { GrowingFile(folder_ / "table.csv", 2); },
-              ::testing::ThrowsMessage<StoreError>(
-                  ::testing::EndsWith("it is shorter than when the checkpoint was made")));
-}
-
-TEST_F(RunFolderTest, TouchesNothingInAFolderThatIsNoRunFolder) {
-  write_whole(folder_ / "profile-of-my-own.csv", "x");
-  const RunFolder run = RunFolder::for_new_run(folder_);
-  EXPECT_TRUE(fs::exists(folder_ / "profile-of-my-own.csv"));
-}
-
-TEST_F(RunFolderTest, SaysWhyAFolderCannotBeMade) {
-  write_whole(folder_ / "file", "x");
-  EXPECT_THAT([&] { RunFolder::for_new_run(folder_ / "file"); },
-              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("Not a directory")));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class TrajectoryInPython : public ::testing::Test {
   }
 
   void write(const scene::Scene& scene) {
-    TrajectoryWriter writer(run(), scene, run::initial_state(scene), {});
+    TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), {});
     testing::play(scene, 5, [&](const automaton::State& state, std::size_t stage, bool begins) {
       writer.add(state, stage, begins);
       if (++frames_ % 4 == 0) {

@@ -32,7 +32,7 @@ class TrajectoryTest : public ::testing::Test {
   /// Plays a scene; a part has `frames_per_part` frames.
   Shown write(const scene::Scene& scene, std::uint64_t every, std::size_t frames_per_part) const {
     const automaton::State fixed = run::initial_state(scene);
-    TrajectoryWriter writer(run(), scene, fixed, {});
+    TrajectoryWriter writer(OutputFolder(run()), scene, fixed, {});
     Shown shown;
     testing::play(scene, every, [&](const automaton::State& state, std::size_t stage, bool begins) {
       writer.add(state, stage, begins);
@@ -125,12 +125,10 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
   const scene::Scene scene = testing::hourglass_scene();
   const Shown shown = write(scene, 5, 4);
   const TrajectoryWriter::Written kept{.parts = 3, .frames = 12};
-  write_whole(run() / "trajectory" / "part-000002.h5.part-77", "of a killed process");
   write_whole(run() / "trajectory" / "notes.txt", "of the user");
   {
-    TrajectoryWriter writer(run(), scene, run::initial_state(scene), kept);
+    TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), kept);
     EXPECT_FALSE(std::filesystem::exists(part(3))) << "later than the checkpoint";
-    EXPECT_FALSE(std::filesystem::exists(run() / "trajectory" / "part-000002.h5.part-77"));
     EXPECT_TRUE(std::filesystem::exists(run() / "trajectory" / "notes.txt"));
     EXPECT_EQ(writer.written().frames, 12U);
     std::size_t frame = 0;
@@ -149,7 +147,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
 TEST_F(TrajectoryTest, ANewRunRemovesWhatAnOldOneHasLeft) {
   const scene::Scene scene = testing::plate_scene();
   write(scene, 5, 4);
-  const TrajectoryWriter writer(run(), scene, run::initial_state(scene), {});
+  const TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), {});
   EXPECT_FALSE(std::filesystem::exists(run() / "trajectory.h5"));
   EXPECT_TRUE(std::filesystem::is_empty(run() / "trajectory"));
 }
@@ -159,7 +157,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
   write(scene, 5, 4);
   const auto why = [&](const scene::Scene& of, const TrajectoryWriter::Written& kept) {
     try {
-      const TrajectoryWriter writer(run(), of, run::initial_state(of), kept);
+      const TrajectoryWriter writer(OutputFolder(run()), of, run::initial_state(of), kept);
     } catch (const StoreError& error) {
       return std::string(error.what());
     }
@@ -178,7 +176,7 @@ TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
   automaton::Automaton automaton(run::initial_state(scene));
   run::prepare_stage(automaton, scene, scene.stages.front());
-  TrajectoryWriter writer(run(), scene, automaton.state(), {});
+  TrajectoryWriter writer(OutputFolder(run()), scene, automaton.state(), {});
   constexpr std::size_t kMostFrames = (std::size_t{16} << 20U) / (80 * 33);
   for (std::size_t frame = 0; frame <= kMostFrames; ++frame) {
     writer.add(automaton.state(), 0, frame == 0);

@@ -1,0 +1,220 @@
+// Only what clca wrote itself is replaced or removed, and nothing outside of the folder.
+
+#include "clca/store/output_folder.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <optional>
+
+#include "clca/store/file.hpp"
+#include "clca/store/growing_file.hpp"
+#include "support/runs.hpp"
+
+namespace clca::store {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class OutputFolderTest : public ::testing::Test {
+ protected:
+  fs::path path(const std::string& name) const { return scratch_.path() / name; }
+  OutputFolder folder() const { return OutputFolder(path("out")); }
+  void put(const std::string& name, const std::string& text) const {
+    fs::create_directories(path(name).parent_path());
+    std::ofstream(path(name)) << text;
+  }
+  std::string text(const std::string& name) const {
+    std::ifstream stream(path(name));
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  /// Names in a folder, but for the manifest.
+  std::vector<std::string> names(const std::string& below) const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(path(below))) {
+      if (entry.path().filename() != ".clca.manifest") {
+        result.push_back(entry.path().filename().string());
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  testing::ScratchFolder scratch_;
+};
+
+TEST_F(OutputFolderTest, AFileIsThereWhenItIsFinishedAndNothingIsLeftOfOneThatIsNot) {
+  {
+    AtomicFile file = folder().create("a.txt");
+    file.write("first, ");
+    file.write("second");
+    file.rewrite_begin(std::vector<std::uint8_t>{'F'});
+    file.write(" and third");
+    EXPECT_EQ(file.size(), 23U);
+    EXPECT_FALSE(fs::exists(path("out/a.txt")));
+    file.finish();
+  }
+  EXPECT_EQ(text("out/a.txt"), "First, second and third");
+  { folder().create("a.txt").write("lost"); }
+  EXPECT_EQ(text("out/a.txt"), "First, second and third");
+  EXPECT_THAT(names("out"), ElementsAre("a.txt"));
+}
+
+TEST_F(OutputFolderTest, ItsOwnFileIsReplacedAlsoByAnotherProcess) {
+  folder().write("a.txt", "first");
+  folder().write("a.txt", "second");
+  EXPECT_EQ(text("out/a.txt"), "second");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+}
+
+TEST_F(OutputFolderTest, AFileThatItDidNotWriteIsNeitherReplacedNorAddedToNorRemoved) {
+  put("out/a.txt", "mine");
+  const OutputFolder out = folder();
+  const auto refusal = ThrowsMessage<StoreError>(HasSubstr("clca did not write the file that is there"));
+  EXPECT_THAT([&] { out.write("a.txt", "x"); }, refusal);
+  EXPECT_THAT([&] { out.require_free("a.txt"); }, refusal);
+  EXPECT_THAT([&] { out.open_to_append("a.txt"); }, refusal);
+  EXPECT_THAT([&] { GrowingFile(out, "a.txt", 0); }, refusal);
+  EXPECT_THAT([&] { GrowingFile(out, "a.txt", 2); }, refusal);
+  out.remove("a.txt");
+  out.clear("a.txt", "");
+  EXPECT_EQ(text("out/a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, AFileThatComesWhileItsNamesakeIsWrittenStays) {
+  AtomicFile file = folder().create("a.txt");
+  file.write("x");
+  put("out/a.txt", "mine");
+  EXPECT_THAT([&] { file.finish(); }, ThrowsMessage<StoreError>(HasSubstr("clca did not write")));
+  EXPECT_EQ(text("out/a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, ClearRemovesWhatTheManifestListsAndNothingElse) {
+  const OutputFolder out = folder();
+  for (const char* name : {"run.json", "kept", "frames/a-000001.png", "frames/deep/b.csv", "c.csv"}) {
+    out.write(name, "x");
+  }
+  put("out/frames/mine.png", "mine");
+  put("out/notes.txt", "mine");
+  put("out/plots/mine.png", "mine");
+  out.clear("run.json", "kept");
+  EXPECT_THAT(names("out"), ElementsAre("frames", "kept", "notes.txt", "plots"));
+  EXPECT_THAT(names("out/frames"), ElementsAre("mine.png"));
+  EXPECT_THAT(folder().files(), ElementsAre("kept"));
+  put("out/c.csv", "mine now");
+  folder().clear("run.json", "kept");
+  EXPECT_EQ(text("out/c.csv"), "mine now") << "a name that is listed no more";
+}
+
+TEST_F(OutputFolderTest, SymbolicLinksAreNeverFollowed) {
+  const OutputFolder out = folder();
+  out.write("frames/a.png", "x");
+  out.write("table.csv", "x");
+  put("far/a.png", "mine");
+  fs::remove_all(path("out/frames"));
+  fs::create_directory_symlink(path("far"), path("out/frames"));
+  fs::remove(path("out/table.csv"));
+  fs::create_symlink(path("far/a.png"), path("out/table.csv"));
+  EXPECT_THAT([&] { out.write("frames/a.png", "y"); }, ThrowsMessage<StoreError>(HasSubstr("link")));
+  EXPECT_THAT([&] { out.write("table.csv", "y"); },
+              ThrowsMessage<StoreError>(EndsWith("what is there is no regular file")));
+  EXPECT_THROW(out.open_to_append("table.csv"), StoreError);
+  EXPECT_THROW(out.truncate("table.csv", 0), StoreError);
+  out.clear("", "");
+  EXPECT_EQ(text("far/a.png"), "mine");
+  EXPECT_TRUE(fs::is_symlink(path("out/table.csv")));
+}
+
+TEST_F(OutputFolderTest, AManifestThatNamesFilesElsewhereOrIsNoneIsRefused) {
+  put("a.txt", "mine");
+  for (const char* manifest :
+       {"clca manifest 1\nfile \"../a.txt\"\n", "clca manifest 1\nfile \"/a.txt\"\n",
+        "clca manifest 1\nfile \"b/../../a.txt\"\n", "clca manifest 1\nfolder \"..\"\n",
+        "something else\n", "clca manifest 2\n"}) {
+    put("out/.clca.manifest", manifest);
+    EXPECT_THROW(folder(), StoreError) << manifest;
+  }
+  fs::remove(path("out/.clca.manifest"));
+  fs::create_symlink(path("a.txt"), path("out/.clca.manifest"));
+  EXPECT_THROW(folder(), StoreError);
+  EXPECT_EQ(text("a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, ALineOfTheManifestThatWasNotWrittenWholeIsPassedOver) {
+  folder().write("a.txt", "x");
+  std::ofstream(path("out/.clca.manifest"), std::ios::app) << "file \"b.t";
+  put("out/b.t", "mine");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+  folder().write("c.txt", "x");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt", "c.txt"));
+}
+
+TEST_F(OutputFolderTest, NamesThatLeaveTheFolderAreRefused) {
+  for (const char* name : {"../a", "/a", "", ".", "..", "b/../../a", "b//a", "a\nb"}) {
+    EXPECT_THROW(folder().write(name, "x"), StoreError) << name;
+  }
+}
+
+TEST_F(OutputFolderTest, TemporaryFilesOfAKilledProcessAreRemovedAndNoOthers) {
+  folder().write("frames/a.png", "x");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const AtomicFile file = folder().create("frames/b.png");
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_EQ(names("out/frames").size(), 2U);
+  put("out/frames/.clca-0123456789abcdef-1", "mine");
+  put("out/frames/book.part-2", "mine");
+  const AtomicFile at_work = folder().create("frames/c.png");
+  folder().write("d.txt", "x");
+  EXPECT_THAT(names("out/frames"),
+              ElementsAre(at_work.temporary_path().filename().string(), ".clca-0123456789abcdef-1",
+                          "a.png", "book.part-2"));
+}
+
+TEST_F(OutputFolderTest, AFileThatTheUserNamedReplacesARegularFileAndIsNotListed) {
+  put("out/a.txt", "mine");
+  write_whole(path("out/a.txt"), "asked for");
+  EXPECT_EQ(text("out/a.txt"), "asked for");
+  EXPECT_FALSE(fs::exists(path("out/.clca.manifest")));
+  folder().clear("", "");
+  EXPECT_EQ(text("out/a.txt"), "asked for");
+  ASSERT_EQ(::mkfifo(path("out/pipe").c_str(), 0600), 0);
+  EXPECT_THROW(write_whole(path("out/pipe"), "x"), StoreError);
+  EXPECT_TRUE(fs::is_fifo(path("out/pipe")));
+}
+
+TEST_F(OutputFolderTest, AGrowingFileKeepsWhatItIsToldAndCutsOffTheRest) {
+  const OutputFolder out = folder();
+  GrowingFile file(out, "table.csv", 0);
+  EXPECT_FALSE(fs::exists(path("out/table.csv")));
+  file.append("a,b\n");
+  file.append("");
+  file.append("1,2\n");
+  EXPECT_EQ(file.bytes(), 8U);
+  GrowingFile again(out, "table.csv", 4);
+  again.append("3,4\n");
+  again.sync();
+  EXPECT_EQ(text("out/table.csv"), "a,b\n3,4\n");
+  EXPECT_THAT([&] { GrowingFile(out, "table.csv", 9); },
+              ThrowsMessage<StoreError>(EndsWith("it is shorter than when the checkpoint was made")));
+  GrowingFile anew(out, "table.csv", 0);
+  EXPECT_FALSE(fs::exists(path("out/table.csv")));
+  anew.sync();
+}
+
+}  // namespace
+}  // namespace clca::store
