@@ -38,8 +38,8 @@ class Bag {
  private:
   void make_room() {
     if (count_ == most_) {
-      most_ = 2 * count_ + 1;
-      room_.resize(most_);
+      room_.resize(2 * count_ + 1);
+      most_ = room_.size();
     }
   }
 

@@ -159,10 +159,10 @@ void Stepper::step_alone() {
 
 // Called by all threads, each takes a lane; all lanes are done when it returns.
 template <class Work>
-void Stepper::for_each_lane(Work work) {
+void Stepper::for_each_lane(parallel::FirstFailure& failure, Work work) {
 #pragma omp for schedule(static, 1)
   for (Lane& lane : lanes_) {
-    work(lane);
+    failure.guard([&] { work(lane); });
   }
 }
 
@@ -183,27 +183,29 @@ void Stepper::step_together() {
 #pragma omp master
     clock.end(phase);
   };
+  parallel::FirstFailure failure;
 #pragma omp parallel num_threads(options_.threads)
   {
-    for_each_lane([this](Lane& lane) { look(lane); });
+    for_each_lane(failure, [this](Lane& lane) { look(lane); });
     end(&Profile::decide);
-    for_each_lane([this](Lane& lane) {
+    for_each_lane(failure, [this](Lane& lane) {
       forget_awake(lane);
       mark_found_by_others(lane);
       claim(lane);
     });
-    for_each_lane([this](Lane& lane) { contest_falling(lane); });
+    for_each_lane(failure, [this](Lane& lane) { contest_falling(lane); });
     end(&Profile::contest);
-    for_each_lane([this](Lane& lane) {
+    for_each_lane(failure, [this](Lane& lane) {
       move(lane);
       give_own_turns(lane);
     });
     end(&Profile::move);
 #pragma omp single
-    give_open_turns();
-    for_each_lane([this](Lane& lane) { end_turns(lane); });
+    failure.guard([this] { give_open_turns(); });
+    for_each_lane(failure, [this](Lane& lane) { end_turns(lane); });
     end(&Profile::turns);
   }
+  failure.rethrow();
 }
 
 void Stepper::balance() {

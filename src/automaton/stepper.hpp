@@ -12,6 +12,7 @@
 #include "automaton/update_order.hpp"
 #include "automaton/world.hpp"
 #include "clca/automaton/automaton.hpp"
+#include "clca/parallel/first_failure.hpp"
 
 namespace clca::automaton {
 
@@ -81,7 +82,7 @@ class Stepper {
   void step_alone();
   void step_together();
   template <class Work>
-  void for_each_lane(Work work);
+  void for_each_lane(parallel::FirstFailure& failure, Work work);
   void balance();
 
   // Phases of a step, each for one thread. Looks, see lane_looks.cpp:

@@ -9,6 +9,7 @@
 
 #include "boltzmann/group.hpp"
 #include "boltzmann/grouping.hpp"
+#include "clca/parallel/first_failure.hpp"
 
 namespace clca::boltzmann {
 
@@ -106,11 +107,15 @@ void Stepper::step(double end) {
   const double length = duration(longest);
   const Eigen::Index groups = grouping_.groups();
   grouping_.shuffle(seed_, gas_.step);
+  parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_) default(shared)
   for (Eigen::Index group = 0; group < groups; ++group) {
-    outcomes_[static_cast<std::size_t>(group)] =
-        work(group, length, benches_[static_cast<std::size_t>(omp_get_thread_num())]);
+    failure.guard([&] {
+      outcomes_[static_cast<std::size_t>(group)] =
+          work(group, length, benches_[static_cast<std::size_t>(omp_get_thread_num())]);
+    });
   }
+  failure.rethrow();
   double squares = 0;
   for (const Outcome& outcome : outcomes_) {
     gas_.participations += 2 * outcome.collisions;

@@ -1,5 +1,7 @@
 #include "boltzmann/ogawa_kato.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,7 @@
 
 #include "boltzmann/encounter.hpp"
 #include "boltzmann/partner_draws.hpp"
+#include "clca/parallel/first_failure.hpp"
 
 namespace clca::boltzmann {
 namespace {
@@ -99,20 +102,22 @@ template <class Draws>
 std::uint64_t take(const SynchronousStep& step, const Draws& draws, int partners, int threads,
                    Motions& after) {
   std::uint64_t changed = 0;
-#pragma omp parallel num_threads(threads) reduction(+ : changed)
-  {
-    Encounters encounters(partners);
-#pragma omp for schedule(static)
-    for (Eigen::Index column = 0; column < step.before.cols(); ++column) {
+  std::vector<Encounters> encounters(static_cast<std::size_t>(threads), Encounters(partners));
+  parallel::FirstFailure failure;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(+ : changed)
+  for (Eigen::Index column = 0; column < step.before.cols(); ++column) {
+    failure.guard([&] {
       const auto place = static_cast<Place>(column);
       after.col(column) = step.before.col(column);
-      const auto other = collision_partner(step, draws, place, encounters);
+      const auto other = collision_partner(
+          step, draws, place, encounters[static_cast<std::size_t>(omp_get_thread_num())]);
       if (other) {
         hit(step, draws, place, *other, after.col(column));
         ++changed;
       }
-    }
+    });
   }
+  failure.rethrow();
   return changed;
 }
 

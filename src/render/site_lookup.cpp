@@ -5,6 +5,7 @@
 #include <cmath>
 #include <variant>
 
+#include "clca/parallel/first_failure.hpp"
 #include "clca/render/painter.hpp"
 #include "render/seen_walls.hpp"
 #include "render/shade.hpp"
@@ -291,21 +292,25 @@ void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
     std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(above), column.size() - above,
                 code_of(Ground::paper));
   };
+  parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_)
   for (int first = 0; first < grid.width(); first += kTileWidth) {
-    const int end = std::min(first + kTileWidth, grid.width());
-    const int from = std::clamp(box_.x, first, end);
-    const int to = std::clamp(box_.x + box_.width, from, end);
-    const std::vector<bool> empty =
-        from < to ? empty_tiles(sites, from, to - 1) : std::vector<bool>();
-    for (int x = first; x < end; ++x) {
-      if (x >= from && x < to) {
-        fill_column(x, empty);
-      } else {
-        std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Ground::paper));
+    failure.guard([&] {
+      const int end = std::min(first + kTileWidth, grid.width());
+      const int from = std::clamp(box_.x, first, end);
+      const int to = std::clamp(box_.x + box_.width, from, end);
+      const std::vector<bool> empty =
+          from < to ? empty_tiles(sites, from, to - 1) : std::vector<bool>();
+      for (int x = first; x < end; ++x) {
+        if (x >= from && x < to) {
+          fill_column(x, empty);
+        } else {
+          std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Ground::paper));
+        }
       }
-    }
+    });
   }
+  failure.rethrow();
 }
 
 void SiteLookup::particles(const automaton::State& state, const automaton::Occupancy& occupancy,

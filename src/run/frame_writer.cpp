@@ -1,5 +1,6 @@
 #include "run/frame_writer.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include "clca/render/png.hpp"
@@ -11,7 +12,13 @@ namespace {
 constexpr std::size_t kMostWaiting = 2;
 }
 
-FrameWriter::FrameWriter() : thread_([this] { work(); }) {}
+FrameWriter::FrameWriter() {
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error&) {
+    // Where no more threads can be had, whoever has a picture writes it.
+  }
+}
 
 FrameWriter::~FrameWriter() {
   {
@@ -19,15 +26,22 @@ FrameWriter::~FrameWriter() {
     closing_ = true;
   }
   changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
 }
 
 void FrameWriter::write(store::OutputFolder folder, std::string name,
                         std::function<Picture()> picture) {
+  Job job = {std::move(folder), std::move(name), std::move(picture)};
+  if (!thread_.joinable()) {
+    carry_out(job);
+    return;
+  }
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
   rethrow_failure();
-  jobs_.push_back({std::move(folder), std::move(name), std::move(picture)});
+  jobs_.push_back(std::move(job));
   changed_.notify_all();
 }
 
@@ -35,6 +49,11 @@ void FrameWriter::finish() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return (jobs_.empty() && !busy_) || failure_; });
   rethrow_failure();
+}
+
+void FrameWriter::carry_out(const Job& job) {
+  const Picture picture = job.picture();
+  job.folder.write(job.name, render::encode_png(picture.image, picture.text));
 }
 
 void FrameWriter::work() {
@@ -50,8 +69,7 @@ void FrameWriter::work() {
     lock.unlock();
     std::exception_ptr failure;
     try {
-      const Picture picture = job.picture();
-      job.folder.write(job.name, render::encode_png(picture.image, picture.text));
+      carry_out(job);
     } catch (...) {
       failure = std::current_exception();
     }

@@ -14,8 +14,8 @@
 
 namespace clca::run {
 
-/// One thread of its own that takes pictures in the order they come. At most a few wait; then the
-/// run waits too, so that memory stays bounded.
+/// One thread of its own, where it can be had, that takes pictures in the order they come. At most
+/// a few wait; then the run waits too, so that memory stays bounded.
 class FrameWriter {
  public:
   FrameWriter();
@@ -24,7 +24,8 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// `picture` is called once, on that thread. Rethrows what went wrong with an earlier one.
+  /// `picture` is called once, on that thread. Rethrows what went wrong with an earlier one, or,
+  /// without a thread of its own, with this one.
   void write(store::OutputFolder folder, std::string name, std::function<Picture()> picture);
   /// Waits until everything is written. Rethrows likewise.
   void finish();
@@ -36,6 +37,7 @@ class FrameWriter {
     std::function<Picture()> picture;
   };
 
+  static void carry_out(const Job& job);
   void work();
   void rethrow_failure();
 
@@ -45,7 +47,7 @@ class FrameWriter {
   bool busy_ = false;
   bool closing_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  // last: starts when the rest is there
+  std::thread thread_;
 };
 
 }  // namespace clca::run

@@ -11,6 +11,7 @@
 #include <exception>
 #include <utility>
 
+#include "clca/parallel/first_failure.hpp"
 #include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
@@ -20,7 +21,9 @@
 #include "run/gas_slots.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
+#include "run/reserve.hpp"
 #include "run/saver.hpp"
+#include "run/startable.hpp"
 
 namespace clca::run {
 
@@ -63,10 +66,12 @@ class GasRun {
   void write_summary(const std::string& status) const {
     folder_.files().write(store::kSummaryFile, store::to_json(summary(status)));
   }
-  void note_failure() {
+  void note_failure(const std::exception& failure) {
+    reserve_.reset();
     try {
+      log_.error(failure.what());
       write_summary("failed");
-    } catch (const store::StoreError& error) {
+    } catch (const std::exception& error) {
       log_.error(error.what());
     }
   }
@@ -106,6 +111,7 @@ class GasRun {
   bool complete_ = true;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
+  Reserve reserve_;
   Saver saver_;  // last: at the end it waits for its thread, which uses the rest
 };
 
@@ -118,8 +124,7 @@ store::RunSummary GasRun::execute() {
     }
     run_cases();
   } catch (const std::exception& error) {
-    log_.error(error.what());
-    note_failure();
+    note_failure(error);
     throw;
   }
   const std::string status = complete_ ? "done" : "interrupted";
@@ -175,35 +180,35 @@ void GasRun::run_case(GasCase& one) {
   const int outer = std::min(options_.threads, members);
   const int inner = std::max(1, options_.threads / outer);
   GasSlots slots(one.members, saver_, [this] { save(); });
+  parallel::FirstFailure failure;
+  const auto carry = [&](int i) {
+    if (stop_asked()) {
+      return;
+    }
+    const auto number = static_cast<std::uint64_t>(i);
+    GasMember member = slots.begin(number);
+    collisions_ -= collisions(member);
+    carrier_.carry(member, one.restitution, boltzmann::member_seed(scene_.seed, number), inner,
+                   [&](const GasMember& now) {
+                     slots.after_step(number, now);
+                     return !failure.failed() && keeps_on(*now.gas, one.restitution);
+                   });
+    collisions_ += collisions(member);
+    ++gases_done_;
+    slots.end(number, std::move(member));
+  };
+  if (outer == 1) {  // regions within a region start their threads anew each time
+    for (int i = 0; i < members; ++i) {
+      carry(i);
+    }
+    return;
+  }
   omp_set_max_active_levels(2);  // gases, and groups of particles in each
-  std::atomic<bool> failed = false;
-  std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic) num_threads(outer) default(shared)
   for (int i = 0; i < members; ++i) {
-    if (failed || stop_asked()) {
-      continue;
-    }
-    try {
-      const auto number = static_cast<std::uint64_t>(i);
-      GasMember member = slots.begin(number);
-      collisions_ -= collisions(member);
-      carrier_.carry(member, one.restitution, boltzmann::member_seed(scene_.seed, number), inner,
-                     [&](const GasMember& now) {
-                       slots.after_step(number, now);
-                       return !failed && keeps_on(*now.gas, one.restitution);
-                     });
-      collisions_ += collisions(member);
-      ++gases_done_;
-      slots.end(number, std::move(member));
-    } catch (...) {
-#pragma omp critical(gas_failure)
-      failure = failure ? failure : std::current_exception();
-      failed = true;
-    }
+    failure.guard([&] { carry(i); });
   }
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+  failure.rethrow();
 }
 
 bool GasRun::keeps_on(const boltzmann::Gas& gas, double restitution) {
@@ -299,9 +304,10 @@ store::Checkpoint start_checkpoint(const scene::BoltzmannScene& scene, const Run
 
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
+  const RunOptions startable = with_startable_threads(options, events);
   store::RunFolder folder =
-      begin_run(options, events, start_checkpoint(scene, options), gas_table_names(scene));
-  return GasRun(scene, options, events, std::move(folder)).execute();
+      begin_run(startable, events, start_checkpoint(scene, startable), gas_table_names(scene));
+  return GasRun(scene, startable, events, std::move(folder)).execute();
 }
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {

@@ -18,9 +18,11 @@
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
 #include "run/records.hpp"
+#include "run/reserve.hpp"
 #include "run/saved.hpp"
 #include "run/saver.hpp"
 #include "run/stage.hpp"
+#include "run/startable.hpp"
 
 namespace clca::run {
 
@@ -75,12 +77,14 @@ class Run {
   void write_summary(const std::string& status) const {
     folder_->files().write(store::kSummaryFile, store::to_json(summary(status)));
   }
-  /// A disk that is full for the rest may be so for the summary: the first error is the one to
-  /// tell.
-  void note_failure() {
+  /// A disk that is full for the rest may be so for the summary, and so memory: the first error is
+  /// the one to tell.
+  void note_failure(const std::exception& failure) {
+    reserve_.reset();
     try {
+      log_->error(failure.what());
       write_summary("failed");
-    } catch (const store::StoreError& error) {
+    } catch (const std::exception& error) {
       log_->error(error.what());
     }
   }
@@ -110,6 +114,7 @@ class Run {
   bool in_stage_ = false;  // one that goes on
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
+  Reserve reserve_;
   Saver saver_;  // last: at the end it waits for its thread, which uses the rest
 };
 
@@ -120,8 +125,7 @@ store::RunSummary Run::execute() {
   try {
     run_stages();
   } catch (const std::exception& error) {
-    log_->error(error.what());
-    note_failure();
+    note_failure(error);
     throw;
   }
   const std::string status = interrupted_ ? "interrupted" : "done";
@@ -309,16 +313,17 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& op
 
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
-  return Run(scene, options, events).execute();
+  return Run(scene, with_startable_threads(options, events), events).execute();
 }
 
-store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {
+store::RunSummary resume(SavedRun saved, const RunOptions& wanted, const RunEvents& events) {
   if (!saved.warning.empty() && events.warning) {
     events.warning(saved.warning);
   }
   if (saved.finished) {
     return *saved.finished;
   }
+  const RunOptions options = with_startable_threads(wanted, events);
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }

@@ -1,5 +1,7 @@
 #include "run/saver.hpp"
 
+#include <memory>
+#include <system_error>
 #include <utility>
 
 namespace clca::run {
@@ -19,11 +21,16 @@ bool Saver::due(std::uint64_t step) {
 void Saver::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
                  std::function<void()> before) {
   finish();
-  writing_ = std::async(std::launch::async, [run_folder, checkpoint = std::move(checkpoint),
-                                             before = std::move(before)] {
+  const auto shared = std::make_shared<const store::Checkpoint>(std::move(checkpoint));
+  const auto write = [run_folder, shared, before = std::move(before)] {
     before();
-    store::write_checkpoint(run_folder, checkpoint);
-  });
+    store::write_checkpoint(run_folder, *shared);
+  };
+  try {
+    writing_ = std::async(std::launch::async, write);
+  } catch (const std::system_error&) {  // no more threads can be had
+    write();
+  }
 }
 
 void Saver::finish() {

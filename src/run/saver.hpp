@@ -17,8 +17,8 @@ class Saver {
 
   /// Whether it is time, after so many steps of the run.
   bool due(std::uint64_t step);
-  /// Writes the checkpoint on a thread of its own, `before` it what has to be on the disk first.
-  /// Waits for the one before. Rethrows what went wrong with that.
+  /// Writes the checkpoint, on a thread of its own where it can be had, `before` it what has to be
+  /// on the disk first. Waits for the one before. Rethrows what went wrong with that.
   void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
             std::function<void()> before);
   /// Waits until all is written. Rethrows likewise.

@@ -10,13 +10,18 @@
 
 namespace clca::sweep {
 
-Crew::Crew(const Plan& plan, const Folder& folder, std::vector<std::size_t> runs, int jobs,
-           bool all_pictures)
-    : plan_(plan), folder_(folder), runs_(std::move(runs)), all_pictures_(all_pictures) {
-  working_ = std::min(runs_.size(), static_cast<std::size_t>(std::max(1, jobs)));
-  for (std::size_t i = 0, count = working_; i < count; ++i) {
-    threads_.emplace_back([this] { work(); });
+Crew::Crew(const Plan& plan, const Folder& folder, std::vector<std::size_t> runs,
+           const Options& options)
+    : plan_(plan), folder_(folder), runs_(std::move(runs)), options_(options) {
+  const std::lock_guard lock(mutex_);  // no thread begins before it is known how many they are
+  try {
+    threads_.reserve(wanted());
+    while (threads_.size() < wanted()) {
+      threads_.emplace_back([this] { work(); });
+    }
+  } catch (const std::exception&) {  // no more can be had
   }
+  working_ = threads_.size();
 }
 
 Crew::~Crew() {
@@ -26,7 +31,14 @@ Crew::~Crew() {
   }
 }
 
+std::size_t Crew::wanted() const {
+  return std::min(runs_.size(), static_cast<std::size_t>(std::max(1, options_.jobs)));
+}
+
 std::vector<Ended> Crew::ended(std::chrono::milliseconds most) {
+  if (threads_.empty() && next_ < runs_.size() && stop_ == 0) {
+    return {carried_out(runs_[next_++])};
+  }
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, most, [this] { return !ended_.empty() || working_ == 0; });
   return std::exchange(ended_, {});
@@ -34,7 +46,8 @@ std::vector<Ended> Crew::ended(std::chrono::milliseconds most) {
 
 bool Crew::finished() {
   const std::lock_guard lock(mutex_);
-  return working_ == 0 && ended_.empty();
+  const bool none_left = !threads_.empty() || next_ == runs_.size() || stop_ != 0;
+  return working_ == 0 && ended_.empty() && none_left;
 }
 
 void Crew::work() {
@@ -60,8 +73,8 @@ Ended Crew::carried_out(std::size_t run) const {
     one.result.summary = run::run(plan_.scene(run),
                                   {.folder = folder_.run(plan_.name(run)),
                                    .threads = 1,
-                                   .stop = &stop_,
-                                   .last_picture_only = !all_pictures_,
+                                   .stop = threads_.empty() ? options_.stop : &stop_,
+                                   .last_picture_only = !options_.all_pictures,
                                    .overwrite = true},
                                   events);
     one.result.status = one.result.summary.status == "done" ? Status::done : Status::interrupted;

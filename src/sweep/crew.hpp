@@ -1,6 +1,7 @@
 #pragma once
 // Threads that carry out runs, one run at a time each.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "clca/sweep/plan.hpp"
+#include "clca/sweep/sweep.hpp"
 #include "sweep/folder.hpp"
 #include "sweep/result.hpp"
 
@@ -25,15 +27,19 @@ struct Ended {
 
 class Crew {
  public:
-  /// Begins to carry out `runs` of the plan in this order, `jobs` at a time. Plan and folder must
-  /// outlive this object.
-  Crew(const Plan& plan, const Folder& folder, std::vector<std::size_t> runs, int jobs,
-       bool all_pictures);
+  /// Begins to carry out `runs` of the plan in this order, as many at a time as the options say, or
+  /// as threads can be started. Where there is none ended() carries them out, one after the other.
+  /// What it refers to must outlive this object.
+  Crew(const Plan& plan, const Folder& folder, std::vector<std::size_t> runs,
+       const Options& options);
   /// Interrupts what is still going on.
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
+  /// Runs at a time: those asked for, and those there are.
+  std::size_t wanted() const;
+  std::size_t at_a_time() const { return std::max<std::size_t>(threads_.size(), 1); }
   /// Interrupts the runs; no more are begun.
   void stop() { stop_ = 1; }
   /// Waits until runs have ended, at most for `most`, and hands them over.
@@ -48,7 +54,7 @@ class Crew {
   const Plan& plan_;
   const Folder& folder_;
   std::vector<std::size_t> runs_;
-  bool all_pictures_;
+  const Options& options_;
   std::atomic<int> stop_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -122,7 +122,12 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
   if (stop_asked()) {
     return;
   }
-  Crew crew(plan_, folder_, runs, options_.jobs, options_.all_pictures);
+  Crew crew(plan_, folder_, runs, options_);
+  if (crew.at_a_time() < crew.wanted()) {
+    tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
+                                      "started",
+                                      crew.at_a_time(), crew.wanted()));
+  }
   while (!crew.finished()) {
     for (Ended& one : crew.ended(kPause)) {
       take(std::move(one));

@@ -1,0 +1,93 @@
+#include "clca/parallel/team.hpp"
+
+#include <pthread.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace clca::parallel {
+
+namespace {
+
+/// What the environment asks for, in bytes: a number of kibibytes, or with the unit B, K, M or G.
+std::optional<std::size_t> stack_size() {
+  constexpr unsigned kKibi = 10;
+  const char* text = std::getenv("OMP_STACKSIZE");  // NOLINT(concurrency-mt-unsafe): nobody sets it
+  if (text == nullptr) {
+    return std::nullopt;
+  }
+  char* end = nullptr;
+  const unsigned long long number = std::strtoull(text, &end, 10);
+  while (std::isspace(static_cast<unsigned char>(*end)) != 0) {
+    ++end;
+  }
+  const std::size_t unit = std::string_view("BKMG").find(
+      *end == '\0' ? 'K' : static_cast<char>(std::toupper(static_cast<unsigned char>(*end))));
+  if (end == text || unit == std::string_view::npos) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(number) << (kKibi * unit);
+}
+
+class Attributes {
+ public:
+  Attributes() {
+    ::pthread_attr_init(&attributes_);
+    if (const auto size = stack_size()) {
+      ::pthread_attr_setstacksize(&attributes_,
+                                  *size);  // refuses what is too small, as OpenMP does
+    }
+  }
+  ~Attributes() { ::pthread_attr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+  const pthread_attr_t* get() const { return &attributes_; }
+
+ private:
+  pthread_attr_t attributes_{};
+};
+
+void* wait_at(void* gate) {
+  const std::lock_guard lock(*static_cast<std::mutex*>(gate));
+  return nullptr;
+}
+
+/// How many of `most` threads can be there at once, beside this one.
+int startable(int most) {
+  const Attributes attributes;
+  std::mutex gate;
+  std::vector<pthread_t> started;
+  started.reserve(static_cast<std::size_t>(most));
+  {
+    const std::lock_guard closed(gate);
+    pthread_t thread{};
+    while (static_cast<int>(started.size()) < most &&
+           ::pthread_create(&thread, attributes.get(), wait_at, &gate) == 0) {
+      started.push_back(thread);
+    }
+  }
+  for (const pthread_t thread : started) {
+    ::pthread_join(thread, nullptr);
+  }
+  return static_cast<int>(started.size());
+}
+
+}  // namespace
+
+int start_team(int wanted) {
+  if (wanted < 1) {
+    throw std::invalid_argument("the number of threads must be positive");
+  }
+  const int team = wanted == 1 ? 1 : 1 + startable(wanted - 1);
+  // At once, as the limits may be reached later; regions of the same size then use these threads.
+#pragma omp parallel num_threads(team)
+  {}
+  return team;
+}
+
+}  // namespace clca::parallel
