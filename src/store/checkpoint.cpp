@@ -5,17 +5,13 @@
 #include <system_error>
 
 #include "clca/store/file.hpp"
-#include "store/sealed_file.hpp"
+#include "store/checkpoint_format.hpp"
 
 namespace clca::store {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr FileKind kCheckpointKind = {"checkpoint", 1};
-constexpr const char* kList = "fields";
-constexpr const char* kFields = "run/";
 
 fs::path newest(const fs::path& run_folder) {
   return run_folder / kCheckpointFile;
@@ -24,62 +20,38 @@ fs::path one_before(const fs::path& run_folder) {
   return run_folder / kCheckpointBefore;
 }
 
-template <class... Numbers>
-fields::Column read_column(const SealedReader& reader, const std::string& path,
-                           std::type_identity<std::variant<std::vector<Numbers>...>> /*kinds*/) {
-  fields::Column column;
-  const bool known =
-      ((reader.holds<Numbers>(path) && (column = reader.read<Numbers>(path), true)) || ...);
-  if (!known) {
-    reader.refuse(path + " holds other numbers");
-  }
-  return column;
-}
-
 Checkpoint read(const fs::path& file, double most_bytes) {
-  const SealedReader reader(file, kCheckpointKind, most_bytes);
-  Checkpoint checkpoint = {.kind = reader.read_text("kind"),
-                           .scene_name = reader.read_text("scene_name"),
-                           .scene = reader.read_text("scene"),
-                           .summary = reader.read_text("summary"),
-                           .fields = {}};
-  for (const std::string& path : reader.read_texts(kList)) {
-    checkpoint.fields[path] =
-        read_column(reader, kFields + path, std::type_identity<fields::Column>());
+  const std::vector<std::uint8_t> bytes = read_whole(file, most_bytes);
+  try {
+    return parse_checkpoint(bytes, most_bytes);
+  } catch (const std::runtime_error& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", file.string(), error.what()));
   }
-  return checkpoint;
 }
 
-std::vector<std::uint8_t> encoded(const Checkpoint& checkpoint) {
-  SealedWriter writer(kCheckpointKind);
-  writer.add_text("kind", checkpoint.kind);
-  writer.add_text("scene_name", checkpoint.scene_name);
-  writer.add_text("scene", checkpoint.scene);
-  writer.add_text("summary", checkpoint.summary);
-  std::vector<std::string> paths;
-  for (const auto& one : checkpoint.fields) {
-    paths.push_back(one.first);
-    std::visit(
-        [&]<class T>(const std::vector<T>& values) {
-          writer.add<T>(kFields + one.first, std::span<const T>(values));
-        },
-        one.second);
+/// What an older version has left is not passed over in silence.
+void refuse_older(const fs::path& run_folder) {
+  for (const char* name : {"checkpoint.h5", "checkpoint-previous.h5"}) {
+    if (fs::exists(run_folder / name)) {
+      throw StoreError(
+          fmt::format("cannot go on with {}: an older version of clca has written it, and this "
+                      "one does not read it",
+                      (run_folder / name).string()));
+    }
   }
-  writer.add_texts(kList, paths);
-  return writer.seal();
 }
 
 }  // namespace
 
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
   AtomicFile file = folder.create(kCheckpointFile);
-  file.write(encoded(checkpoint));
+  file.write(checkpoint_bytes(checkpoint));
   folder.rename(kCheckpointFile, kCheckpointBefore);
   file.finish();
 }
 
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  folder.write(kCheckpointFile, encoded(checkpoint));
+  folder.write(kCheckpointFile, checkpoint_bytes(checkpoint));
 }
 
 void remove_checkpoints(const OutputFolder& folder) {
@@ -89,6 +61,7 @@ void remove_checkpoints(const OutputFolder& folder) {
 
 std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double most_bytes) {
   if (!fs::exists(newest(run_folder)) && !fs::exists(one_before(run_folder))) {
+    refuse_older(run_folder);
     return std::nullopt;
   }
   try {

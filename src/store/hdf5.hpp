@@ -1,13 +1,15 @@
 #pragma once
-// A little order for the C interface of HDF5: objects that close themselves, errors that throw.
+// A little order for the C interface of HDF5, which runs in child processes only: objects that
+// close themselves, errors that throw.
 
 #include <hdf5.h>
 
-#include <memory>
-#include <mutex>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <stdexcept>
-#include <string>
 #include <utility>
+#include <vector>
 
 namespace clca::store::hdf5 {
 
@@ -17,15 +19,25 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws std::bad_alloc where HDF5 says that memory is short, else Error, naming `what`.
+[[noreturn]] void fail(const char* what);
+
+/// Throws where a call has failed, as fail() does.
+inline void check(herr_t result, const char* what) {
+  if (result < 0) {
+    fail(what);
+  }
+}
+
 /// An object of HDF5, closed at the end of its scope.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  /// Throws Error, naming `what`, when the call that gave `id` has failed.
+  /// Throws when the call that gave `id` has failed, as fail() does.
   Handle(hid_t id, Close close, const char* what) : id_(id), close_(close) {
     if (id < 0) {
-      throw Error(what);
+      fail(what);
     }
   }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
@@ -45,23 +57,12 @@ class Handle {
   Close close_;
 };
 
-/// Throws Error where a call has failed.
-inline void check(herr_t result, const char* what) {
-  if (result < 0) {
-    throw Error(what);
-  }
-}
+/// To be called first in a child: no error on the terminal, no code from other files.
+void begin();
 
-/// For a file in memory: HDF5 takes two of one name for the same file.
-std::string name_in_memory();
-
-/// To be held while HDF5 is at work: one thread at a time, and no word of errors on the terminal.
-class Session {
- public:
-  Session();
-
- private:
-  std::unique_lock<std::recursive_mutex> lock_;
-};
+/// The bytes of an HDF5 file that `fill` makes in a child process. Throws StoreError: `cannot write
+/// PATH: REASON`.
+std::vector<std::uint8_t> image(const std::filesystem::path& path,
+                                const std::function<void(const Handle& file)>& fill);
 
 }  // namespace clca::store::hdf5

@@ -2,7 +2,7 @@
 // What HDF5 calls the numbers of a dataset.
 
 #include "store/hdf5.hpp"
-#include "store/sealed_file.hpp"
+#include "store/hdf5_file.hpp"
 
 namespace clca::store {
 
@@ -19,8 +19,6 @@ hid_t number_type() {
     return H5T_NATIVE_UINT64;
   } else if constexpr (std::same_as<T, std::int32_t>) {
     return H5T_NATIVE_INT32;
-  } else if constexpr (std::same_as<T, float>) {
-    return H5T_NATIVE_FLOAT;
   } else {
     return H5T_NATIVE_DOUBLE;
   }

@@ -120,6 +120,15 @@ void refuse_frame(const PartContext& context, std::uint64_t step, const std::str
       fmt::format("cannot read {}: frame of step {}: {}", context.path.string(), step, reason));
 }
 
+void check_scene(const std::filesystem::path& path, const SceneTables& scene,
+                 const SceneTables& read) {
+  const std::string difference = scene.difference(read);
+  if (!difference.empty()) {
+    throw StoreError(
+        fmt::format("cannot read {}: of another scene: {}", path.string(), difference));
+  }
+}
+
 void check_frames(const PartContext& context, const PartFrames& frames) {
   const std::size_t size = frames.step.size();
   require(size > 0, context, "no frames");

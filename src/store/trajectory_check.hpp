@@ -6,6 +6,7 @@
 
 #include "clca/automaton/state.hpp"
 #include "store/trajectory_part.hpp"
+#include "store/trajectory_tables.hpp"
 
 namespace clca::store {
 
@@ -23,6 +24,9 @@ struct PartContext {
 /// Throws StoreError: `cannot read FILE: frame of step STEP: REASON`. So do all of these.
 [[noreturn]] void refuse_frame(const PartContext& context, std::uint64_t step,
                                const std::string& reason);
+/// `read`: of the part; `scene`: of the scene that it has to be of.
+void check_scene(const std::filesystem::path& path, const SceneTables& scene,
+                 const SceneTables& read);
 void check_frames(const PartContext& context, const PartFrames& frames);
 /// After check_frames.
 void check_origins(const PartContext& context, const PartFrames& frames, const PartOrigins& origins,

@@ -39,7 +39,7 @@ Dimensions shape_of(const Column& column, std::uint64_t rows) {
   return shape;
 }
 
-/// As SealedWriter lays it out.
+/// As Hdf5Writer lays it out.
 Dimensions shape_in_part(const Column& column, std::uint64_t rows) {
   return column.width() == 1 ? Dimensions{rows} : Dimensions{rows, column.width()};
 }
@@ -93,34 +93,21 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
                        H5Dclose, "dataset");
 }
 
-std::vector<std::uint8_t> image_of(const Handle& file) {
-  check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "flush");
-  const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
-  check(size < 0 ? -1 : 0, "size of the file");
-  std::vector<std::uint8_t> image(static_cast<std::size_t>(size));
-  check(H5Fget_file_image(file.id(), image.data(), image.size()) < 0 ? -1 : 0, "file");
-  return image;
-}
-
 }  // namespace
 
 void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
                  std::size_t walls) {
-  constexpr std::size_t kGrowth = 1U << 16U;
-  const hdf5::Session session;
-  const Handle access = properties(H5P_FILE_ACCESS);
-  check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
-  const Handle file(
-      H5Fcreate(hdf5::name_in_memory().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
-      "file");
-  const TrajectoryPart none;
-  for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
-    add_dataset<T>(file, column, parts);
-  });
-  check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
-                           H5P_DEFAULT),
-        "link");
-  run_folder.write(kTrajectoryIndex, image_of(file));
+  const auto add_all = [&](const Handle& file) {
+    const TrajectoryPart none;
+    for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
+      add_dataset<T>(file, column, parts);
+    });
+    check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
+                             H5P_DEFAULT),
+          "link");
+  };
+  run_folder.write(kTrajectoryIndex,
+                   hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
 }
 
 }  // namespace clca::store

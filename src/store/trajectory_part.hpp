@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clca/automaton/state.hpp"
-#include "store/sealed_file.hpp"
+#include "store/hdf5_file.hpp"
 
 namespace clca::store {
 
@@ -155,6 +155,13 @@ void for_each_column(Part& part, std::size_t walls, Visit visit) {
   for_each_origins_column(part.origins, visit);
   for_each_rows_column(part.rows, walls, visit);
   for_each_derived_column(part.derived, walls, visit);
+}
+
+/// For the functions above: notes where a column is to be read to.
+inline auto add_to(std::vector<Hdf5Dataset>& datasets) {
+  return [&datasets](const Column& column, auto& values) {
+    datasets.push_back({.path = column.path, .values = &values, .columns = column.width()});
+  };
 }
 
 }  // namespace clca::store

@@ -33,12 +33,6 @@ std::size_t most_particles(const automaton::State& fixed, double bytes) {
   return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMostIds));
 }
 
-auto read_into(const SealedReader& file) {
-  return [&file]<class T>(const Column& column, std::vector<T>& values) {
-    values = file.read<T>(column.path, column.width());
-  };
-}
-
 }  // namespace
 
 class Trajectory::Impl {
@@ -97,15 +91,14 @@ class Trajectory::Impl {
 
   /// Reads and checks the frames and origins of a part.
   void learn(const PartContext& context, const SceneTables& tables) {
-    const SealedReader file(context.path, kTrajectoryKind, bytes_left_);
-    const std::string difference = tables.difference(SceneTables(file));
-    if (!difference.empty()) {
-      file.refuse("of another scene: " + difference);
-    }
     KnownPart part{.context = context, .frames = {}, .origins = {}};
-    for_each_frames_column(part.frames, read_into(file));
+    SceneTables read;
+    std::vector<Hdf5Dataset> datasets = read.datasets();
+    for_each_frames_column(part.frames, add_to(datasets));
+    for_each_origins_column(part.origins, add_to(datasets));
+    read_hdf5(context.path, kTrajectoryKind, datasets, bytes_left_);
+    check_scene(context.path, tables, read);
     check_frames(context, part.frames);
-    for_each_origins_column(part.origins, read_into(file));
     check_origins(context, part.frames, part.origins, fixed_.lattice);
     for (std::size_t frame = 0; frame < part.frames.step.size(); ++frame) {
       frames_.push_back({.step = part.frames.step[frame],
@@ -137,8 +130,9 @@ class Trajectory::Impl {
     loaded_.reset();
     rows_ = {};
     const KnownPart& known = parts_[part];
-    const SealedReader file(known.context.path, kTrajectoryKind, bytes_left_);
-    for_each_rows_column(rows_, fixed_.walls.size(), read_into(file));
+    std::vector<Hdf5Dataset> datasets;
+    for_each_rows_column(rows_, fixed_.walls.size(), add_to(datasets));
+    read_hdf5(known.context.path, kTrajectoryKind, datasets, bytes_left_);
     check_rows(known.context, known.frames, rows_, fixed_);
     loaded_ = part;
   }

@@ -17,22 +17,21 @@ std::vector<std::string> names_of(const Things& things) {
   return names;
 }
 
-template <Number T>
-void add_list(SealedWriter& file, const std::string& path, const std::vector<T>& values,
-              std::size_t width = 1) {
-  file.add<T>(path, values, width);
-}
-
-void add_sets(SealedWriter& file, const std::string& group, const SiteSets& sets) {
-  add_list(file, group + "/first", sets.first);
-  add_list(file, group + "/size", sets.size);
-  add_list(file, group + "/sites", sets.sites, 2);
-}
-
-SiteSets read_sets(const SealedReader& file, const std::string& group) {
-  return {.first = file.read<std::uint64_t>(group + "/first"),
-          .size = file.read<std::uint32_t>(group + "/size"),
-          .sites = file.read<std::int32_t>(group + "/sites", 2)};
+/// Calls visit(path, list, columns) for each dataset that tells scenes apart.
+template <class Tables, class Visit>
+void for_each_table(Tables& tables, Visit visit) {
+  visit("scene/seed", tables.seed, 1);
+  visit("scene/lattice", tables.lattice, 1);
+  visit("scene/species", tables.species, 1);
+  visit("scene/stages", tables.stages, 1);
+  visit("scene/kinds/species", tables.kind_species, 1);
+  visit("scene/kinds/first", tables.kind_sites.first, 1);
+  visit("scene/kinds/size", tables.kind_sites.size, 1);
+  visit("scene/kinds/sites", tables.kind_sites.sites, 2);
+  visit("scene/walls/name", tables.walls, 1);
+  visit("scene/walls/first", tables.wall_sites.first, 1);
+  visit("scene/walls/size", tables.wall_sites.size, 1);
+  visit("scene/walls/sites", tables.wall_sites.sites, 2);
 }
 
 }  // namespace
@@ -74,29 +73,26 @@ SceneTables::SceneTables(const scene::Scene& scene, const automaton::State& stat
   }
 }
 
-SceneTables::SceneTables(const SealedReader& file)
-    : name(file.read_text("scene/name")),
-      seed(file.read<std::uint64_t>("scene/seed")),
-      lattice(file.read<std::uint32_t>("scene/lattice")),
-      species(file.read_texts("scene/species")),
-      stages(file.read_texts("scene/stages")),
-      kind_species(file.read<std::uint16_t>("scene/kinds/species")),
-      kind_sites(read_sets(file, "scene/kinds")),
-      walls(file.read_texts("scene/walls/name")),
-      wall_sites(read_sets(file, "scene/walls")) {}
-
-void SceneTables::write(SealedWriter& file) const {
+void SceneTables::write(const Hdf5Writer& file) const {
   file.add_text("scene/name", name);
   file.add_text("scene/units", kUnits);
-  add_list(file, "scene/seed", seed);
-  add_list(file, "scene/lattice", lattice);
-  file.add_texts("scene/species", species);
-  file.add_texts("scene/stages", stages);
-  add_list(file, "scene/kinds/species", kind_species);
-  add_list(file, "scene/kinds/centre", kind_centre, 2);
-  add_sets(file, "scene/kinds", kind_sites);
-  file.add_texts("scene/walls/name", walls);
-  add_sets(file, "scene/walls", wall_sites);
+  file.add<double>("scene/kinds/centre", kind_centre, 2);
+  for_each_table(
+      *this, [&file]<class T>(const char* path, const std::vector<T>& list, std::size_t columns) {
+        if constexpr (Number<T>) {
+          file.add<T>(path, list, columns);
+        } else {
+          file.add_texts(path, list);
+        }
+      });
+}
+
+std::vector<Hdf5Dataset> SceneTables::datasets() {
+  std::vector<Hdf5Dataset> list;
+  for_each_table(*this, [&list](const char* path, auto& values, std::size_t columns) {
+    list.push_back({.path = path, .values = &values, .columns = columns});
+  });
+  return list;
 }
 
 std::string SceneTables::difference(const SceneTables& other) const {

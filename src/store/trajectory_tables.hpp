@@ -7,7 +7,7 @@
 
 #include "clca/automaton/state.hpp"
 #include "clca/scene/scene.hpp"
-#include "store/sealed_file.hpp"
+#include "store/hdf5_file.hpp"
 
 namespace clca::store {
 
@@ -36,9 +36,10 @@ struct SceneTables {
 
   SceneTables() = default;
   SceneTables(const scene::Scene& scene, const automaton::State& state);
-  explicit SceneTables(const SealedReader& file);
 
-  void write(SealedWriter& file) const;
+  void write(const Hdf5Writer& file) const;
+  /// All but the name. This object has to outlive the list.
+  std::vector<Hdf5Dataset> datasets();
   /// What differs, in words; nothing where they are of the same scene.
   std::string difference(const SceneTables& other) const;
 };

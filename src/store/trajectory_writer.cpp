@@ -7,6 +7,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
+#include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_index.hpp"
 #include "store/trajectory_part.hpp"
@@ -59,13 +60,16 @@ class TrajectoryWriter::Impl {
     if (part_.frames.step.empty()) {
       return;
     }
-    SealedWriter file(kTrajectoryKind);
-    tables_.write(file);
-    for_each_column(part_, walls_,
-                    [&file]<class T>(const Column& column, const std::vector<T>& values) {
-                      file.add<T>(column.path, values, column.width());
-                    });
-    run_folder_.subfolder(kTrajectoryFolder).write(part_name(parts_.size()), file.seal());
+    const OutputFolder folder = run_folder_.subfolder(kTrajectoryFolder);
+    const std::string name = part_name(parts_.size());
+    const auto add_all = [this](const Hdf5Writer& file) {
+      tables_.write(file);
+      for_each_column(part_, walls_,
+                      [&file]<class T>(const Column& column, const std::vector<T>& values) {
+                        file.add<T>(column.path, values, column.width());
+                      });
+    };
+    folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));
     count(part_.extents());
     part_ = {};
     write_index(run_folder_, parts_, walls_);
@@ -88,20 +92,15 @@ class TrajectoryWriter::Impl {
                       (run_folder_.path() / kTrajectoryFolder / part_name(parts.size())).string()));
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
-      const SealedReader file(parts[part], kTrajectoryKind,
-                              bytes_to_look_at(parts[part], kept.frames));
-      const std::string difference = tables_.difference(SceneTables(file));
-      if (!difference.empty()) {
-        file.refuse("of another scene: " + difference);
-      }
+      SceneTables read;
       PartFrames frames;
-      for_each_frames_column(frames,
-                             [&file]<class T>(const Column& column, std::vector<T>& values) {
-                               values = file.read<T>(column.path);
-                             });
+      std::vector<Hdf5Dataset> datasets = read.datasets();
+      for_each_frames_column(frames, add_to(datasets));
+      read_hdf5(parts[part], kTrajectoryKind, datasets, bytes_to_look_at(parts[part], kept.frames));
+      check_scene(parts[part], tables_, read);
       count(frames.extents());
       if (frames.entered.empty()) {
-        file.refuse("no frames");
+        throw StoreError(fmt::format("cannot read {}: no frames", parts[part].string()));
       }
       entered_ = frames.entered.back();
     }

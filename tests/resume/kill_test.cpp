@@ -125,7 +125,7 @@ output: {series: {every: 1}, checkpoint: {every: 300}}
   ASSERT_EQ(testing::run_program({"run", scene, "-o", unbroken, "--quiet"}).code, 0);
   constexpr std::size_t kLimit = 100'000;
   ASSERT_GT(fs::file_size(unbroken + "/series.csv"), kLimit);
-  ASSERT_LT(fs::file_size(unbroken + "/checkpoint.h5"), kLimit);
+  ASSERT_LT(fs::file_size(unbroken + "/checkpoint.clca"), kLimit);
   const auto result =
       testing::run_program({"run", scene, "-o", broken, "--quiet"}, {.file_size_limit = kLimit});
   EXPECT_EQ(result.code, 1);

@@ -21,8 +21,8 @@ struct Checkpoint {
   bool is_start() const { return fields.empty(); }
 };
 
-inline constexpr const char* kCheckpointFile = "checkpoint.h5";
-inline constexpr const char* kCheckpointBefore = "checkpoint-previous.h5";
+inline constexpr const char* kCheckpointFile = "checkpoint.clca";
+inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
 
 /// Writes a checkpoint; the one before gets the name kCheckpointBefore. Either is there whole at any
 /// moment. Throws StoreError.
@@ -38,7 +38,8 @@ struct FoundCheckpoint {
 };
 
 /// The newest that is sound; nothing where there is none at all. Throws StoreError where none that
-/// is there may be read with `most_bytes` of memory.
+/// is there may be read with `most_bytes` of memory, or where only an older version of clca has
+/// left one.
 std::optional<FoundCheckpoint> read_checkpoint(const std::filesystem::path& run_folder,
                                                double most_bytes);
 

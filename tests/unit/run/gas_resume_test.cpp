@@ -218,9 +218,9 @@ TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
     bool taken = false;
     const RunEvents events = {.gas_progress =
                                   [&](const GasProgress&) {
-                                    const fs::path saved = folder_.path() / "checkpoint.h5";
+                                    const fs::path saved = folder_.path() / "checkpoint.clca";
                                     std::error_code none_yet;
-                                    taken |= fs::copy_file(saved, aside.path() / "checkpoint.h5",
+                                    taken |= fs::copy_file(saved, aside.path() / "checkpoint.clca",
                                                            fs::copy_options::overwrite_existing,
                                                            none_yet);
                                   },
@@ -228,9 +228,9 @@ TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
     while (!taken) {
       EXPECT_EQ(run(scene, {.folder = folder_.path(), .threads = threads}, events).status, "done");
     }
-    fs::copy_file(aside.path() / "checkpoint.h5", folder_.path() / "checkpoint.h5",
+    fs::copy_file(aside.path() / "checkpoint.clca", folder_.path() / "checkpoint.clca",
                   fs::copy_options::overwrite_existing);
-    fs::remove(folder_.path() / "checkpoint-previous.h5");
+    fs::remove(folder_.path() / "checkpoint-previous.clca");
     resume_to();
     expect_as_unbroken(scene);
   }
@@ -239,7 +239,7 @@ TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
 TEST_F(GasResumeTest, KilledBeforeItsFirstCheckpointItBeginsAnew) {
   const scene::BoltzmannScene scene = gas();
   run(scene, {.folder = folder_.path()});
-  fs::remove(folder_.path() / "checkpoint.h5");
+  fs::remove(folder_.path() / "checkpoint.clca");
   EXPECT_EQ(resume_to().status, "done");
   expect_as_unbroken(scene);
 }
@@ -249,7 +249,7 @@ TEST_F(GasResumeTest, StoppedWithoutCheckpointsItSavesItselfAllTheSame) {
   overrides.push_back("output.checkpoint=none");
   const scene::BoltzmannScene scene = gas(overrides);
   run_until(scene, 1, [](const GasProgress& at) { return at.time > 0; });
-  EXPECT_TRUE(fs::exists(folder_.path() / "checkpoint.h5"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "checkpoint.clca"));
   resume_to();
   expect_as_unbroken(scene);
 }

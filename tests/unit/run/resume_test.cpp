@@ -134,10 +134,10 @@ TEST_F(ResumeTest, StoppedAtOnceOrByTimeItSavesItselfAndGoesOn) {
 TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
   const std::atomic<int> stop = 2;
   run(small({"output.checkpoint=none"}), {.folder = path(), .stop = &stop});
-  EXPECT_TRUE(fs::exists(path() / "checkpoint.h5"));
+  EXPECT_TRUE(fs::exists(path() / "checkpoint.clca"));
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
   run(small({"output.checkpoint=none"}), {.folder = path()});
-  EXPECT_FALSE(fs::exists(path() / "checkpoint.h5"));
+  EXPECT_FALSE(fs::exists(path() / "checkpoint.clca"));
 }
 
 TEST_F(ResumeTest, ARunThatIsDoneEndsAgainAsItDid) {
@@ -152,8 +152,8 @@ TEST_F(ResumeTest, KilledBeforeTheFirstCheckpointItBeginsAnew) {
   run(small(), {.folder = path()});
   const fs::path unbroken = folder_.path() / "unbroken";
   fs::copy(path(), unbroken, fs::copy_options::recursive);
-  fs::remove(path() / "checkpoint.h5");
-  fs::remove(path() / "checkpoint-previous.h5");
+  fs::remove(path() / "checkpoint.clca");
+  fs::remove(path() / "checkpoint-previous.clca");
   std::ofstream(path() / "series.csv") << "step,st";
   resume(load_run(path(), kMuch), {});
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
@@ -172,16 +172,16 @@ TEST_F(ResumeTest, ADamagedCheckpointIsPassedOverForTheOneBefore) {
   run(small(), {.folder = path()});
   const fs::path unbroken = folder_.path() / "unbroken";
   fs::copy(path(), unbroken, fs::copy_options::recursive);
-  auto bytes = store::read_whole(path() / "checkpoint.h5");
+  auto bytes = store::read_whole(path() / "checkpoint.clca");
   bytes[bytes.size() / 2] ^= 1U;
-  store::write_whole(path() / "checkpoint.h5", bytes);
+  store::write_whole(path() / "checkpoint.clca", bytes);
   std::vector<std::string> warnings;
   resume(load_run(path(), kMuch), {},
          {.warning = [&](const std::string& line) { warnings.push_back(line); }});
   EXPECT_THAT(warnings,
               ::testing::ElementsAre(::testing::AllOf(
-                  HasSubstr("checkpoint.h5: its checksum is wrong"),
-                  EndsWith("going on from " + (path() / "checkpoint-previous.h5").string()))));
+                  HasSubstr("checkpoint.clca: its checksum is wrong"),
+                  EndsWith("going on from " + (path() / "checkpoint-previous.clca").string()))));
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
 }
 
@@ -190,9 +190,9 @@ TEST_F(ResumeTest, WithoutASoundCheckpointItIsRefused) {
   fs::create_directories(path());
   EXPECT_THAT(why_not(), EndsWith("run: no run has begun there"));
   run(small(), {.folder = path()});
-  store::write_whole(path() / "checkpoint.h5", "clca");
-  store::write_whole(path() / "checkpoint-previous.h5", "");
-  EXPECT_THAT(why_not(), EndsWith("checkpoint.h5: it is no checkpoint of clca"));
+  store::write_whole(path() / "checkpoint.clca", "clca");
+  store::write_whole(path() / "checkpoint-previous.clca", "");
+  EXPECT_THAT(why_not(), EndsWith("checkpoint.clca: it is no checkpoint of clca"));
 }
 
 TEST_F(ResumeTest, AnotherRunInTheFolderIsRefused) {

@@ -49,21 +49,18 @@ void rewrite(const std::filesystem::path& path,
              const std::function<void(TrajectoryPart&)>& change) {
   TrajectoryPart part;
   SceneTables tables;
-  {
-    const SealedReader file(path, kTrajectoryKind, kMuch);
-    tables = SceneTables(file);
-    for_each_column(part, kWalls, [&file]<class T>(const Column& column, std::vector<T>& values) {
-      values = file.read<T>(column.path, column.width());
-    });
-  }
+  std::vector<Hdf5Dataset> datasets = tables.datasets();
+  for_each_column(part, kWalls, add_to(datasets));
+  read_hdf5(path, kTrajectoryKind, datasets, kMuch);
   change(part);
-  SealedWriter file(kTrajectoryKind);
-  tables.write(file);
-  for_each_column(part, kWalls,
-                  [&file]<class T>(const Column& column, const std::vector<T>& values) {
-                    file.add<T>(column.path, values, column.width());
-                  });
-  write_whole(path, file.seal());
+  write_whole(path, hdf5_file(path, kTrajectoryKind, [&](const Hdf5Writer& file) {
+                tables.write(file);
+                for_each_column(
+                    part, kWalls,
+                    [&file]<class T>(const Column& column, const std::vector<T>& values) {
+                      file.add<T>(column.path, values, column.width());
+                    });
+              }));
 }
 
 std::string reason(const std::filesystem::path& run) {

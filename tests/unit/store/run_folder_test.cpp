@@ -107,7 +107,7 @@ TEST_F(RunFolderTest, WhereNoRunHasBegunNothingIsMadeToGoOn) {
   EXPECT_THAT([&] { RunFolder::for_resumed_run(run()); },
               ThrowsMessage<StoreError>(EndsWith("there is no such folder")));
   put("run.json", "{}");
-  put("checkpoint.h5", "x");
+  put(kCheckpointFile, "x");
   EXPECT_THAT([&] { RunFolder::for_resumed_run(run()); },
               ThrowsMessage<StoreError>(EndsWith("no run has begun there, or it has lost its .clca.manifest")));
   EXPECT_EQ(std::distance(fs::directory_iterator(run()), {}), 2);

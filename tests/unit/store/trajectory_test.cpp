@@ -7,7 +7,6 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/store/file.hpp"
-#include "store/sealed_file.hpp"
 #include "support/runs.hpp"
 #include "support/trajectories.hpp"
 

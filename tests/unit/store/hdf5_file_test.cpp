@@ -1,0 +1,169 @@
+#include "store/hdf5_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "clca/store/file.hpp"
+#include "support/runs.hpp"
+
+namespace clca::store {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr FileKind kKind = {"thing", 2};
+constexpr double kMuch = 1e8;
+
+Bytes example(const FileKind& kind = kKind) {
+  return hdf5_file("file.h5", kind, [](const Hdf5Writer& file) {
+    file.add<std::int32_t>("group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
+    file.add<double>("reals", std::vector<double>(5000, 0.1));
+    file.add<std::uint8_t>("nothing", {});
+    file.add_text("text", "zwei\nZeilen");
+    file.add_text("no_text", "");
+    file.add_texts("names", {"a", "", "long"});
+  });
+}
+
+class Hdf5FileTest : public ::testing::Test {
+ protected:
+  std::filesystem::path put(const Bytes& bytes) const {
+    const auto path = folder_.path() / "file.h5";
+    write_whole(path, bytes);
+    return path;
+  }
+  /// Of the file that was put last.
+  template <class T>
+  std::vector<T> read(const std::string& path, std::size_t columns = 1) const {
+    std::vector<T> values;
+    read_hdf5(folder_.path() / "file.h5", kKind, {{path, &values, columns}}, kMuch);
+    return values;
+  }
+  /// Why these datasets cannot be read of a file.
+  std::string reason(const Bytes& bytes, const std::vector<Hdf5Dataset>& datasets,
+                     double most_bytes = kMuch) const {
+    try {
+      read_hdf5(put(bytes), kKind, datasets, most_bytes);
+    } catch (const StoreError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  testing::ScratchFolder folder_;
+};
+
+TEST_F(Hdf5FileTest, WhatIsAddedIsRead) {
+  put(example());
+  EXPECT_THAT(read<std::int32_t>("group/inner/numbers", 3), ElementsAre(1, -2, 3, 4, 5, -6));
+  EXPECT_EQ(read<double>("reals"), std::vector<double>(5000, 0.1));
+  EXPECT_TRUE(read<std::uint8_t>("nothing").empty());
+  EXPECT_THAT(read<std::string>("text"), ElementsAre("zwei\nZeilen"));
+  EXPECT_THAT(read<std::string>("no_text"), ElementsAre(""));
+  EXPECT_THAT(read<std::string>("names"), ElementsAre("a", "", "long"));
+}
+
+TEST_F(Hdf5FileTest, SeveralDatasetsAreReadAtOnce) {
+  std::vector<std::string> names;
+  std::vector<double> reals = {1, 2, 3};
+  read_hdf5(put(example()), kKind, {{"names", &names}, {"reals", &reals}}, kMuch);
+  EXPECT_EQ(names.size(), 3U);
+  EXPECT_EQ(reals.size(), 5000U) << "in place of what was there";
+}
+
+TEST_F(Hdf5FileTest, EqualContentsAreEqualBytes) {
+  EXPECT_EQ(example(), example());
+}
+
+TEST_F(Hdf5FileTest, AnotherVersionIsRefused) {
+  EXPECT_THAT(reason(example({"thing", 3}), {}),
+              EndsWith("file.h5: its format is version 3, this program reads version 2"));
+  EXPECT_THAT(reason(example({"thing", 1}), {}),
+              EndsWith("file.h5: its format is version 1, this program reads version 2"));
+}
+
+TEST_F(Hdf5FileTest, WhateverIsNotWholeIsRefused) {
+  EXPECT_EQ(reason(example(), {}), "");
+  EXPECT_THAT(reason(example({"other", 2}), {}), EndsWith("it is no thing of clca"));
+  EXPECT_THAT(reason({}, {}), EndsWith("it is no thing of clca"));
+  EXPECT_THAT(reason({'c', 'l', 'c', 'a'}, {}), EndsWith("it is no thing of clca"));
+  for (const std::size_t kept : {40U, 511U, 512U, 513U, 5000U}) {
+    auto bytes = example();
+    bytes.resize(kept);
+    EXPECT_THAT(reason(bytes, {}), EndsWith("it is cut off")) << kept;
+  }
+  const Bytes whole = example();
+  for (std::size_t at = 0; at < whole.size(); at += 97) {
+    auto bytes = whole;
+    bytes[at] ^= 4U;
+    EXPECT_NE(reason(bytes, {}), "") << at;
+  }
+  auto longer = whole;
+  longer.push_back(0);
+  EXPECT_THAT(reason(longer, {}), HasSubstr("checksum is wrong"));
+}
+
+TEST_F(Hdf5FileTest, WhatNeedsMoreMemoryThanAllowedIsRefused) {
+  const auto bytes = example();
+  const auto size = static_cast<double>(bytes.size());
+  std::vector<double> reals;
+  EXPECT_THAT(reason(bytes, {{"reals", &reals}}, size - 1),
+              HasSubstr("more memory than the limit"));
+  EXPECT_THAT(reason(bytes, {{"reals", &reals}}, size + 79'999),
+              EndsWith("reals needs more memory than the limit"));
+  EXPECT_EQ(reason(bytes, {{"reals", &reals}}, size + 80'000), "") << "40,000 bytes, twice";
+  EXPECT_THAT(reason(bytes, {{"reals", &reals}, {"reals", &reals}}, size + 80'000),
+              EndsWith("reals needs more memory than the limit"));
+}
+
+TEST_F(Hdf5FileTest, WhatIsAskedForInVainIsNamed) {
+  std::vector<double> reals;
+  std::vector<std::uint64_t> numbers;
+  std::vector<std::string> texts;
+  const auto why = [&](const Hdf5Dataset& dataset) { return reason(example(), {dataset}); };
+  EXPECT_THAT(why({"group/none", &reals}), EndsWith("group/none is missing"));
+  EXPECT_THAT(why({"none/at/all", &reals}), EndsWith("none/at/all is missing"));
+  EXPECT_THAT(why({"group/inner", &reals}), EndsWith("group/inner is no dataset"));
+  EXPECT_THAT(why({"reals/of", &reals}), EndsWith("reals/of is missing"));
+  EXPECT_THAT(why({"reals", &numbers}), EndsWith("reals holds other numbers"));
+  EXPECT_THAT(why({"reals", &reals, 2}), EndsWith("reals has 1 columns"));
+  EXPECT_THAT(why({"reals", &texts}), EndsWith("reals is no text"));
+  EXPECT_THAT(why({"names", &numbers}), EndsWith("names holds other numbers"));
+}
+
+TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
+  const auto why = [](const std::function<void(const Hdf5Writer& file)>& add) {
+    try {
+      hdf5_file("file.h5", kKind, add);
+    } catch (const StoreError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(why([](const Hdf5Writer& file) {
+              file.add_text("text", "");
+              file.add_text("text", "");
+            }),
+            "cannot write file.h5: the HDF5 library: dataset");
+  EXPECT_EQ(why([](const Hdf5Writer&) { throw std::bad_alloc(); }),
+            "cannot write file.h5: the HDF5 library: out of memory");
+  EXPECT_EQ(why([](const Hdf5Writer&) { std::abort(); }),
+            "cannot write file.h5: the HDF5 library: crashed (signal 6)");
+}
+
+TEST_F(Hdf5FileTest, OtherReadersOfHdf5OpenIt) {
+  const auto path = put(example());
+  const std::string python =
+      "/usr/bin/python3 -c 'import h5py, sys; f = h5py.File(sys.argv[1]); "
+      "sys.exit(0 if f[\"group/inner/numbers\"][1, 2] == -6 and f[\"reals\"].shape == (5000,) and "
+      "f[\"text\"][()].decode().startswith(\"zwei\") else 1)' ";
+  EXPECT_EQ(std::system((python + path.string()).c_str()), 0);
+}
+
+}  // namespace
+}  // namespace clca::store
