@@ -28,8 +28,8 @@ std::vector<std::string> Outputs::file_names() const {
   std::vector<std::string> names = {store::table_name("series"), store::table_name("cycles"),
                                     store::table_name("fields"), "trajectory.h5"};
   for (const scene::Stage& stage : scene_.stages) {
-    for (const char* kind : {"profile", "convection", "fluctuation", "contacts", "forces", "loads",
-                             "walls"}) {
+    for (const char* kind :
+         {"profile", "convection", "fluctuation", "contacts", "forces", "loads", "walls"}) {
       names.push_back(store::table_name(kind, stage.name));
     }
   }
@@ -51,9 +51,12 @@ void Outputs::reopen(const store::RunFolder& folder, const automaton::State& sta
                      const OutputHistory& history) {
   folder_ = &folder;
   last_picture_only_ = history.last_picture_only;
-  series_file_.emplace(Growing{{folder.files(), store::table_name("series"), history.series_bytes}});
-  cycles_file_.emplace(Growing{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
-  fields_file_.emplace(Growing{{folder.files(), store::table_name("fields"), history.fields_bytes}});
+  series_file_.emplace(
+      Growing{{folder.files(), store::table_name("series"), history.series_bytes}});
+  cycles_file_.emplace(
+      Growing{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
+  fields_file_.emplace(
+      Growing{{folder.files(), store::table_name("fields"), history.fields_bytes}});
   if (scene_.output.trajectory) {
     trajectory_.emplace(folder.files(), scene_, state, history.trajectory);
     trajectory_step_ = history.trajectory_step;

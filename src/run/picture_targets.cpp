@@ -49,7 +49,8 @@ void FilesTarget::add(Picture picture, std::uint64_t step) {
 MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
                          int frames_per_second)
     : file_(store::named_file(file).create()),
-      movie_(file_.temporary_path(), format_of(file), frames.width, frames.height, frames_per_second) {}
+      movie_(file_.temporary_path(), format_of(file), frames.width, frames.height,
+             frames_per_second) {}
 
 void MovieTarget::finish() {
   movie_.finish();

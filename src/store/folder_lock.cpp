@@ -26,8 +26,8 @@ std::string holder_of(int descriptor) {
   if (::fstat(descriptor, &status) != 0) {
     return "";
   }
-  const std::string file = fmt::format("{:02x}:{:02x}:{}", major(status.st_dev),
-                                       minor(status.st_dev), status.st_ino);
+  const std::string file =
+      fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     std::istringstream words(line);

@@ -10,16 +10,15 @@ namespace clca::store {
 
 struct Manifest {
   std::set<std::string> files;
-  std::set<std::string> folders;     ///< that clca has made
-  std::set<std::string> temporary;   ///< marks in the names of temporary files
+  std::set<std::string> folders;    ///< that clca has made
+  std::set<std::string> temporary;  ///< marks in the names of temporary files
 };
 
 /// Reads and writes the manifest of the open folder `folder`; `path` stands in messages. Other
 /// processes may do the same at any time. All throw StoreError.
 class ManifestFile {
  public:
-  ManifestFile(int folder, std::filesystem::path path)
-      : folder_(folder), path_(std::move(path)) {}
+  ManifestFile(int folder, std::filesystem::path path) : folder_(folder), path_(std::move(path)) {}
 
   /// Empty where there is no manifest. Throws for one that is damaged or names files elsewhere.
   Manifest read() const;

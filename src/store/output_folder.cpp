@@ -129,10 +129,10 @@ class OutputFolder::State {
   void mark();
   void remove(const std::string& name) const;
   void clear(const std::string& first, const std::string& kept);
-
- private:
   /// Of processes that were killed.
   void remove_temporary_files() const;
+
+ private:
   /// Re-reads the manifest, which another process may have changed.
   void refresh() { manifest_.files.merge(manifest_file().read().files); }
 
@@ -159,8 +159,8 @@ std::vector<std::string> OutputFolder::State::files(const std::string& prefix) {
 void OutputFolder::State::require_free(const std::string& name) {
   const std::lock_guard lock(mutex_);
   const Descriptor folder = parent(name);
-  const Found found = folder.is_open() ? found_in(folder.number(), folder_and_leaf(name).second)
-                                       : Found::nothing;
+  const Found found =
+      folder.is_open() ? found_in(folder.number(), folder_and_leaf(name).second) : Found::nothing;
   if (found == Found::other) {
     fail_at("write", path_ / name, "what is there is no regular file");
   }
@@ -243,6 +243,7 @@ void OutputFolder::State::remove(const std::string& name) const {
 }
 
 void OutputFolder::State::clear(const std::string& first, const std::string& kept) {
+  mark();
   const std::lock_guard lock(mutex_);
   manifest_ = manifest_file().read();
   if (manifest_.files.contains(first)) {
@@ -265,13 +266,13 @@ void OutputFolder::State::clear(const std::string& first, const std::string& kep
     }
   }
   left.temporary = {mark_of_process()};
-  marked_ = true;
   manifest_file().replace(left, temporary_name());
   manifest_ = std::move(left);
 }
 
 void OutputFolder::State::remove_temporary_files() const {
-  std::set<std::string> folders = {""};
+  std::set<std::string> folders = manifest_.folders;
+  folders.insert("");
   for (const std::string& name : manifest_.files) {
     folders.insert(folder_and_leaf(name).first);
   }
@@ -283,8 +284,7 @@ void OutputFolder::State::remove_temporary_files() const {
     for (const std::string& name : names_in(folder.number())) {
       const std::size_t end = name.rfind('-');
       if (name.starts_with(kTemporary) && end > kTemporary.size() &&
-          manifest_.temporary.contains(
-              name.substr(kTemporary.size(), end - kTemporary.size()))) {
+          manifest_.temporary.contains(name.substr(kTemporary.size(), end - kTemporary.size()))) {
         remove_if_abandoned(folder.number(), name);
       }
     }
@@ -301,8 +301,7 @@ OutputFolder OutputFolder::subfolder(const std::string& name) const {
 }
 
 fs::path OutputFolder::path() const {
-  return prefix_.empty() ? state_->path()
-                         : state_->path() / prefix_.substr(0, prefix_.size() - 1);
+  return prefix_.empty() ? state_->path() : state_->path() / prefix_.substr(0, prefix_.size() - 1);
 }
 
 fs::path OutputFolder::path(const std::string& name) const {
@@ -349,9 +348,9 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
   }
   state_->mark();
   const std::string temporary = temporary_name();
-  file->file = Descriptor(::openat(file->folder.number(), temporary.c_str(),
-                                   O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                                   kReadableByAll));
+  file->file =
+      Descriptor(::openat(file->folder.number(), temporary.c_str(),
+                          O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadableByAll));
   if (!file->file.is_open() || ::flock(file->file.number(), LOCK_EX | LOCK_NB) != 0) {
     fail_at("write", file->path, std::strerror(errno));
   }
@@ -392,14 +391,15 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
   const Descriptor folder = state_->parent(prefix_ + name);
   const std::string leaf = folder_and_leaf(prefix_ + name).second;
   struct stat status {};
-  if (!folder.is_open() || ::fstatat(folder.number(), leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+  if (!folder.is_open() ||
+      ::fstatat(folder.number(), leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
     return bytes == 0;
   }
   if (static_cast<std::uint64_t>(status.st_size) <= bytes) {
     return static_cast<std::uint64_t>(status.st_size) == bytes;
   }
-  const Descriptor file(::openat(folder.number(), leaf.c_str(),
-                                 O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  const Descriptor file(
+      ::openat(folder.number(), leaf.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file.is_open() || ::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
     fail_at("write", path(name), std::strerror(errno));
   }
@@ -409,8 +409,8 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
 void OutputFolder::sync(const std::string& name) const {
   const Descriptor folder = state_->parent(prefix_ + name);
   const std::string leaf = folder_and_leaf(prefix_ + name).second;
-  const Descriptor file(::openat(folder.number(), leaf.c_str(),
-                                 O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  const Descriptor file(
+      ::openat(folder.number(), leaf.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file.is_open() && errno == ENOENT) {
     return;
   }
@@ -442,9 +442,13 @@ void OutputFolder::clear(const std::string& first, const std::string& kept) cons
   state_->clear(first, kept);
 }
 
+void OutputFolder::remove_temporary_files() const {
+  state_->remove_temporary_files();
+}
+
 OutputFile named_file(const fs::path& path) {
-  return {OutputFolder(path.has_parent_path() ? path.parent_path() : "."),
-          path.filename().string(), Replace::named};
+  return {OutputFolder(path.has_parent_path() ? path.parent_path() : "."), path.filename().string(),
+          Replace::named};
 }
 
 OutputFolder named_folder(const fs::path& named, const fs::path& run, const std::string& below) {

@@ -37,8 +37,8 @@ std::string time_of(const fs::path& file) {
   if (error) {
     return "";
   }
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(
-      std::chrono::file_clock::to_sys(written));
+  const auto seconds =
+      std::chrono::floor<std::chrono::seconds>(std::chrono::file_clock::to_sys(written));
   return fmt::format("{:%Y-%m-%d %H:%M}",
                      fmt::localtime(std::chrono::system_clock::to_time_t(seconds)));
 }
@@ -50,7 +50,9 @@ bool is_of_run(const OutputFolder& files) {
 }  // namespace
 
 RunFolder::RunFolder(const fs::path& path, FolderLock lock)
-    : path_(path), lock_(std::move(lock)), files_(path) {}
+    : path_(path), lock_(std::move(lock)), files_(path) {
+  files_.remove_temporary_files();
+}
 
 RunFolder RunFolder::for_new_run(const fs::path& path) {
   {
@@ -75,10 +77,9 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
     throw StoreError(fmt::format("cannot go on in {}: there is no such folder", path.string()));
   }
   if (!is_of_run(OutputFolder(path))) {
-    throw StoreError(fmt::format("cannot go on in {}: no run has begun there{}", path.string(),
-                                 fs::exists(path / kSummaryFile, unknown)
-                                     ? ", or it has lost its .clca.manifest"
-                                     : ""));
+    throw StoreError(fmt::format(
+        "cannot go on in {}: no run has begun there{}", path.string(),
+        fs::exists(path / kSummaryFile, unknown) ? ", or it has lost its .clca.manifest" : ""));
   }
   return {path, FolderLock(path)};
 }

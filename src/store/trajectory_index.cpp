@@ -106,8 +106,7 @@ void write_index(const OutputFolder& run_folder, const std::vector<Extents>& par
                              H5P_DEFAULT),
           "link");
   };
-  run_folder.write(kTrajectoryIndex,
-                   hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
+  run_folder.write(kTrajectoryIndex, hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
 }
 
 }  // namespace clca::store

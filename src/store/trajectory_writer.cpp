@@ -106,8 +106,8 @@ class TrajectoryWriter::Impl {
     }
     if (written_.frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
-                                   (run_folder_.path() / kTrajectoryFolder).string(), written_.frames,
-                                   kept.frames));
+                                   (run_folder_.path() / kTrajectoryFolder).string(),
+                                   written_.frames, kept.frames));
     }
   }
 
@@ -120,9 +120,8 @@ class TrajectoryWriter::Impl {
   TrajectoryPart part_;      // not yet written
 };
 
-TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder,
-                                   const scene::Scene& scene, const automaton::State& state,
-                                   const Written& kept)
+TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
+                                   const automaton::State& state, const Written& kept)
     : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), state.walls.size(),
                                    kept)) {}
 TrajectoryWriter::~TrajectoryWriter() = default;

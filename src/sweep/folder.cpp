@@ -39,8 +39,8 @@ std::string to_json(const Plan& plan) {
 
 Folder::Folder(fs::path path, const Plan& plan) : files_(std::move(path)) {
   if (files_.owns(store::kSummaryFile)) {
-    throw store::StoreError(fmt::format("cannot sweep in {}: it is the folder of a run; write elsewhere",
-                                        files_.path().string()));
+    throw store::StoreError(fmt::format(
+        "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));
   }
   for (const char* name : {kRuns, kMeasures, kOverview}) {
     files_.require_free(name);

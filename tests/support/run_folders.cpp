@@ -21,8 +21,8 @@ std::set<std::string> files_of(const fs::path& folder) {
   std::set<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).string();
-    if (entry.is_regular_file() && !name.starts_with("checkpoint") && name != "log.txt" &&
-        !name.starts_with("trajectory")) {
+    if (entry.is_regular_file() && !name.starts_with(".clca") && !name.starts_with("checkpoint") &&
+        name != "log.txt" && !name.starts_with("trajectory")) {
       files.insert(name);
     }
   }

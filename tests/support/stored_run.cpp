@@ -12,7 +12,7 @@ store::RunSummary run_and_store(const scene::Scene& scene, const std::filesystem
                                 std::uint64_t every) {
   const store::RunSummary summary = run::run(scene, {.folder = folder});
   automaton::Automaton automaton(run::initial_state(scene));
-  store::TrajectoryWriter writer(folder, scene, automaton.state(), {});
+  store::TrajectoryWriter writer(store::OutputFolder(folder), scene, automaton.state(), {});
   for (std::size_t stage = 0; stage < summary.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);
     writer.add(automaton.state(), stage, true);

@@ -24,8 +24,8 @@ struct Checkpoint {
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
 inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
 
-/// Writes a checkpoint; the one before gets the name kCheckpointBefore. Either is there whole at any
-/// moment. Throws StoreError.
+/// Writes a checkpoint; the one before gets the name kCheckpointBefore. Either is there whole at
+/// any moment. Throws StoreError.
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
 /// The same in place of the newest one.
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);

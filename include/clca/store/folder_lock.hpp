@@ -5,8 +5,8 @@
 
 namespace clca::store {
 
-/// Holds the file `.clca.lock` of a folder. The system holds the lock for the process, so that it is
-/// gone with it, however that ends. The file is empty and stays.
+/// Holds the file `.clca.lock` of a folder. The system holds the lock for the process, so that it
+/// is gone with it, however that ends. The file is empty and stays.
 class FolderLock {
  public:
   /// Throws StoreError when somebody else holds it, with the number of that process where the

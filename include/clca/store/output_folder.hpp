@@ -21,8 +21,8 @@ enum class Replace : std::uint8_t {
 
 /// The file `.clca.manifest` lists every file before it is made. Nothing that is not listed is ever
 /// replaced or removed, and no symbolic link below the folder is followed. Names are relative, with
-/// `/` between folders ("frames/a-000120.png"). Copies share one folder; all functions may be called
-/// from several threads. All throw StoreError.
+/// `/` between folders ("frames/a-000120.png"). Copies share one folder; all functions may be
+/// called from several threads. All throw StoreError.
 class OutputFolder {
  public:
   /// Writes nothing yet: the folder is made with its first file. Throws for a damaged manifest.
@@ -50,8 +50,8 @@ class OutputFolder {
   void write(const std::string& name, std::string_view text, Replace replace = Replace::own) const;
   /// A file descriptor to add to the end of a file, which is made if need be.
   int open_to_append(const std::string& name) const;
-  /// Cuts off what comes after the first `bytes`. Returns false where the file has less. A file that
-  /// is not there has no bytes.
+  /// Cuts off what comes after the first `bytes`. Returns false where the file has less. A file
+  /// that is not there has no bytes.
   bool truncate(const std::string& name, std::uint64_t bytes) const;
   /// Flushes a file to the disk, if it is there.
   void sync(const std::string& name) const;
@@ -63,6 +63,8 @@ class OutputFolder {
   /// Removes all files of the manifest but `kept`, then the folders that are empty; `first` before
   /// all others. The manifest lists what is left.
   void clear(const std::string& first, const std::string& kept) const;
+  /// Removes temporary files of processes that were killed, as the first file that is written does.
+  void remove_temporary_files() const;
 
  private:
   class State;

@@ -32,8 +32,8 @@ class TrajectoryWriter {
     }
   };
 
-  /// Keeps the first `kept.parts` parts of the run folder and removes later ones of clca's, so that a run
-  /// goes on where its checkpoint was; a new run keeps none. Throws StoreError.
+  /// Keeps the first `kept.parts` parts of the run folder and removes later ones of clca's, so that
+  /// a run goes on where its checkpoint was; a new run keeps none. Throws StoreError.
   TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                    const automaton::State& state, const Written& kept);
   ~TrajectoryWriter();

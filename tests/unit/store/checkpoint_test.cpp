@@ -172,7 +172,7 @@ TEST(Checkpoint, OneOfAnOlderVersionIsNamed) {
               ::testing::ThrowsMessage<StoreError>(
                   EndsWith("checkpoint.h5: an older version of clca has written it, and this one "
                            "does not read it")));
-  write_checkpoint(folder.path(), example());
+  write_checkpoint(OutputFolder(folder.path()), example());
   EXPECT_EQ(read_checkpoint(folder.path(), kMuch)->checkpoint.fields, example().fields);
 }
 

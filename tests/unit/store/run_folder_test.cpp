@@ -109,7 +109,8 @@ TEST_F(RunFolderTest, WhereNoRunHasBegunNothingIsMadeToGoOn) {
   put("run.json", "{}");
   put(kCheckpointFile, "x");
   EXPECT_THAT([&] { RunFolder::for_resumed_run(run()); },
-              ThrowsMessage<StoreError>(EndsWith("no run has begun there, or it has lost its .clca.manifest")));
+              ThrowsMessage<StoreError>(
+                  EndsWith("no run has begun there, or it has lost its .clca.manifest")));
   EXPECT_EQ(std::distance(fs::directory_iterator(run()), {}), 2);
 }
 

@@ -46,10 +46,9 @@ TEST_F(WriteWhole, ReplacesAFileAndLeavesNothingBesideIt) {
 }
 
 TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
-  EXPECT_THAT(
-      [&] { write_whole(folder_ / "no" / "a.txt", "x"); },
-      ::testing::ThrowsMessage<StoreError>("cannot write " + (folder_ / "no/a.txt").string() +
-                                           ": there is no such folder"));
+  EXPECT_THAT([&] { write_whole(folder_ / "no" / "a.txt", "x"); },
+              ::testing::ThrowsMessage<StoreError>(
+                  "cannot write " + (folder_ / "no/a.txt").string() + ": there is no such folder"));
   EXPECT_THAT([&] { read_whole(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
 }
