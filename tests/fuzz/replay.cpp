@@ -8,6 +8,7 @@
 #include <iostream>
 #include <iterator>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "target.hpp"
@@ -27,8 +28,6 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
   bytes.shrink_to_fit();
   return bytes;
 }
-
-constexpr int kCopies = 10;  // damaged ones of each file
 
 /// Some bytes changed, taken out or said twice.
 std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, std::minstd_rand& random) {
@@ -62,11 +61,12 @@ std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, std::minstd_r
 
 int main(int count, char** arguments) try {
   std::vector<std::filesystem::path> files;
-  if (count == 2) {
+  if (count == 2 || count == 3) {
     files = files_of(arguments[1]);
   }
+  const int copies = count == 3 ? std::stoi(arguments[2]) : 10;
   if (files.empty()) {
-    std::cerr << "usage: " << arguments[0] << " FOLDER  (with files in it)\n";
+    std::cerr << "usage: " << arguments[0] << " FOLDER [COPIES]  (with files in it)\n";
     return 2;
   }
   for (const std::filesystem::path& file : files) {
@@ -74,7 +74,7 @@ int main(int count, char** arguments) try {
     const auto bytes = bytes_of(file);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
     std::minstd_rand random;
-    for (int copy = 0; copy < kCopies; ++copy) {
+    for (int copy = 0; copy < copies; ++copy) {
       std::cerr << "  copy " << copy << '\n';
       const auto changed = damaged(bytes, random);
       LLVMFuzzerTestOneInput(changed.data(), changed.size());

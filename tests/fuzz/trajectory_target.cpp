@@ -1,4 +1,4 @@
-// Trajectories that are sealed as they should be and hold what no run has written: refused, or read
+// Trajectories with right checksums that hold what no run has written: refused, or read
 // as states that an automaton can go on with, and within the limit of memory.
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "memory_meter.hpp"
 #include "scratch_file.hpp"
 #include "small_run.hpp"
-#include "store/sealed_file.hpp"
+#include "store/hdf5_file.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
@@ -23,7 +23,7 @@ using namespace clca;
 constexpr std::size_t kWalls = 2;
 constexpr std::size_t kFramesInFirst = 5;
 constexpr std::uint32_t kMostLimit = 1U << 23U;
-constexpr double kBeside = 3e6;  // what HDF5 keeps beside the numbers
+constexpr double kBeside = 3e6;  // names, the state itself, what is checked of it
 
 /// A run folder whose two parts lie in memory.
 class Folder {
@@ -126,19 +126,19 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
   return choices.yes() ? choices.up_to(kColumns - 1) : kColumns;
 }
 
-std::vector<std::uint8_t> sealed(store::TrajectoryPart& part, Omitted omitted) {
+std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) {
   static const store::SceneTables tables(fuzz::small_scene(),
                                          run::initial_state(fuzz::small_scene()));
-  store::SealedWriter file(store::kTrajectoryKind);
-  tables.write(file);
-  std::size_t at = 0;
-  store::for_each_column(part, kWalls,
-                         [&]<class T>(const store::Column& column, const std::vector<T>& values) {
-                           if (at++ != omitted) {
-                             file.add<T>(column.path, values, column.width());
-                           }
-                         });
-  return file.seal();
+  return store::hdf5_file("part", store::kTrajectoryKind, [&](const store::Hdf5Writer& file) {
+    tables.write(file);
+    std::size_t at = 0;
+    store::for_each_column(part, kWalls,
+                           [&]<class T>(const store::Column& column, const std::vector<T>& values) {
+                             if (at++ != omitted) {
+                               file.add<T>(column.path, values, column.width());
+                             }
+                           });
+  });
 }
 
 /// An automaton goes on from it, and its frame is that of the file.
@@ -203,8 +203,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                 "nothing is pushed");
   fuzz::Choices choices({data, size});
   Parts parts = whole;
-  folder.hold(0, sealed(parts[0], change(parts[0], {}, choices)));
-  folder.hold(1, sealed(parts[1], change(parts[1], parts[0].frames.extents(), choices)));
+  folder.hold(0, file_of(parts[0], change(parts[0], {}, choices)));
+  folder.hold(1, file_of(parts[1], change(parts[1], parts[0].frames.extents(), choices)));
   const double limit = kMostLimit - static_cast<double>(choices.up_to(kMostLimit));
   const fuzz::MemoryMeter meter;
   const std::size_t sound = read(folder, parts, limit);

@@ -1,0 +1,228 @@
+// HDF5 files: whatever is written is read again and as nothing else; what is changed, under a right
+// checksum, is refused or read, within the limit of memory. The library works in child processes,
+// so libFuzzer does not see where it has been.
+
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "choices.hpp"
+#include "clca/store/file.hpp"
+#include "memory_meter.hpp"
+#include "scratch_file.hpp"
+#include "store/hdf5_file.hpp"
+
+namespace {
+
+using namespace clca;
+using Bytes = std::vector<std::uint8_t>;
+using Texts = std::vector<std::string>;
+
+constexpr store::FileKind kKind = {"thing", 3};
+constexpr std::array kPaths = {"a", "b", "g/a", "g/h/a", "g/h/b"};
+constexpr std::uint32_t kMostRows = 1U << 16U;
+constexpr std::uint32_t kMostColumns = 8;
+constexpr std::uint32_t kMostLimit = 1U << 23U;
+constexpr double kBeside = 1e5;  // names, what reads a file
+
+template <class T>
+struct Numbers {
+  std::size_t columns = 1;
+  std::vector<T> values;
+};
+using Content = std::variant<Numbers<std::uint8_t>, Numbers<std::uint16_t>, Numbers<std::uint32_t>,
+                             Numbers<std::uint64_t>, Numbers<std::int32_t>, Numbers<double>, Texts>;
+
+struct Item {
+  std::string path;
+  Content content;
+};
+
+/// Numbers that look random, which compression does not make fewer.
+template <class T>
+T scattered(std::size_t place) {
+  std::uint64_t bits = (place + 1) * 0x9E3779B97F4A7C15U;
+  bits = (bits ^ (bits >> 29U)) * 0xBF58476D1CE4E5B9U;
+  T value = {};
+  std::memcpy(&value, &bits, sizeof(T));
+  return value;
+}
+
+/// A few numbers again and again, or all different: many need little input.
+template <class T>
+Numbers<T> numbers(fuzz::Choices& choices) {
+  Numbers<T> result = {.columns = 1 + choices.up_to(kMostColumns - 1), .values = {}};
+  const std::size_t count = result.columns * choices.up_to(choices.yes() ? kMostRows : 16);
+  std::vector<T> few(1 + choices.up_to(7));
+  for (T& number : few) {
+    number = choices.any<T>();
+  }
+  const bool different = choices.yes();
+  for (std::size_t i = 0; i < count; ++i) {
+    result.values.push_back(different ? scattered<T>(i) : few[i % few.size()]);
+  }
+  return result;
+}
+
+/// Zeros at the end of a text are not kept.
+Texts texts(fuzz::Choices& choices) {
+  Texts result(choices.up_to(5));
+  for (std::string& text : result) {
+    text = choices.text(40);
+    text.resize(text.find_last_not_of('\0') + 1);
+  }
+  return result;
+}
+
+template <std::size_t kIndex = 0>
+Content content(std::size_t which, fuzz::Choices& choices) {
+  if constexpr (kIndex + 1 < std::variant_size_v<Content>) {
+    using Some = std::variant_alternative_t<kIndex, Content>;
+    using T = typename decltype(Some::values)::value_type;
+    return which == kIndex ? Content(numbers<T>(choices)) : content<kIndex + 1>(which, choices);
+  } else {
+    return texts(choices);
+  }
+}
+
+std::vector<Item> items(fuzz::Choices& choices) {
+  std::vector<Item> result;
+  for (const char* path : kPaths) {
+    if (choices.yes()) {
+      const std::size_t which = choices.up_to(std::variant_size_v<Content> - 1);
+      result.push_back({path, content(which, choices)});
+    }
+  }
+  return result;
+}
+
+Bytes file_of(const std::vector<Item>& items) {
+  return store::hdf5_file("file", kKind, [&](const store::Hdf5Writer& file) {
+    for (const Item& item : items) {
+      std::visit(
+          [&]<class Some>(const Some& content) {
+            if constexpr (std::same_as<Some, Texts>) {
+              file.add_texts(item.path, content);
+            } else {
+              file.add(item.path, std::span(std::as_const(content.values)), content.columns);
+            }
+          },
+          item.content);
+    }
+  });
+}
+
+/// Bit for bit: NaN is itself.
+template <class T>
+bool same(const Numbers<T>& one, const Numbers<T>& other) {
+  const auto size = one.values.size();
+  return size == other.values.size() &&
+         (size == 0 || std::memcmp(one.values.data(), other.values.data(), size * sizeof(T)) == 0);
+}
+bool same(const Texts& one, const Texts& other) {
+  return one == other;
+}
+
+/// Room for what was written, and where it is to be read to.
+std::vector<store::Hdf5Dataset> datasets_of(std::vector<Item>& items) {
+  std::vector<store::Hdf5Dataset> datasets;
+  for (Item& item : items) {
+    std::visit(
+        [&]<class Some>(Some& content) {
+          if constexpr (std::same_as<Some, Texts>) {
+            datasets.push_back({.path = item.path, .values = &content});
+          } else {
+            datasets.push_back(
+                {.path = item.path, .values = &content.values, .columns = content.columns});
+          }
+        },
+        item.content);
+  }
+  return datasets;
+}
+
+/// Whether all was read, and not refused.
+bool read(const fuzz::ScratchFile& file, const std::vector<store::Hdf5Dataset>& datasets,
+          double limit) {
+  const fuzz::MemoryMeter meter;
+  bool was_read = true;
+  try {
+    store::read_hdf5(file.path(), kKind, datasets, limit);
+  } catch (const store::StoreError&) {
+    was_read = false;
+  }
+  fuzz::require(
+      meter.most_bytes() <= limit + kBeside,
+      "took " + std::to_string(meter.most_bytes()) + " bytes, not " + std::to_string(limit));
+  return was_read;
+}
+
+void require_all(const std::vector<Item>& items, const fuzz::ScratchFile& file) {
+  std::vector<Item> again = items;
+  fuzz::require(read(file, datasets_of(again), 1e9), "what was written is refused");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::visit(
+        [&]<class Some>(const Some& content) {
+          fuzz::require(same(std::get<Some>(again[i].content), content), "read as something else");
+        },
+        items[i].content);
+  }
+}
+
+/// Nothing is read as other numbers, with other columns or from another place.
+void require_nothing_else(const std::vector<Item>& items, fuzz::Choices& choices,
+                          const fuzz::ScratchFile& file) {
+  if (items.empty()) {
+    return;
+  }
+  std::vector<Item> some = {items[choices.up_to(static_cast<std::uint32_t>(items.size() - 1))]};
+  store::Hdf5Dataset wanted = datasets_of(some).front();
+  std::vector<double> reals;
+  switch (choices.up_to(2)) {
+    case 0:
+      wanted.path += "/a";
+      break;
+    case 1:
+      ++wanted.columns;
+      break;
+    default:
+      if (std::holds_alternative<Numbers<double>>(some.front().content)) {
+        wanted.path = "g";
+      } else {
+        wanted.values = &reals;
+      }
+  }
+  fuzz::require(!read(file, {wanted}, 1e9), "read as what it is not");
+}
+
+/// Any change, under a right checksum: refused, or read as whatever it is now.
+void change_and_read(const std::vector<Item>& items, const Bytes& file_bytes,
+                     fuzz::Choices& choices, const fuzz::ScratchFile& file) {
+  Bytes content(file_bytes.begin() + store::kHeaderBytes, file_bytes.end());
+  for (std::size_t changes = choices.up_to(7); changes > 0 && !content.empty(); --changes) {
+    const std::size_t place = choices.up_to(static_cast<std::uint32_t>(content.size() - 1));
+    const std::size_t how = choices.up_to(0xFF);
+    if (how == 0) {
+      content.resize(place);
+    } else {
+      content[place] = static_cast<std::uint8_t>(content[place] ^ how);
+    }
+  }
+  file.hold(store::with_header(kKind, content));
+  std::vector<Item> changed = items;
+  read(file, datasets_of(changed), static_cast<double>(choices.up_to(kMostLimit)));
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fuzz::ScratchFile file;
+  fuzz::Choices choices({data, size});
+  const std::vector<Item> all = items(choices);
+  const Bytes bytes = file_of(all);
+  file.hold(bytes);
+  require_all(all, file);
+  require_nothing_else(all, choices, file);
+  change_and_read(all, bytes, choices, file);
+  return 0;
+}
