@@ -213,7 +213,7 @@ TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
               ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("until")));
 }
 
-// Contents that no run has saved, under a right seal.
+// Contents that no run has saved, under a right checksum.
 TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
   run(small(), {.folder = path()});
   const auto original = store::read_checkpoint(path(), kMuch)->checkpoint;
