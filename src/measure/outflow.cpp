@@ -63,4 +63,17 @@ double Outflow::sites_per_step() const {
              : 0;
 }
 
+bool Outflow::precedes(const automaton::State& now) const {
+  const Discharge total = discharge(now);
+  const bool in_order =
+      std::adjacent_find(events_.begin(), events_.end(), [](const Event& one, const Event& next) {
+        return one.step >= next.step || one.sites >= next.sites;
+      }) == events_.end();
+  const Event last = events_.empty() ? Event() : events_.back();
+  return in_order && last_.particles == total.particles && last_.sites == total.sites &&
+         begin_.particles <= last_.particles && begin_.sites <= last_.sites &&
+         during_stage().particles <= during_stage().sites && last.step <= steps_ &&
+         last.sites == during_stage().sites;
+}
+
 }  // namespace clca::measure

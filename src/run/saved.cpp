@@ -128,6 +128,9 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   fields::decode(kSavedOutputs, columns, saved.most_bytes, parts.outputs);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const auto columns_of_lattice = static_cast<std::size_t>(parts.state.lattice.columns());
+  if (!parts.history.outflow.precedes(parts.state)) {
+    throw fields::Mismatch("what has left is not of this run");
+  }
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw fields::Mismatch("its stages are others");

@@ -43,6 +43,8 @@ class Outflow {
   /// Sites per step between the moments at which 20 % and 70 % of what has left in the end had
   /// left: the steady part. 0 where less than two particles have left.
   double sites_per_step() const;
+  /// Whether it can have been recorded in a run that has come to `now`.
+  bool precedes(const automaton::State& now) const;
 
   static constexpr auto fields();
 

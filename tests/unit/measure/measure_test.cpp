@@ -142,6 +142,18 @@ TEST(Outflow, IsTheRateOfTheSteadyPart) {
   EXPECT_EQ(outflow.during_stage().sites, sites);
 }
 
+TEST(Outflow, OnlyPrecedesAStateFromWhichAsMuchHasLeft) {
+  automaton::State state;
+  Outflow outflow({});
+  EXPECT_TRUE(outflow.precedes(state));
+  state.outlets.push_back({.region = {}, .particles = 2, .sites = 14});
+  EXPECT_FALSE(outflow.precedes(state));
+  outflow.add({.particles = 2, .sites = 14});
+  EXPECT_TRUE(outflow.precedes(state));
+  state.outlets.front().sites = 15;
+  EXPECT_FALSE(outflow.precedes(state));
+}
+
 TEST(Outflow, OfNothingIsZero) {
   Outflow outflow({});
   EXPECT_EQ(outflow.sites_per_step(), 0);
