@@ -143,7 +143,7 @@ TEST(Outflow, IsTheRateOfTheSteadyPart) {
 }
 
 TEST(Outflow, OnlyPrecedesAStateFromWhichAsMuchHasLeft) {
-  automaton::State state;
+  State state = empty_state(4, 4);
   Outflow outflow({});
   EXPECT_TRUE(outflow.precedes(state));
   state.outlets.push_back({.region = {}, .particles = 2, .sites = 14});
