@@ -135,6 +135,10 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw fields::Mismatch("its stages are others");
   }
+  const std::string& pictured = parts.outputs.pictures.stage;
+  if (!pictured.empty() && pictured != scene.stages[parts.course.stage].name) {
+    throw fields::Mismatch("its pictures are of another stage");
+  }
   if (saved.until && parts.course.stage + 1 == scene.stages.size()) {
     require_ahead(*saved.until, scene.stages.back(), parts.history);
   }

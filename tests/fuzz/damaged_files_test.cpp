@@ -59,6 +59,8 @@ void use_damaged(const char* kind, Use use) {
       ++answers.refused;
     } catch (const scene::SceneError&) {
       ++answers.refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
     }
   }
   std::printf("%s: %u read, %u refused\n", kind, answers.read, answers.refused);
