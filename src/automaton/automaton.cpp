@@ -13,10 +13,44 @@
 
 namespace clca::automaton {
 
+namespace {
+
+State valid(State state, const Options& options) {
+  if (options.threads < 1) {
+    throw std::invalid_argument("the number of threads must be positive");
+  }
+  check_valid(state);
+  return state;
+}
+
+void check_counts(const State& state, std::span<const std::size_t> counts) {
+  std::size_t species = 0;
+  for (const Kind& kind : state.kinds) {
+    species = std::max<std::size_t>(species, kind.species + 1U);
+  }
+  if (counts.size() != species) {
+    throw std::invalid_argument("a fill needs one count for each species");
+  }
+}
+
+}  // namespace
+
 class Automaton::Impl {
  public:
   Impl(State initial, Options options)
-      : world(std::move(initial)), stepper(world, options), walls(world.state) {}
+      : world(valid(std::move(initial), options)), stepper(world, options), walls(world.state) {}
+
+  /// Carries out a change; nothing more is changed after one that has failed halfway.
+  template <class Change>
+  auto whole(Change change) {
+    if (half_changed_) {
+      throw std::logic_error("an automaton cannot go on after a change that failed");
+    }
+    half_changed_ = true;
+    auto result = change();
+    half_changed_ = false;
+    return result;
+  }
 
   StepReport step() {
     StepReport report;
@@ -63,6 +97,8 @@ class Automaton::Impl {
   WallMover walls;
 
  private:
+  bool half_changed_ = false;
+
   /// Removes the particle if it lies wholly inside an outlet.
   bool discharge(std::uint32_t id) {
     State& state = world.state;
@@ -96,24 +132,36 @@ const Occupancy& Automaton::occupancy() const {
   return impl_->world.occupancy;
 }
 StepReport Automaton::step() {
-  return impl_->step();
+  return impl_->whole([&] { return impl_->step(); });
 }
 
 FillResult Automaton::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
-  return impl_->fill(fill_region, region, counts);
+  check_counts(state(), counts);
+  lattice::check(region);
+  return impl_->whole([&] { return impl_->fill(fill_region, region, counts); });
 }
 
 FillResult Automaton::deposit(const lattice::Rectangle& region,
                               std::span<const std::size_t> counts) {
-  return impl_->fill(deposit_in, region, counts);
+  check_counts(state(), counts);
+  lattice::check(region);
+  if (state().rules.gravity != lattice::Direction::down) {
+    throw std::invalid_argument("particles are deposited along a gravity that points down");
+  }
+  return impl_->whole([&] { return impl_->fill(deposit_in, region, counts); });
 }
 
 void Automaton::remove_wall(std::size_t wall) {
-  automaton::remove_wall(impl_->world, wall);
+  static_cast<void>(state().walls.at(wall));
+  impl_->whole([&] {
+    automaton::remove_wall(impl_->world, wall);
+    return true;
+  });
 }
 
 bool Automaton::insert_wall(std::size_t wall) {
-  return automaton::insert_wall(impl_->world, wall);
+  static_cast<void>(state().walls.at(wall));
+  return impl_->whole([&] { return automaton::insert_wall(impl_->world, wall); });
 }
 
 void Automaton::set_motion(std::size_t wall, bool active) {

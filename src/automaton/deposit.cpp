@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "automaton/fill.hpp"
@@ -272,9 +271,6 @@ bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint
 
 FillResult deposit_in(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
                       std::span<const std::size_t> counts) {
-  if (state.rules.gravity != Direction::down) {
-    throw std::invalid_argument("particles are deposited along a gravity that points down");
-  }
   const std::size_t first = state.particles.size();
   std::vector<std::size_t> left(counts.begin(), counts.end());
   std::uint64_t all_left = std::accumulate(left.begin(), left.end(), std::uint64_t{0});

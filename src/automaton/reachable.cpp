@@ -1,7 +1,10 @@
 // What a state that was loaded has to keep to, so that nobody who works with it goes astray.
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "clca/automaton/state.hpp"
 
@@ -24,7 +27,6 @@ bool in_reach(lattice::Site site) {
 }
 
 void check_particles(const State& state) {
-  require(state.origins.size() == state.particles.size(), "not every particle has an origin");
   require(state.particles.size() < std::size_t{kFarthest}, "there are too many particles");
   for (const Particle& particle : state.particles) {
     require(particle.kind < state.kinds.size(), "a particle is of no kind");
@@ -35,11 +37,47 @@ void check_particles(const State& state) {
           "an origin is too far away");
 }
 
+void check_kinds(const State& state) {
+  require(state.kinds.size() <= std::numeric_limits<std::uint16_t>::max(),
+          "there are too many kinds");
+  for (const Kind& kind : state.kinds) {
+    require(kind.shape.contains({}), "the reference site of a kind is not one of its sites");
+  }
+}
+
+bool can_be_carried_out(const Drive& drive) {
+  return drive.period > 0 && drive.distance >= 0 && drive.distance < kFarthest;
+}
+bool can_be_carried_out(const Wave& wave) {
+  // target() takes 4 x amplitude x period squared in 64 bits.
+  return wave.period > 0 && wave.period <= 10'000'000 && wave.amplitude >= 0 &&
+         wave.amplitude <= 10'000;
+}
+bool can_be_carried_out(const Shake& shake) {
+  return shake.amplitude >= 0 && shake.amplitude < kFarthest;
+}
+bool can_be_carried_out(const Path& path) {
+  std::uint64_t last = 0;
+  return std::all_of(path.points.begin(), path.points.end(), [&](const Path::Point& point) {
+    return point.step > std::exchange(last, point.step) && in_reach({point.offset, 0});
+  });
+}
+
+bool is_direction(lattice::Direction direction) {
+  return lattice::index_of(direction) < lattice::kDirectionCount;
+}
+
 void check_wall(const Wall& wall) {
+  require(std::all_of(wall.sites.begin(), wall.sites.end(), in_reach),
+          "a site of a wall is too far away");
   if (!wall.motion) {
     require(wall.travel == Travel{}, "a wall without motion has moved");
     return;
   }
+  require(is_direction(wall.motion->direction) &&
+              std::visit([](const auto& program) { return can_be_carried_out(program); },
+                         wall.motion->program),
+          "the motion of a wall cannot be carried out");
   const Range range = range_of(*wall.motion);
   require(wall.travel.offset >= range.low && wall.travel.offset <= range.high,
           "a wall is where its motion never comes to");
@@ -53,8 +91,7 @@ void check_pushes(const State& state) {
   };
   for (const Push& push : state.pushes) {
     require(push.pushed < state.particles.size() && exists(push.pusher) &&
-                push.source < state.walls.size() &&
-                lattice::index_of(push.direction) < lattice::kDirectionCount,
+                push.source < state.walls.size() && is_direction(push.direction),
             "a push is between nobody");
   }
   const bool ascending =
@@ -65,7 +102,38 @@ void check_pushes(const State& state) {
   require(ascending, "pushes are out of order");
 }
 
+void check_source(const Source& source, std::size_t kinds) {
+  require(!source.sites.empty(), "a source has no sites");
+  require(std::all_of(source.sites.begin(), source.sites.end(), in_reach),
+          "a site of a source is too far away");
+  require(source.weights.size() == kinds, "a source has not one weight for each kind");
+  require(std::any_of(source.weights.begin(), source.weights.end(),
+                      [](std::uint32_t weight) { return weight > 0; }),
+          "all weights of a source are 0");
+}
+
+void check_rules(const Rules& rules) {
+  require(is_direction(rules.gravity), "gravity has no direction");
+  std::array<UpdateClass, 3> classes = rules.update_priority;
+  std::sort(classes.begin(), classes.end());
+  require(classes == std::array{UpdateClass::rest, UpdateClass::inertia, UpdateClass::gravity},
+          "the update priority does not name each class once");
+}
+
 }  // namespace
+
+void check_valid(const State& state) {
+  check_rules(state.rules);
+  check_kinds(state);
+  check_particles(state);
+  for (const Wall& wall : state.walls) {
+    check_wall(wall);
+  }
+  for (const Source& source : state.sources) {
+    check_source(source, state.kinds.size());
+  }
+  check_pushes(state);
+}
 
 void check_reachable(const State& state, const State& beginning) {
   require(state.walls.size() == beginning.walls.size() &&
@@ -73,11 +141,8 @@ void check_reachable(const State& state, const State& beginning) {
               state.outlets.size() == beginning.outlets.size(),
           "walls, sources or outlets are not those of the scene");
   require(state.seed == beginning.seed, "the seed is not that of the scene");
-  check_particles(state);
-  for (const Wall& wall : state.walls) {
-    check_wall(wall);
-  }
-  check_pushes(state);
+  require(state.origins.size() == state.particles.size(), "not every particle has an origin");
+  check_valid(state);
 }
 
 }  // namespace clca::automaton

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <stdexcept>
 
 namespace clca::automaton {
 
@@ -78,6 +79,9 @@ int SeparationTable::depth(Axial apart) const {
 }
 
 int SeparationTable::depth(Axial apart, int columns) const {
+  if (columns < 2 || columns % 2 != 0) {
+    throw std::invalid_argument("a periodic box has a positive, even number of columns");
+  }
   // Once round leads to the same row: up the columns, and down again by half as many sites.
   const Axial round{columns, -columns / 2};
   while (apart.x - columns >= low_.x) {

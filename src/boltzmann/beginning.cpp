@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -183,6 +184,12 @@ UnitSample equal_sample(const Beginning& beginning, std::uint64_t seed) {
 Gas make_gas(const Beginning& beginning, std::uint64_t seed) {
   if (beginning.particles < 2) {
     throw std::invalid_argument("a gas needs at least 2 particles");
+  }
+  if (beginning.particles > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::invalid_argument("a gas has less than 2^32 particles");
+  }
+  if (!(beginning.energy_ratio >= 0 && std::isfinite(beginning.energy_ratio))) {
+    throw std::invalid_argument("the ratio of energies must not be negative");
   }
   const UnitSample sample = beginning.initial == Initial::gaussian ? normal_sample(beginning, seed)
                                                                    : equal_sample(beginning, seed);

@@ -72,6 +72,10 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
 
 Temperatures closure(const Law& law, const Temperatures& begin, double duration) {
   constexpr double kCollisionsPerStep = 0.02;
+  check(law);
+  if (!std::isfinite(duration)) {
+    throw std::invalid_argument("a duration must be finite");
+  }
   Temperatures present = begin;
   for (double left = duration; left > 0;) {
     const double step = std::min(left, kCollisionsPerStep / maxwellian_rate(present.translational));

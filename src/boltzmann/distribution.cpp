@@ -116,6 +116,10 @@ std::vector<double> shares(std::span<const double> values, const Bins& bins) {
 }
 
 double hellinger_distance(std::span<const double> p, std::span<const double> q) {
+  if (p.size() != q.size()) {
+    throw std::invalid_argument(
+        fmt::format("distributions over {} and {} bins cannot be compared", p.size(), q.size()));
+  }
   double overlap = 0;
   for (std::size_t bin = 0; bin < p.size(); ++bin) {
     overlap += std::sqrt(p[bin] * q[bin]);
@@ -124,6 +128,9 @@ double hellinger_distance(std::span<const double> p, std::span<const double> q) 
 }
 
 double hellinger_floor(std::size_t bins, std::size_t samples) {
+  if (bins < 2 || samples == 0) {
+    throw std::invalid_argument("there is no distance without 2 bins and a sample");
+  }
   return (static_cast<double>(bins) - 2) / (8 * static_cast<double>(samples));
 }
 

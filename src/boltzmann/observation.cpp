@@ -1,6 +1,7 @@
 #include "clca/boltzmann/observation.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace clca::boltzmann {
 
@@ -76,6 +77,9 @@ std::vector<double> energies(const Motions& motions, Index row, double scale) {
 }  // namespace
 
 Moments moments(const Motions& motions) {
+  if (motions.cols() == 0) {
+    throw std::invalid_argument("a gas without particles has no moments");
+  }
   const Sums sum = sums(motions);
   const auto count = static_cast<double>(motions.cols());
   const double correlation = excess(count * sum.v2w2, sum.v2 * sum.w2);

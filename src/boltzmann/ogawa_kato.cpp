@@ -162,7 +162,7 @@ class StepEnds {
 
 void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::uint64_t seed,
                         double time, int threads, const KeepsOn& keeps_on) {
-  if (!(scheme.time_step > 0) || scheme.partners < 1) {
+  if (!(scheme.time_step > 0 && std::isfinite(scheme.time_step)) || scheme.partners < 1) {
     throw std::invalid_argument("time step and number of partners must be positive");
   }
   const auto particles = static_cast<std::uint64_t>(gas.particles());

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 #include "cli/commands.hpp"
@@ -13,9 +14,17 @@ namespace clca::cli {
 
 namespace {
 
+/// So many a fill takes in less than a second.
+constexpr double kFewSites = 1e7;
+
 void print(const scene::Scene& scene) {
-  scene::check_walls(scene);
   const scene::Size size = scene::size_of(scene);
+  scene::check_walls(scene);
+  if (static_cast<double>(size.columns) * size.rows <= kFewSites) {
+    run::check_beginning(scene);
+  } else {
+    scene::check_room(scene);
+  }
   print_out("{}", scene::to_yaml(scene));
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
             size.rows, size.particles, size.bytes / kMebibyte);

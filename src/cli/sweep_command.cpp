@@ -49,6 +49,7 @@ int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
   for (const sweep::Variant& variant : plan.variants) {
     check_memory(variant.scene, limit);
     scene::check_walls(variant.scene);
+    scene::check_room(variant.scene);
     largest = std::max(largest, scene::size_of(variant.scene).bytes);
   }
   return static_cast<int>(std::min<double>(options.jobs, limit / largest));

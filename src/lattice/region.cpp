@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace clca::lattice {
 
@@ -14,6 +15,14 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
   const double share =
       square > 0 ? std::clamp((point - segment.from).dot(along) / square, 0.0, 1.0) : 0.0;
   return (point - segment.from - share * along).norm();
+}
+
+constexpr double kFarthest = 1e8;
+
+void check_near(const Eigen::Vector2d& point) {
+  if (!(std::abs(point.x()) < kFarthest && std::abs(point.y()) < kFarthest)) {
+    throw std::invalid_argument("a point is too far from the lattice");
+  }
 }
 
 /// A part of a way from 0 to 1; empty where begin > end.
@@ -87,6 +96,7 @@ void add_column(const Catchment& catchment, const Segment& segment, int column, 
 }  // namespace
 
 Site nearest_site(const Eigen::Vector2d& point) {
+  check_near(point);
   const int left = static_cast<int>(std::floor(point.x() / kColumnPitch));
   Site best;
   double least = INFINITY;
@@ -102,7 +112,16 @@ Site nearest_site(const Eigen::Vector2d& point) {
   return best;
 }
 
+void check(const Rectangle& rectangle) {
+  for (const double edge : {rectangle.left, rectangle.bottom, rectangle.right, rectangle.top}) {
+    if (std::isnan(edge)) {
+      throw std::invalid_argument("an edge of a rectangle is not a number");
+    }
+  }
+}
+
 std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle) {
+  check(rectangle);
   // Columns and rows that can hold a site of the rectangle.
   const int low = catchment.first_column();
   const int high = catchment.end_column();
@@ -126,6 +145,11 @@ std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
 }
 
 std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment) {
+  check_near(segment.from);
+  check_near(segment.to);
+  if (!(segment.thickness >= 0 && segment.thickness < kFarthest)) {
+    throw std::invalid_argument("the thickness of a wall must not be negative");
+  }
   const double reach = 0.5 * segment.thickness;
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
   const int low = catchment.first_column();

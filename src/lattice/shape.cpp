@@ -71,6 +71,14 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
+constexpr int kFarthestSite = 1'000'000;
+
+void check_reach(Axial site) {
+  if (site.x > kFarthestSite || site.x < -kFarthestSite || site.q > kFarthestSite || site.q < -kFarthestSite) {
+    throw std::invalid_argument("a site of a shape is too far away");
+  }
+}
+
 /// The sites on the straight line from `from` to `to`.
 void add_edge(Axial from, Axial to, std::vector<Axial>& sites) {
   const Axial along = to - from;
@@ -112,6 +120,7 @@ Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
   if (sites_.empty()) {
     throw std::invalid_argument("a shape has at least one site");
   }
+  std::for_each(sites_.begin(), sites_.end(), check_reach);
   std::sort(sites_.begin(), sites_.end());
   if (std::adjacent_find(sites_.begin(), sites_.end()) != sites_.end()) {
     throw std::invalid_argument("a site of the shape is named twice");
@@ -132,6 +141,7 @@ Shape Shape::rod(int radius, int length) {
   if (radius < 0 || length < 1) {
     throw std::invalid_argument("a rod has a radius of at least 0 and a length of at least 1");
   }
+  check_reach({radius, length});
   std::vector<Axial> sites;
   for (int x = -radius; x <= radius; ++x) {
     const int lowest = std::max(-radius, -radius - x);
@@ -147,6 +157,7 @@ Shape Shape::polygon(std::span<const Axial> corners) {
   if (corners.size() < 3) {
     throw std::invalid_argument("a polygon has at least 3 corners");
   }
+  std::for_each(corners.begin(), corners.end(), check_reach);
   std::vector<Axial> sites;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     add_edge(corners[i], corners[(i + 1) % corners.size()], sites);

@@ -1,10 +1,12 @@
 #include "clca/measure/contacts.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "clca/automaton/separation.hpp"
+#include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
 
@@ -76,6 +78,7 @@ const Push* push_between(const State& state, const Contact& contact) {
 
 // Every pair that overlaps has one push.
 std::vector<Contact> contacts(const State& state, const Occupancy& occupancy) {
+  check_occupancy(state, occupancy);
   std::vector<Contact> result;
   result.reserve(state.pushes.size());
   for (const Push& push : state.pushes) {
@@ -98,6 +101,11 @@ std::vector<double> force_indices(std::size_t particle_count,
                                   const std::vector<Contact>& contacts) {
   std::vector<double> indices(particle_count, 0.0);
   for (const Contact& contact : contacts) {
+    const bool second_is_there = !automaton::is_particle(contact.second) ||
+                                 static_cast<std::size_t>(contact.second) < particle_count;
+    if (contact.first >= particle_count || !second_is_there) {
+      throw std::invalid_argument("a contact is of a particle that is not there");
+    }
     indices[contact.first] += contact.sites;
     if (automaton::is_particle(contact.second)) {
       indices[static_cast<std::size_t>(contact.second)] += contact.sites;

@@ -3,16 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace clca::measure {
 
 namespace {
+
+void check_origins(const automaton::State& state) {
+  if (state.origins.size() != state.particles.size()) {
+    throw std::invalid_argument("not every particle has an origin");
+  }
+}
 
 /// How many particle sites stand in each column, which may run on across a periodic seam.
 class ColumnCounts {
  public:
   /// `at_origin`: where they were when the stage began.
   ColumnCounts(const automaton::State& state, bool at_origin) {
+    check_origins(state);
     int low = std::numeric_limits<int>::max();
     int high = std::numeric_limits<int>::min();
     for_each_column(state, at_origin, [&](int column) {
@@ -67,6 +75,7 @@ double displacement(const automaton::State& state, std::size_t id) {
 }  // namespace
 
 std::vector<double> displacements(const automaton::State& state) {
+  check_origins(state);
   std::vector<double> result(state.particles.size(), 0.0);
   for (std::size_t id = 0; id < result.size(); ++id) {
     result[id] = displacement(state, id);
@@ -75,6 +84,10 @@ std::vector<double> displacements(const automaton::State& state) {
 }
 
 double moved_share(const automaton::State& state, double distance) {
+  check_origins(state);
+  if (std::isnan(distance)) {
+    throw std::invalid_argument("a distance must be a number");
+  }
   std::size_t far = 0;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     far += displacement(state, id) > distance ? 1U : 0U;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
+#include "measure/check_occupancy.hpp"
 #include "measure/infinity.hpp"
 
 namespace clca::measure {
@@ -164,6 +166,12 @@ WallForce wall_force(const State& state, std::size_t number, const std::vector<C
 
 ForceSummary force_summary(const State& state, const Occupancy& occupancy,
                            const std::vector<Contact>& contacts) {
+  check_occupancy(state, occupancy);
+  if (std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return contact.first >= state.particles.size();
+      })) {
+    throw std::invalid_argument("a contact is of a particle that is not there");
+  }
   ForceSummary summary{.contacts = contacts.size(),
                        .jammed = jammed_count(state, {}),
                        .cone_share = cone_share(state, occupancy, contacts)};
@@ -185,6 +193,9 @@ std::optional<double> penetration(const State& now, const Wall& wall,
   const bool up = wall.motion && wall.motion->direction == Direction::up;
   if (!wall.present || (!down && !up)) {
     return std::nullopt;
+  }
+  if (surface_at_start.size() != static_cast<std::size_t>(now.lattice.columns())) {
+    throw std::invalid_argument("a surface has one height for each column of the box");
   }
   std::vector<double> covered(surface_at_start.size(), 0.0);
   // Height of the outermost edge above the floor of the box.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace clca::measure {
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kAveragedBin = 0.25;  // of the mean
 constexpr double kFirstNumberLow = 0.5;
+constexpr double kMostSites = 1e6;  // of a contact
 
 /// Fits the exponential tail. Experiments and simulations of static packings find beta of 1.4
 /// (Radjai et al. 1996) to 1.9 (Mueth et al. 1998).
@@ -82,6 +84,12 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
                                                     Strength kind) {
   if (strengths.empty()) {
     return std::nullopt;
+  }
+  const bool usable = std::all_of(strengths.begin(), strengths.end(), [](double strength) {
+    return strength > 0 && strength < kMostSites;
+  });
+  if (!usable) {
+    throw std::invalid_argument("the strength of a contact is a positive number of sites");
   }
   const auto count = static_cast<double>(strengths.size());
   ForceDistribution distribution{

@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace clca::measure {
 
 namespace {
 
+constexpr int kMostCells = 1'000'000'000;
+
 std::size_t count_of(double extent, double cell) {
+  if (!(cell > 0 && extent / cell < double{kMostCells})) {
+    throw std::invalid_argument("the side of a cell must be positive, and not that small");
+  }
   return static_cast<std::size_t>(std::max(1.0, std::round(extent / cell)));
 }
 
@@ -27,7 +33,11 @@ Grid::Grid(const lattice::Lattice& lattice, double cell)
                lattice.rows() + (lattice.columns() > 1 ? 0.5 : 0.0)),
       periodic_(lattice.periodic()),
       columns_(count_of(extents_.x(), cell)),
-      rows_(count_of(extents_.y(), cell)) {}
+      rows_(count_of(extents_.y(), cell)) {
+  if (columns_ >= std::size_t{kMostCells} / rows_) {
+    throw std::invalid_argument("the side of a cell is too small");
+  }
+}
 
 std::size_t Grid::index(const Eigen::Vector2d& point) const {
   Eigen::Vector2d share = (point - low_).cwiseQuotient(extents_);

@@ -1,6 +1,9 @@
 #include "clca/measure/outflow.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
 
@@ -14,6 +17,7 @@ Discharge discharge(const automaton::State& state) {
 }
 
 bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy) {
+  check_occupancy(state, occupancy);
   const lattice::Lattice& lattice = state.lattice;
   bool hanging = false;
   for (const automaton::Outlet& outlet : state.outlets) {
@@ -38,6 +42,9 @@ bool blocked(const automaton::State& state, const automaton::Occupancy& occupanc
 }
 
 void Outflow::add(Discharge total) {
+  if (total.particles < last_.particles || total.sites < last_.sites) {
+    throw std::invalid_argument("what has left a box cannot become less");
+  }
   ++steps_;
   if (total.sites != last_.sites) {
     events_.push_back({.step = steps_, .sites = total.sites - begin_.sites});
@@ -46,7 +53,7 @@ void Outflow::add(Discharge total) {
 }
 
 double Outflow::sites_per_step() const {
-  if (during_stage().particles < 2) {
+  if (during_stage().particles < 2 || events_.empty()) {
     return 0;
   }
   const auto total = static_cast<double>(events_.back().sites);

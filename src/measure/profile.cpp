@@ -63,6 +63,9 @@ std::optional<double> falling_slope(const std::vector<double>& x,
 /// Angle in degrees of the flank that falls towards the end of `profile`: a line through all
 /// columns beyond the middle of the top that lie between the bounds.
 std::optional<double> falling_flank(const std::vector<double>& profile) {
+  if (profile.empty()) {
+    return std::nullopt;
+  }
   const double highest = *std::max_element(profile.begin(), profile.end());
   const double high = kFlankHigh * highest;
   const double low = kFlankLow * highest;

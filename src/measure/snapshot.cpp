@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace clca::measure {
 
@@ -32,6 +33,9 @@ bool Snapshot::precedes(const automaton::State& now) const {
 }
 
 std::vector<Journey> Snapshot::journeys(const automaton::State& now) const {
+  if (step_ > now.step || centres_.size() > now.particles.size()) {
+    throw std::invalid_argument("a state is not one that followed the snapshot");
+  }
   std::vector<Journey> result;
   result.reserve(centres_.size());
   for (std::size_t id = 0; id < centres_.size(); ++id) {

@@ -10,9 +10,11 @@
 #include "clca/measure/profile.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
 #include "clca/store/file.hpp"
 #include "run/begin.hpp"
 #include "run/force_measures.hpp"
+#include "run/frame_painter.hpp"
 #include "run/gas_run.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
@@ -311,8 +313,18 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& op
 
 }  // namespace
 
+void check_beginning(const scene::Scene& scene) {
+  scene::check_room(scene);
+  automaton::Automaton automaton(initial_state(scene));
+  prepare_stage(automaton, scene, scene.stages.front());
+  if (scene.output.frames) {
+    const FramePainter painter(scene, automaton.state(), 1);
+  }
+}
+
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
+  scene::check_room(scene);
   return Run(scene, with_startable_threads(options, events), events).execute();
 }
 

@@ -55,12 +55,24 @@ bool far_apart(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
   return apart || (!lattice.periodic() && (one.right < other.left || other.right < one.left));
 }
 
-bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
+/// True where a site that both have at home is one that `counts`.
+template <class Counts>
+bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, Counts counts) {
   const std::vector<lattice::Site> sites = wall_sites(lattice, a);
   const std::vector<lattice::Site> others = wall_sites(lattice, b);
   return std::any_of(sites.begin(), sites.end(), [&](lattice::Site site) {
-    return std::binary_search(others.begin(), others.end(), site);
+    return counts(site) && std::binary_search(others.begin(), others.end(), site);
   });
+}
+
+/// Before anything moves.
+void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
+  const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
+  if (!far_apart(lattice, mover, other) && share_home(lattice, mover, other, in_box)) {
+    fail(mover, fmt::format("stands in wall '{}' at the start; insert one of them later, or move "
+                            "one of them elsewhere",
+                            other.name));
+  }
 }
 
 /// The walls that are there in some stage that moves `mover`.
@@ -96,7 +108,7 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
     return;
   }
   if (other.motion == mover.motion) {
-    if (share_home(lattice, mover, other)) {
+    if (share_home(lattice, mover, other, [](lattice::Site) { return true; })) {
       fail(mover, fmt::format("shares sites with wall '{}', which moves just so; make them parts "
                               "of one wall, or move one of them elsewhere",
                               other.name));
@@ -116,6 +128,7 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
 void check_walls(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
   const std::vector<std::vector<bool>> there = walls_there(scene);
+  const std::vector<bool> first = walls_there_first(scene);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const Wall& mover = scene.walls[i];
     if (!mover.motion) {
@@ -130,6 +143,8 @@ void check_walls(const Scene& scene) {
     for (std::size_t other = 0; other < scene.walls.size(); ++other) {
       if (met[other]) {
         check_pair(lattice, mover, way, scene.walls[other]);
+      } else if (other != i && first[i] && first[other]) {
+        check_begin(lattice, mover, scene.walls[other]);
       }
     }
   }

@@ -131,8 +131,9 @@ std::vector<Outlet> read_outlets(const Value& value, const Scene& scene) {
   std::vector<Outlet> outlets;
   for (const Entry& entry : read_named(value, "outlets")) {
     const KeyedMap fields(entry.value, join_path("outlets", entry.key), kOutletKeys);
-    outlets.push_back(
-        {entry.key, read_region(fields.at("region"), fields.path("region"), scene.box)});
+    outlets.push_back({entry.key,
+                       read_region(fields.at("region"), fields.path("region"), scene.box),
+                       to_string(fields.at("region").place)});
   }
   return outlets;
 }

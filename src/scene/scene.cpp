@@ -25,6 +25,10 @@ auto content(const Stage& stage) {
                   stage.until, stage.max_steps);
 }
 
+auto content(const Outlet& outlet) {
+  return std::tie(outlet.name, outlet.region);
+}
+
 auto content(const Frames& frames) {
   return std::tie(frames.every, frames.width, frames.height, frames.color_by, frames.layers,
                   frames.view, frames.drawing, frames.supersampling, frames.caption,
@@ -43,6 +47,10 @@ bool Box::operator==(const Box& other) const {
 }
 
 bool Fill::operator==(const Fill& other) const {
+  return content(*this) == content(other);
+}
+
+bool Outlet::operator==(const Outlet& other) const {
   return content(*this) == content(other);
 }
 

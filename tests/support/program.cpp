@@ -58,6 +58,10 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
       const rlimit limit = {setting.file_size_limit, setting.file_size_limit};
       ::setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (setting.memory_limit > 0) {
+      const rlimit limit = {setting.memory_limit, setting.memory_limit};
+      ::setrlimit(RLIMIT_AS, &limit);
+    }
     std::vector<char*> argv = {const_cast<char*>("clca")};
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));

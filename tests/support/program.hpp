@@ -22,6 +22,7 @@ struct ProgramSetting {
   std::string once_has = "\"running\"";
   int signal = 2;
   std::size_t file_size_limit = 0;  ///< bytes a file may have, as on a full disk; 0: no limit
+  std::size_t memory_limit = 0;     ///< bytes of address space; 0: no limit
   std::string program = "";         ///< another one than clca, with its path
 };
 

@@ -26,7 +26,8 @@ struct StepReport {
 };
 
 struct Options {
-  /// Threads to use; the result does not depend on it.
+  /// Threads to use, at least 1; the result does not depend on it. That they can be started is for
+  /// the caller to find out (parallel::start_team): OpenMP ends the program where they cannot.
   int threads = 1;
   /// Steps with fewer awake particles run on one thread.
   std::size_t parallel_from = 4096;
@@ -43,10 +44,13 @@ struct FillResult {
   bool complete = true;
 };
 
-/// Runs a State. Copies of the state it hands out are independent of it.
+/// Runs a State. Copies of the state it hands out are independent of it. When a change throws other
+/// than std::invalid_argument or std::out_of_range (std::bad_alloc), it is half done: all that
+/// would change the state after that throws std::logic_error.
 class Automaton {
  public:
-  /// Throws std::invalid_argument when the state is not valid (see Occupancy).
+  /// Throws std::invalid_argument when the state is not valid (see check_valid, Occupancy) or the
+  /// number of threads is not positive.
   explicit Automaton(State state, Options options = {});
   ~Automaton();
   Automaton(const Automaton&) = delete;
@@ -62,13 +66,16 @@ class Automaton {
 
   /// Places `counts` (per species) particles at random in free sites of `region`, larger species
   /// first, each in a random orientation. New ids follow the columns from the left, upwards. A
-  /// species that no longer fits anywhere is placed in part.
+  /// species that no longer fits anywhere is placed in part. Throws std::invalid_argument unless
+  /// there is one count for each species, and for a region that is not a number.
   FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   /// Sets `counts` (per species) particles down in `region` one after another, in an order drawn,
   /// each where it comes to rest on those before it (sequential deposition, Visscher & Bolsterli
-  /// 1972): a packing that is settled as it is. Ids as above. Throws std::invalid_argument unless
-  /// gravity points down.
+  /// 1972): a packing that is settled as it is. Ids as above. Throws as fill, and unless gravity
+  /// points down.
   FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  // Walls and sources by index; of one that is not there these throw std::out_of_range.
+
   /// Takes a wall away; nothing happens when it is gone already.
   void remove_wall(std::size_t wall);
   /// Puts a wall where it is not yet. Returns false and changes nothing when a particle stands in

@@ -34,6 +34,8 @@ class Occupancy {
     return places * ((overlaps ? 2.0 : 1.0) * sizeof(Owner) + 1.0 / 8.0);
   }
 
+  /// Places in memory, as lattice::Lattice::memory_size.
+  std::size_t places() const { return not_owners_.size(); }
   bool taken(std::size_t index) const { return taken_.test(index); }
   /// Whether a site is taken from `low` to `high`, both included, of the box or its border.
   bool any_taken(lattice::Site low, lattice::Site high) const { return taken_.any(low, high); }

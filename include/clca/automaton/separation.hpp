@@ -19,7 +19,8 @@ class SeparationTable {
   /// Least number of unit moves of `second`, whose reference site lies at `apart` from that of
   /// `first`, after which the two share no site; 0 when they share none.
   int depth(lattice::Axial apart) const;
-  /// The same in a periodic box of so many columns: the deepest of all images.
+  /// The same in a periodic box of so many columns: the deepest of all images. Throws
+  /// std::invalid_argument unless they are positive and even.
   int depth(lattice::Axial apart, int columns) const;
 
  private:

@@ -170,9 +170,13 @@ bool may_overlap(const State& state);
 /// 64 bits over everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 
-/// Throws std::invalid_argument, with the reason, unless the state is one that a run which began as
-/// `beginning` may come to: what fields() lists is in range. Whether particles have room is for
-/// Occupancy to say.
+/// Throws std::invalid_argument, with the reason, unless an automaton can work with the state: the
+/// shape of a kind has a site at its reference, what refers to others refers to some that are
+/// there, motions have positive periods and rise, a source has sites and one weight for each kind,
+/// not all 0. Whether particles have room is for Occupancy to say.
+void check_valid(const State& state);
+
+/// Throws likewise unless the state is one that a run which began as `beginning` may come to.
 void check_reachable(const State& state, const State& beginning);
 
 }  // namespace clca::automaton

@@ -21,7 +21,8 @@ double maxwellian_rate(double translational);
 /// exact there, a closure later.
 Temperatures closure_rates(const Law& law, const Temperatures& temperatures);
 
-/// Both temperatures after `duration`, by Runge-Kutta steps of order 4.
+/// Both temperatures after `duration`, by Runge-Kutta steps of order 4. Throws
+/// std::invalid_argument for a law out of range (see check) or a duration that is not finite.
 Temperatures closure(const Law& law, const Temperatures& begin, double duration);
 
 /// Haff's law for smooth spheres: T(t) / T(0).

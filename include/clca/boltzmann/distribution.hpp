@@ -24,6 +24,7 @@ class Bins {
   static Bins uniform(double width, double end);
 
   std::size_t count() const { return edges_.size(); }
+  // Precondition of both: bin < count().
   double lower(std::size_t bin) const { return edges_[bin]; }
   /// Infinity for the last.
   double upper(std::size_t bin) const;
@@ -41,11 +42,13 @@ std::vector<double> chi_square_shares(const Bins& bins, int degrees);
 /// Share of the values in each bin; zeros where there are no values.
 std::vector<double> shares(std::span<const double> values, const Bins& bins);
 
-/// D_H = 1 - sum sqrt(p q), from 0 (equal) to 1. Both have the same length.
+/// D_H = 1 - sum sqrt(p q), from 0 (equal) to 1. Throws std::invalid_argument unless both have the
+/// same length.
 double hellinger_distance(std::span<const double> p, std::span<const double> q);
 
 /// What the distance of a sample of that size is on the average where there is none:
-/// (bins - 2) / (8 samples), the scale having been taken from the sample.
+/// (bins - 2) / (8 samples), the scale having been taken from the sample. Throws
+/// std::invalid_argument for fewer than 2 bins or no samples.
 double hellinger_floor(std::size_t bins, std::size_t samples);
 
 }  // namespace clca::boltzmann

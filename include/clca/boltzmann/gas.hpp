@@ -56,7 +56,8 @@ struct Beginning {
   bool quasi = false;
 };
 
-/// Throws std::invalid_argument for fewer than 2 particles.
+/// Throws std::invalid_argument unless there are 2 to 2^32 - 1 particles and the ratio of energies
+/// is finite and not negative.
 Gas make_gas(const Beginning& beginning, std::uint64_t seed);
 
 /// Seed of a member of an ensemble; that of member 0 is `seed` itself.

@@ -20,9 +20,13 @@ struct Law {
   bool operator==(const Law&) const = default;
 };
 
+/// Throws std::invalid_argument unless the numbers are in these ranges.
+void check(const Law& law);
+
 /// Friction of a law in which nothing slides: constant tangential restitution.
 inline constexpr double kNoSlidingLimit = 1e300;
 
+/// Radius, mass and inertia are positive: a precondition of what follows.
 struct Sphere {
   double radius = 1;
   double mass = 1;

@@ -32,7 +32,8 @@ struct Moments {
   }
 };
 
-/// Sums in a fixed order: the same bits for any number of threads. Zero spin gives zeros.
+/// Sums in a fixed order: the same bits for any number of threads. Zero spin gives zeros. Throws
+/// std::invalid_argument where there are no particles.
 Moments moments(const Motions& motions);
 
 /// Shares of X = |v|^2 / v0^2 and of |w|^2 / w0^2 by bins, each with its own present scale.

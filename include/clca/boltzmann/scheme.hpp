@@ -21,8 +21,8 @@ struct Majorant {
 /// and collides with one of them with probability 1 - exp(-gamma dt); only it changes. Biased, see
 /// docs/boltzmann.md.
 struct OgawaKato {
-  double time_step = 0.025;
-  int partners = 10;
+  double time_step = 0.025;  ///< greater than 0
+  int partners = 10;         ///< at least 1
   /// Draws from a randomly shifted rank-1 lattice, the particles sorted by speed.
   bool quasi = false;
 
@@ -59,7 +59,9 @@ struct Process {
 using KeepsOn = std::function<bool(const Gas&)>;
 
 /// Carries `gas` to `time`, or until `keeps_on` says no after a step. The result does not depend
-/// on `threads`.
+/// on `threads`. Throws std::invalid_argument for less than 1 of them, fewer than 2 particles, a
+/// time that is not finite, or a law, scheme or shear rate out of range. After any other exception
+/// (std::bad_alloc, or what `keeps_on` has thrown) the gas may be half stepped.
 void advance(Gas& gas, const Process& process, std::uint64_t seed, double time, int threads,
              const KeepsOn& keeps_on = {});
 

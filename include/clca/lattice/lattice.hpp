@@ -73,7 +73,8 @@ class Lattice {
   /// of columns.
   Lattice(int columns, int rows, bool periodic);
 
-  /// The smallest lattice whose sites cover width x height (lattice spacings).
+  /// The smallest lattice whose sites cover width x height (lattice spacings). Throws
+  /// std::invalid_argument unless both are positive and less than 10^9.
   static Lattice covering(double width, double height, bool periodic);
 
   int columns() const { return columns_; }

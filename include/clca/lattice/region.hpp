@@ -21,6 +21,9 @@ struct Rectangle {
   bool operator==(const Rectangle&) const = default;
 };
 
+/// Throws std::invalid_argument when an edge is not a number.
+void check(const Rectangle& rectangle);
+
 /// A straight wall from `from` to `to`, `thickness` wide (all in lattice spacings).
 struct Segment {
   Eigen::Vector2d from;
@@ -33,16 +36,18 @@ struct Segment {
 };
 
 /// The sites inside `rectangle`, up the columns from the left: those of the lattice, or those that
-/// come into it.
+/// come into it. Throws as check().
 std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle);
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
 
 /// The sites within half its thickness of the segment, and always a connected chain along it, so
-/// that nothing leaks through: those of the lattice, or those that come into it. Sorted.
+/// that nothing leaks through: those of the lattice, or those that come into it. Sorted. Throws
+/// std::invalid_argument unless the ends are as for nearest_site and the thickness is not negative.
 std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment);
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
 
-/// The site nearest to a point given in lattice spacings.
+/// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both
+/// coordinates are less than 10^8.
 Site nearest_site(const Eigen::Vector2d& point);
 
 }  // namespace clca::lattice

@@ -13,7 +13,8 @@ namespace clca::lattice {
 class Shape {
  public:
   /// From a list of sites. Throws std::invalid_argument for an empty list, a site named twice, a
-  /// set that does not connect or one that encloses a hole.
+  /// set that does not connect or one that encloses a hole, and coordinates beyond 10^6; the others
+  /// likewise.
   explicit Shape(std::vector<Axial> sites);
 
   /// All sites within `radius` steps of the centre: 3 radius (radius + 1) + 1 of them.

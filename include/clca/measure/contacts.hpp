@@ -25,10 +25,12 @@ struct Contact {
   std::optional<std::uint32_t> source = {};  ///< wall where the push began
 };
 
-/// All pairs that share sites, by `first`, then `second` (walls before particles).
+/// All pairs that share sites, by `first`, then `second` (walls before particles). `occupancy` is
+/// that of the state; that of another box throws std::invalid_argument.
 std::vector<Contact> contacts(const automaton::State& state, const automaton::Occupancy& occupancy);
 
-/// Index of force of each particle by id: the sites it shares, over all its contacts.
+/// Index of force of each particle by id: the sites it shares, over all its contacts. Throws
+/// std::invalid_argument for a contact of a particle that is not there.
 std::vector<double> force_indices(std::size_t particle_count, const std::vector<Contact>& contacts);
 
 /// The push between the two of a contact, whichever was pushed; null where there is none.

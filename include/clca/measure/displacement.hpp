@@ -1,5 +1,6 @@
 #pragma once
-// How far particles have come since the stage began (State::origins).
+// How far particles have come since the stage began (State::origins). What looks at them throws
+// std::invalid_argument unless each particle has one.
 
 #include <optional>
 #include <vector>
@@ -12,10 +13,10 @@ namespace clca::measure {
 std::vector<double> displacements(const automaton::State& state);
 
 /// Share of the particles still present that are further than `distance` (lattice spacings) from
-/// their origin; 0 where none is present.
+/// their origin; 0 where none is present. Throws std::invalid_argument also for NaN.
 double moved_share(const automaton::State& state, double distance);
 
-/// Diameter of the smallest kind (lattice::Shape::diameter).
+/// Diameter of the smallest kind (lattice::Shape::diameter); infinite where there are none.
 double smallest_diameter(const automaton::State& state);
 
 /// How far the material has spread beyond the columns it stood in at its origins, in lattice

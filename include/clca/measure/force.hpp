@@ -35,14 +35,15 @@ struct ForceSummary {
   std::vector<WallForce> walls = {};  ///< all that have a motion, present or not, in their order
 };
 
-/// `contacts` are those of this state.
+/// `occupancy` and `contacts` are those of this state; std::invalid_argument where they cannot be.
 ForceSummary force_summary(const automaton::State& state, const automaton::Occupancy& occupancy,
                            const std::vector<Contact>& contacts);
 
 /// How deep the foremost point of a wall that moves up or down lies under the surface that the bed
 /// had when the stage began, in lattice spacings: under the mean of the profile (surface_profile)
 /// over the columns with particles that the wall covers. Negative above it; none where the wall is
-/// removed, moves sideways or covers no bed.
+/// removed, moves sideways or covers no bed. Throws std::invalid_argument unless the surface has
+/// one height for each column.
 std::optional<double> penetration(const automaton::State& now, const automaton::Wall& wall,
                                   const std::vector<double>& surface_at_start);
 

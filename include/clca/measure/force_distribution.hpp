@@ -36,7 +36,8 @@ struct ForceDistribution {
   std::vector<ForceBin> bins = {};
 };
 
-/// Of strengths greater than 0, in sites; none where there are none.
+/// Of strengths in sites; none where there are none. Throws std::invalid_argument unless all are
+/// greater than 0 and less than 10^6.
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
                                                     Strength kind);
 

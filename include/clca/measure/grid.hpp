@@ -13,7 +13,8 @@ namespace clca::measure {
 /// Rows of cells count from the bottom, columns from the left; the index runs along the rows.
 class Grid {
  public:
-  /// `cell`: the wished side in lattice spacings, greater than 0.
+  /// `cell`: the wished side in lattice spacings. Throws std::invalid_argument unless it is greater
+  /// than 0 and leaves less than 10^9 cells.
   Grid(const lattice::Lattice& lattice, double cell);
 
   std::size_t columns() const { return columns_; }

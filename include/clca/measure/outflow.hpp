@@ -25,7 +25,8 @@ struct Discharge {
 Discharge discharge(const automaton::State& state);
 
 /// True when a particle hangs over every column that opens into an outlet: a state at rest that is
-/// so has clogged (one that flows is so too).
+/// so has clogged (one that flows is so too). Throws std::invalid_argument for the occupancy of
+/// another box.
 bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy);
 
 /// Records the discharge of a stage, step by step.
@@ -34,7 +35,8 @@ class Outflow {
   /// Starts at `begin`, the totals before the stage.
   explicit Outflow(Discharge begin) : begin_(begin), last_(begin) {}
 
-  /// Call after each step with the totals so far.
+  /// Call after each step with the totals so far. Throws std::invalid_argument where they are less
+  /// than before.
   void add(Discharge total);
 
   Discharge during_stage() const {

@@ -26,7 +26,7 @@ struct ReposeAngle {
 
 /// Straight lines fitted by least squares to the columns on either side of the top whose height is
 /// between 15 % and 80 % of the highest column's: a flat top or scattered grains at the toe would
-/// spoil the angle. A flank has at least 5 columns.
+/// spoil the angle. A flank has at least 5 columns; an empty profile has none.
 ReposeAngle repose_angle(const std::vector<double>& profile);
 
 /// Particle sites over all sites that the bed could fill: per column from the floor or wall under

@@ -26,7 +26,8 @@ class Snapshot {
   explicit Snapshot(const automaton::State& state);
 
   std::uint64_t step() const { return step_; }
-  /// Journeys since then of the particles present at both moments, by id.
+  /// Journeys since then of the particles present at both moments, by id. Throws
+  /// std::invalid_argument where `now` is earlier or has fewer particles.
   std::vector<Journey> journeys(const automaton::State& now) const;
 
   /// False where this was not taken in a run that has come to `now`.

@@ -37,7 +37,7 @@ enum class Purpose : std::uint32_t {
 /// `item` is a particle id, or whatever else the purpose counts.
 std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose);
 
-/// Maps 64 uniform bits to 0, 1, ..., `count` - 1. `count` must be positive.
+/// Maps 64 uniform bits to 0, 1, ..., `count` - 1. Precondition, not checked: `count` is positive.
 std::uint64_t below(std::uint64_t bits, std::uint64_t count);
 
 /// A probability as an integer threshold, so that no floating point decides a move.

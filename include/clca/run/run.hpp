@@ -80,8 +80,12 @@ struct RunEvents {
 };
 
 /// Replaces what an earlier run has left in the folder; other files stay as they are. Throws
-/// ScenePlaceError, UnfinishedRunError or store::StoreError. Several threads may run at once, each
-/// into a folder of its own. No folder is made for a scene whose first stage cannot begin.
+/// scene::SceneError (see check_walls and check_room), ScenePlaceError, UnfinishedRunError,
+/// store::StoreError, or std::bad_alloc; std::invalid_argument for a number of threads that is not
+/// positive. Where fewer threads can be started it warns and goes on with these. What fails after
+/// the folder was made leaves `failed` in it, and the last checkpoint to be gone on with. Several
+/// threads may run at once, each into a folder of its own. No folder is made for a scene whose first
+/// stage cannot begin.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 

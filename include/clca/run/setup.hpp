@@ -11,4 +11,9 @@ namespace clca::run {
 /// scene::check_walls).
 automaton::State initial_state(const scene::Scene& scene);
 
+/// Carries out what a run does before its first step, without a folder, to find out whether it
+/// would refuse the scene: throws as run() does then. Takes the memory of the run and its time to
+/// the first step.
+void check_beginning(const scene::Scene& scene);
+
 }  // namespace clca::run

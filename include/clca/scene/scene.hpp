@@ -94,8 +94,9 @@ struct Source {
 struct Outlet {
   std::string name;
   lattice::Rectangle region;
+  std::string place = {};
 
-  bool operator==(const Outlet&) const = default;
+  bool operator==(const Outlet& other) const;
 };
 
 /// Random sequential addition: a rain that falls in the steps that follow; or sequential

@@ -1,0 +1,136 @@
+// Fills that find no room, and outlets that nothing fits into, whatever is drawn.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "clca/scene/parse.hpp"
+#include "clca/scene/walls.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr int kDegreesPerTurn = 60;
+
+[[noreturn]] void refuse(const std::string& place, const std::string& message) {
+  throw SceneError(fmt::format("{}: error: {}", place, message));
+}
+
+/// True once `found` is for a site of the lattice in the rectangle; asks from below, from the left.
+template <class Found>
+bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle, Found found) {
+  const auto bounded = [](double value, int end) {
+    return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(end)));
+  };
+  const int last_column = bounded(rectangle.right / lattice::kColumnPitch + 2, lattice.columns());
+  const int last_row = bounded(rectangle.top + 2, lattice.rows());
+  for (int column = bounded(rectangle.left / lattice::kColumnPitch - 1, lattice.columns());
+       column < last_column; ++column) {
+    for (int row = bounded(rectangle.bottom - 1, lattice.rows()); row < last_row; ++row) {
+      const lattice::Site site = {column, row};
+      if (rectangle.contains(lattice::position(site)) && found(site)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether the species has a place in the rectangle, in one of its orientations, where all sites
+/// are `free`.
+template <class Free>
+bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
+                const Species& species, Free free) {
+  return std::any_of(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
+    const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerTurn);
+    const lattice::Axial first = shape.sites().front();
+    return any_site(lattice, rectangle, [&](lattice::Site at) {
+      return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {
+        lattice::Site site = at + (part - first);
+        site.column = lattice.wrapped(site.column);
+        return lattice.contains(site) && rectangle.contains(lattice::position(site)) && free(site);
+      });
+    });
+  });
+}
+
+/// One bit for each place in memory: what walls cover as a stage begins, from below. Walls that an
+/// earlier stage has moved may be anywhere.
+std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& lattice,
+                                   std::size_t stage, const std::vector<bool>& there) {
+  std::vector<bool> covered(lattice.memory_size(), false);
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    const bool moved = std::any_of(
+        scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
+        [wall](const Stage& earlier) {
+          return std::find(earlier.move.begin(), earlier.move.end(), wall) != earlier.move.end();
+        });
+    if (!there[wall] || moved) {
+      continue;
+    }
+    for (const lattice::Site site : wall_sites(lattice, scene.walls[wall])) {
+      if (lattice.contains(site)) {
+        covered[lattice.index(site)] = true;
+      }
+    }
+  }
+  return covered;
+}
+
+void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage& stage,
+                const std::vector<bool>& covered) {
+  const Fill& fill = *stage.fill;
+  const auto free = [&](lattice::Site site) { return !covered[lattice.index(site)]; };
+  double wanted = 0;
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const Species& species = scene.species[i];
+    wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
+    if (fill.counts[i] > 0 && !finds_room(lattice, fill.region, species, free)) {
+      refuse(fill.place, fmt::format("stages.{}.fill: no {} fits into the region; enlarge it",
+                                     stage.name, species.name));
+    }
+  }
+  double sites = 0;
+  any_site(lattice, fill.region, [&](lattice::Site site) {
+    sites += free(site) ? 1 : 0;
+    return false;
+  });
+  if (wanted > sites) {
+    refuse(
+        fill.place,
+        fmt::format("stages.{}.fill: the counts take {:.0f} sites and the region has {:.0f} that "
+                    "no wall covers; enlarge the region, lower the counts or fill in several "
+                    "stages",
+                    stage.name, wanted, sites));
+  }
+}
+
+}  // namespace
+
+void check_room(const Scene& scene) {
+  const lattice::Lattice lattice = lattice_of(scene.box);
+  for (const Outlet& outlet : scene.outlets) {
+    const bool any =
+        std::any_of(scene.species.begin(), scene.species.end(), [&](const Species& species) {
+          return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
+        });
+    if (!any) {
+      refuse(outlet.place,
+             fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
+                         "wholly inside are removed; enlarge it",
+                         outlet.name));
+    }
+  }
+  const std::vector<std::vector<bool>> there = walls_there(scene);
+  for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
+    if (scene.stages[stage].fill) {
+      check_fill(scene, lattice, scene.stages[stage],
+                 covered_at_begin(scene, lattice, stage, there[stage]));
+    }
+  }
+}
+
+}  // namespace clca::scene

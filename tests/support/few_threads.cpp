@@ -1,0 +1,42 @@
+// Loaded before all else (LD_PRELOAD), lets a program have no more than CLCA_MOST_THREADS threads
+// at a time beside its first, as a limit on processes does.
+
+#include <dlfcn.h>
+#include <pthread.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+namespace {
+
+using Start = void* (*)(void*);
+
+struct Call {
+  Start start;
+  void* argument;
+};
+
+std::atomic<int> running = 0;
+
+void* carry_out(void* given) {
+  const Call call = *static_cast<Call*>(given);
+  delete static_cast<Call*>(given);
+  void* result = call.start(call.argument);
+  --running;
+  return result;
+}
+
+}  // namespace
+
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, Start start,
+                              void* argument) {
+  static const auto create =
+      reinterpret_cast<decltype(&pthread_create)>(::dlsym(RTLD_NEXT, "pthread_create"));
+  static const char* const most = std::getenv("CLCA_MOST_THREADS");
+  if (++running > (most == nullptr ? 0 : std::atoi(most))) {
+    --running;
+    return EAGAIN;
+  }
+  return create(thread, attributes, carry_out, new Call{start, argument});
+}

@@ -1,0 +1,75 @@
+// Gases refuse what they cannot be carried with.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "clca/boltzmann/closure.hpp"
+#include "clca/boltzmann/observation.hpp"
+#include "clca/boltzmann/scheme.hpp"
+
+namespace clca::boltzmann {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(AGas, IsCarriedByAtLeastOneThreadToAFiniteTime) {
+  Gas gas = make_gas({.particles = 100}, 1);
+  for (const Scheme& scheme : {Scheme(Majorant{}), Scheme(OgawaKato{})}) {
+    const Process process = {.law = {}, .scheme = scheme};
+    EXPECT_THROW(advance(gas, process, 1, 0.1, 0), std::invalid_argument);
+    EXPECT_THROW(advance(gas, process, 1, 0.1, -2), std::invalid_argument);
+    EXPECT_THROW(advance(gas, process, 1, kNaN, 1), std::invalid_argument);
+    EXPECT_THROW(advance(gas, process, 1, kInfinity, 1), std::invalid_argument);
+    EXPECT_THROW(advance(gas, {.law = {}, .scheme = scheme, .shear_rate = -1}, 1, 0.1, 1),
+                 std::invalid_argument);
+    Gas empty;
+    EXPECT_THROW(advance(empty, process, 1, 0.1, 1), std::invalid_argument);
+  }
+  EXPECT_EQ(gas.step, 0U);
+}
+
+TEST(ALaw, HasNumbersInRange) {
+  for (const Law& wrong :
+       {Law{.restitution = -0.1}, Law{.restitution = 1.1}, Law{.restitution = kNaN},
+        Law{.friction = -1}, Law{.friction = kNaN}, Law{.roughness = -2}, Law{.roughness = 2}}) {
+    EXPECT_THROW(check(wrong), std::invalid_argument);
+    EXPECT_THROW(closure(wrong, {}, 1), std::invalid_argument);
+    Gas gas = make_gas({.particles = 100}, 1);
+    EXPECT_THROW(advance(gas, {.law = wrong, .scheme = {}}, 1, 0.1, 1), std::invalid_argument);
+  }
+  EXPECT_NO_THROW(check({.restitution = 0.9, .friction = kNoSlidingLimit, .roughness = -1}));
+  EXPECT_THROW(closure({}, {}, kNaN), std::invalid_argument);
+  EXPECT_THROW(closure({}, {}, kInfinity), std::invalid_argument);
+}
+
+TEST(AScheme, HasTimeStepsAndPartners) {
+  Gas gas = make_gas({.particles = 100}, 1);
+  for (const OgawaKato& wrong : {OgawaKato{.time_step = 0}, OgawaKato{.time_step = kNaN},
+                                 OgawaKato{.time_step = kInfinity}, OgawaKato{.partners = 0}}) {
+    EXPECT_THROW(advance(gas, {.law = {}, .scheme = wrong}, 1, 0.1, 1), std::invalid_argument);
+  }
+}
+
+TEST(ABeginning, HasARatioOfEnergiesThatIsNotNegative) {
+  for (const double wrong : {-1.0, kNaN, kInfinity}) {
+    EXPECT_THROW(make_gas({.particles = 10, .energy_ratio = wrong}, 1), std::invalid_argument);
+  }
+  EXPECT_THROW(make_gas({.particles = 1}, 1), std::invalid_argument);
+  EXPECT_THROW(make_gas({.particles = std::uint64_t{1} << 32U}, 1), std::invalid_argument);
+}
+
+TEST(Distributions, AreComparedBinByBin) {
+  const std::vector<double> two = {0.5, 0.5};
+  const std::vector<double> one = {1};
+  EXPECT_THROW(hellinger_distance(two, one), std::invalid_argument);
+  EXPECT_THROW(hellinger_distance(one, two), std::invalid_argument);
+  EXPECT_THROW(hellinger_floor(20, 0), std::invalid_argument);
+  EXPECT_THROW(hellinger_floor(1, 10), std::invalid_argument);
+  EXPECT_THROW(moments(Motions()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace clca::boltzmann
