@@ -85,9 +85,10 @@ int start_team(int wanted) {
   }
   const int team = wanted == 1 ? 1 : 1 + startable(wanted - 1);
   // At once, as the limits may be reached later; regions of the same size then use these threads.
-#pragma omp parallel num_threads(team)
-  {}
-  return team;
+  int there = 0;
+#pragma omp parallel num_threads(team) reduction(+ : there)
+  there += 1;
+  return there;
 }
 
 }  // namespace clca::parallel

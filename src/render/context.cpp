@@ -1,6 +1,9 @@
 #include "render/context.hpp"
 
 #include <GL/osmesa.h>
+#include <sys/mman.h>
+
+#include <new>
 
 #include "clca/render/painter.hpp"
 #include "render/environment.hpp"
@@ -9,8 +12,20 @@ namespace clca::render {
 
 namespace {
 
+/// Some address space has to be left before each use of the driver: where it finds no memory it
+/// crashes.
+void require_memory() {
+  constexpr std::size_t kBytes = std::size_t{64} << 20U;
+  void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) {
+    throw std::bad_alloc();
+  }
+  ::munmap(room, kBytes);
+}
+
 OSMesaContext create() {
   prepare_environment();
+  require_memory();
   constexpr std::array<int, 13> kAttributes = {OSMESA_FORMAT,
                                                OSMESA_RGBA,
                                                OSMESA_DEPTH_BITS,
@@ -44,6 +59,7 @@ Context::Function Context::function(const char* name) {
 }
 
 Context::Current::Current(Context& context) {
+  require_memory();
   if (OSMesaMakeCurrent(static_cast<OSMesaContext>(context.handle_), context.pixel_.data(),
                         GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
     throw RenderError("OSMesa cannot use its OpenGL context");

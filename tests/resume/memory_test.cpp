@@ -39,7 +39,7 @@ output: {series: {every: 1}, checkpoint: {every: 7}}
 
 constexpr const char* kGas = R"(clca: 1
 boltzmann: {particles: 150000, ensemble: 2, restitution: [0.8, 0.9], friction: 0.3, until: 1}
-output: {checkpoint: {every: 2}}
+output: {checkpoint: {seconds: 0.05}}
 )";
 
 int limits() {
