@@ -8,6 +8,8 @@
 #include "clca/store/output_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
+#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 #include "scene/text.hpp"
 
@@ -23,9 +25,11 @@ struct CompareOptions {
 };
 
 void draw_figure(const std::filesystem::path& folder) {
+  const std::atomic<int>& stop = catch_stop_signals();
   for (const plot::Figure& figure :
        plot::figures(folder, {"comparison"}, plot::template_folder())) {
-    store::OutputFolder(folder).write(figure.name + ".png", plot::draw(figure, plot::Size()));
+    store::OutputFolder(folder).write(figure.name + ".png",
+                                      plot::draw(figure, plot::Size(), &stop));
   }
 }
 
@@ -63,9 +67,12 @@ void add_compare_command(CLI::App& app, int& code) {
   command->add_option("-o,--output", options->folder, "Folder to write to")->capture_default_str();
   command->add_option("--stage", options->choice.stage,
                       "Stage of the automaton [the last with a fluctuation table]");
-  command->add_option("--time", options->choice.time, "Time of the histogram [the latest]");
-  command->add_option("--restitution", options->choice.restitution,
-                      "Which one, where the Boltzmann run has several");
+  command->add_option("--time", options->choice.time, "Time of the histogram [the latest]")
+      ->check(finite_number());
+  command
+      ->add_option("--restitution", options->choice.restitution,
+                   "Which one, where the Boltzmann run has several")
+      ->check(finite_number());
   command->callback([options, &code] { code = static_cast<int>(compare_runs(*options)); });
 }
 

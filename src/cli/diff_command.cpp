@@ -11,6 +11,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -27,7 +28,7 @@ struct DiffOptions {
 
 render::Image read_picture(const std::string& file) {
   try {
-    return render::decode_png(store::read_whole(file)).image;
+    return render::decode_png(store::read_whole(file, store::kMostPictureBytes)).image;
   } catch (const store::StoreError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -78,9 +79,10 @@ void add_diff_command(CLI::App& app, int& code) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "Channel difference up to which two pixels count as alike")
-      ->check(CLI::Range(0, 255))
+      ->check(whole_number(0, 255))
       ->capture_default_str();
   command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_option("--out", options->out, "Write a picture that shows where");
   command->callback([options, &code] { code = static_cast<int>(diff_or_complain(*options)); });

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <system_error>
 
@@ -15,6 +14,7 @@
 #include "clca/store/summary.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -41,17 +41,12 @@ struct Source {
 };
 
 Source open_run(const ExportOptions& options) {
-  const fs::path run_json = options.run / "run.json";
-  const store::RunSummary summary = store::read_summary(run_json);
+  const store::RunSummary summary = store::read_summary(options.run / "run.json");
   if (summary.kind != "automaton") {
     throw exports::ExportError(
         fmt::format("{}: expected a run of kind automaton, found {}; only the automaton has a "
                     "trajectory",
                     options.run.string(), summary.kind));
-  }
-  if (summary.scene.empty() || fs::path(summary.scene).filename() != summary.scene) {
-    throw exports::ExportError(
-        fmt::format("{}: '{}' is no name of a scene", run_json.string(), summary.scene));
   }
   std::error_code unknown;
   if (!fs::exists(options.run / "trajectory", unknown)) {
@@ -110,13 +105,15 @@ int export_run(const ExportOptions& options) {
 }
 
 void add_choice_options(CLI::App& command, exports::Choice& choice) {
-  command.add_option("--from", choice.from, "First step")->type_name("STEP");
-  command.add_option("--until", choice.until, "Last step")->type_name("STEP");
+  command.add_option("--from", choice.from, "First step")->type_name("STEP")->check(whole_number());
+  command.add_option("--until", choice.until, "Last step")
+      ->type_name("STEP")
+      ->check(whole_number());
   command
       .add_option("--every", choice.every,
                   "Steps from frame to frame, at least, in a stage [all frames]")
       ->type_name("STEPS")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1));
 }
 
 }  // namespace
@@ -125,14 +122,20 @@ void add_export_command(CLI::App& app, int& code) {
   CLI::App* command = app.add_subcommand(
       "export", "The trajectory of a run in a format of ParaView (vtp) or OVITO (gsd, xyz)");
   auto options = std::make_shared<ExportOptions>();
-  const std::map<std::string, exports::Format> formats = {
-      {"vtp", exports::Format::vtp}, {"gsd", exports::Format::gsd}, {"xyz", exports::Format::xyz}};
   command->add_option("DIR", options->run, "Folder that a run with output.trajectory has left")
       ->required();
-  command->add_option("--to", options->format, "Format: vtp, gsd or xyz")
+  command
+      ->add_option_function<std::string>(
+          "--to",
+          [options](const std::string& name) {
+            options->format = name == "vtp"   ? exports::Format::vtp
+                              : name == "gsd" ? exports::Format::gsd
+                                              : exports::Format::xyz;
+          },
+          "Format")
       ->required()
       ->type_name("FORMAT")
-      ->transform(CLI::CheckedTransformer(formats));
+      ->check(CLI::IsMember({"vtp", "gsd", "xyz"}));
   command
       ->add_option("-o,--output", options->file,
                    "File to write, of vtp the .pvd with the others beside it "

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
 #include <string_view>
 
+#include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "cli/commands.hpp"
@@ -38,7 +40,9 @@ int run_program(int argc, char** argv) {
   });
   app.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
-      "124, 130 or 143 interrupted by --time-limit or a signal, to be gone on with by resume.");
+      "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted, to be gone on "
+      "with\n"
+      "by resume.");
 
   int code = 0;
   clca::cli::add_run_command(app, code);
@@ -53,6 +57,9 @@ int run_program(int argc, char** argv) {
   clca::cli::add_render_command(app, code);
   clca::cli::add_report_command(app, code);
   try {
+    if (std::any_of(argv, argv + argc, [](const char* text) { return *text == '\0'; })) {
+      throw CLI::ParseError("an argument is empty", CLI::ExitCodes::InvalidError);
+    }
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
@@ -74,6 +81,10 @@ int run_or_complain(int argc, char** argv) {
     return fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
   } catch (const clca::run::ScenePlaceError& error) {
     return fail(ExitCode::wrong_input, error.what());
+  } catch (const clca::process::Stopped& error) {
+    return fail(
+        static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),
+        fmt::format("clca: error: {}", error.what()));
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::failed, "clca: error: out of memory");
   } catch (const std::exception& error) {
@@ -85,7 +96,7 @@ int run_or_complain(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
-  clca::cli::ignore_write_signals();
+  clca::cli::set_up_signals();
   int code = static_cast<int>(ExitCode::failed);
   try {
     code = run_or_complain(argc, argv);

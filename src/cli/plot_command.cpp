@@ -8,6 +8,8 @@
 #include "clca/store/run_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
+#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -25,8 +27,9 @@ void draw_all(const PlotOptions& options) {
   const auto figures = plot::figures(options.run, options.only, plot::template_folder());
   const store::OutputFolder folder =
       store::named_folder(options.folder, options.run, store::kPlotsFolder);
+  const std::atomic<int>& stop = catch_stop_signals();
   for (const plot::Figure& figure : figures) {
-    const auto picture = plot::draw(figure, options.size);
+    const auto picture = plot::draw(figure, options.size, &stop);
     const std::string file = figure.name + ".png";
     folder.write(file, picture);
     print_out("{}\n", folder.path(file).string());
@@ -49,7 +52,7 @@ void add_plot_command(CLI::App& app, int& code) {
   CLI::App* command =
       app.add_subcommand("plot", "Draw figures of the tables in a run folder, with gnuplot");
   auto options = std::make_shared<PlotOptions>();
-  const CLI::Range pixels(100, 10'000);
+  const CLI::Validator pixels = whole_number(100, 10'000);
   command->add_option("DIR", options->run, "Folder that a run has left")->required();
   command->add_option("-o,--output", options->folder, "Folder to write to [DIR/plots]");
   command->add_option("--only", options->only, "Draw only these figures")

@@ -14,6 +14,7 @@
 #include "clca/store/summary.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
@@ -51,10 +52,6 @@ scene::Scene scene_of(const RenderOptions& options) {
     throw run::RedrawError(fmt::format(
         "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
         run.string()));
-  }
-  if (summary.scene.empty() || fs::path(summary.scene).filename() != summary.scene) {
-    throw run::RedrawError(
-        fmt::format("{}: '{}' is no name of a scene", (run / "run.json").string(), summary.scene));
   }
   const scene::Scene stored = scene::parse_file(run / "scene.yaml");
   std::vector<scene::Override> overrides = options.look;
@@ -150,8 +147,12 @@ void add_look_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_choice_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--from", options.redraw.from, "First step to draw")->type_name("STEP");
-  command.add_option("--to", options.redraw.to, "Last step to draw")->type_name("STEP");
+  command.add_option("--from", options.redraw.from, "First step to draw")
+      ->type_name("STEP")
+      ->check(whole_number());
+  command.add_option("--to", options.redraw.to, "Last step to draw")
+      ->type_name("STEP")
+      ->check(whole_number());
   add_frames_option(command, options, "--every", "every", "STEPS",
                     "Steps from picture to picture, at least, in a stage [as the scene says]");
 }
@@ -164,14 +165,14 @@ void add_target_options(CLI::App& command, RenderOptions& options) {
                   "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
       ->type_name("FILE");
   command.add_option("--fps", options.redraw.frames_per_second, "Pictures per second of the movie")
-      ->check(CLI::Range(1, 240))
+      ->check(whole_number(1, 240))
       ->capture_default_str();
   command
       .add_option("--sheet", options.redraw.sheet,
                   "Write a contact sheet of pictures evenly chosen: FILE.png")
       ->type_name("FILE");
   command.add_option("--columns", options.redraw.columns, "Pictures in a row of the contact sheet")
-      ->check(CLI::Range(1, 16))
+      ->check(whole_number(1, 16))
       ->capture_default_str();
 }
 

@@ -6,6 +6,7 @@
 #include "clca/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 #include "scene/text.hpp"
 
@@ -46,7 +47,7 @@ void add_report_command(CLI::App& app, int& code) {
   command
       ->add_option("--max-frames", options->most_frames,
                    "Most pictures to step through [as many as keep the page below 20 MB]")
-      ->check(CLI::Range(0, 100'000));
+      ->check(whole_number(0, 100'000));
   command->callback([options, &code] { code = static_cast<int>(report_or_complain(*options)); });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -29,15 +30,13 @@ int exit_code_of(const store::RunSummary& summary, int signal) {
 
 void add_run_options(CLI::App& command, RunCommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads; the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
   command
       .add_option("--time-limit", options.time_limit,
                   "Save and stop after this time, as in 90, 30min or 2h; resume goes on from there")
-      ->transform(
-          CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}},
-                                CLI::AsNumberWithUnit::CASE_SENSITIVE, "SECONDS"))
-      ->check(CLI::NonNegativeNumber);
+      ->type_name("TIME")
+      ->transform(time_span());
   command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
 }
 

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "clca/scene/resolve.hpp"
+#include "cli/option_values.hpp"
+#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -42,11 +44,22 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   return overrides;
 }
 
+/// A run saves its scene with all defaults, and resume has to take that text.
+template <class AScene>
+void check_text(const AScene& scene, const std::string& file) {
+  if (scene::to_yaml(scene).size() > scene::kMostSceneBytes) {
+    throw scene::SceneError(
+        fmt::format("{}:1:1: error: the scene with all its defaults is larger than {} MiB",
+                    scene::printable(file), scene::kMostSceneBytes >> 20U));
+  }
+}
+
 /// The scene as the options want it. Throws scene::SceneError when it does not fit into memory.
 scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
   if (options.frames_every == std::uint64_t{0}) {
     scene.output.frames.reset();
   }
+  check_text(scene, options.file);
   check_memory(scene, memory_limit(options));
   return scene;
 }
@@ -94,14 +107,17 @@ void add_memory_limit(CLI::App& command, SceneOptions& options) {
   command
       .add_option("--memory-limit", options.memory_limit,
                   "Refuse scenes that need more, as in 4GiB [80 % of what is free]")
-      ->transform(CLI::AsSizeValue(false));
+      ->type_name("SIZE")
+      ->transform(byte_size());
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   add_scene_and_set(command, options);
-  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's");
-  command.add_option("--frames-every", options.frames_every,
-                     "A picture every N steps; 0: no pictures");
+  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's")
+      ->check(whole_number());
+  command
+      .add_option("--frames-every", options.frames_every, "A picture every N steps; 0: no pictures")
+      ->check(whole_number());
   add_memory_limit(command, options);
 }
 
@@ -114,12 +130,9 @@ scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
   if (auto* automaton = std::get_if<scene::Scene>(&scene)) {
     return fitting(std::move(*automaton), options);
   }
+  check_text(std::get<scene::BoltzmannScene>(scene), options.file);
   check_memory(std::get<scene::BoltzmannScene>(scene), memory_limit(options), threads);
   return scene;
-}
-
-scene::Scene load_scene(const SceneOptions& options) {
-  return fitting(scene::parse_file(options.file, overrides_of(options)), options);
 }
 
 }  // namespace clca::cli

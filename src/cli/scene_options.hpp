@@ -41,7 +41,5 @@ int machine_threads();
 /// The scene with the options applied. Throws scene::SceneError, also when it would need more
 /// memory than the limit; that of a Boltzmann run depends on its threads.
 scene::AnyScene load_any_scene(const SceneOptions& options, int threads = machine_threads());
-/// The same for a scene of the automaton; the other kind is an error.
-scene::Scene load_scene(const SceneOptions& options);
 
 }  // namespace clca::cli

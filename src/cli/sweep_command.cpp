@@ -11,6 +11,7 @@
 #include "clca/sweep/sweep.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
@@ -133,7 +134,7 @@ void add_sweep_command(CLI::App& app, int& code) {
   command
       ->add_option("--jobs", options->jobs,
                    "Runs at a time, each with one thread; the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
   command->add_flag("--frames", options->all_pictures,
                     "All pictures that the scene asks for, not only each run's last");

@@ -28,6 +28,9 @@ std::map<double, fs::path> histogram_files(const fs::path& run) {
       }
     }
   }
+  if (error) {
+    throw CompareError(fmt::format("cannot read the folder {}: {}", run.string(), error.message()));
+  }
   return files;
 }
 

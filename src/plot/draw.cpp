@@ -14,10 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_png(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() > kSignature.size() &&
-         std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
+/// By its first and last bytes.
+bool is_whole_png(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::array<std::uint8_t, 8> kBegin = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  constexpr std::array<std::uint8_t, 8> kEnd = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  return bytes.size() >= kBegin.size() + kEnd.size() &&
+         std::equal(kBegin.begin(), kBegin.end(), bytes.begin()) &&
+         std::equal(kEnd.rbegin(), kEnd.rend(), bytes.rbegin());
 }
 
 }  // namespace
@@ -37,14 +40,15 @@ fs::path template_folder() {
                               candidates[0].string(), candidates[1].string()));
 }
 
-std::vector<std::uint8_t> draw(const Figure& figure, const Size& size) {
+std::vector<std::uint8_t> draw(const Figure& figure, const Size& size,
+                               const std::atomic<int>* stop) {
   const std::string commands =
       fmt::format("{} width = {}; height = {}", figure.setting, size.width, size.height);
   try {
-    std::vector<std::uint8_t> bytes =
-        gnuplot(figure.run, commands, {figure.script.parent_path() / kStyleFile, figure.script});
-    if (!is_png(bytes)) {
-      throw PlotError("gnuplot leaves no picture");
+    std::vector<std::uint8_t> bytes = gnuplot(
+        figure.run, commands, {figure.script.parent_path() / kStyleFile, figure.script}, stop);
+    if (!is_whole_png(bytes)) {
+      throw PlotError("gnuplot leaves no whole picture");
     }
     return bytes;
   } catch (const PlotError& error) {

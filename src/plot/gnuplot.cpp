@@ -48,7 +48,8 @@ std::string literal(std::string_view text) {
 }
 
 std::vector<std::uint8_t> gnuplot(const fs::path& folder, const std::string& commands,
-                                  const std::vector<fs::path>& scripts) {
+                                  const std::vector<fs::path>& scripts,
+                                  const std::atomic<int>* stop) {
   // -d: no settings of the user, so that the same tables give the same picture.
   std::vector<std::string> arguments = {find_gnuplot().string(), "-d", "-e", commands};
   for (const fs::path& script : scripts) {
@@ -58,12 +59,15 @@ std::vector<std::uint8_t> gnuplot(const fs::path& folder, const std::string& com
     const process::Transcript out;
     const process::Transcript err;
     const int code =
-        process::Program(arguments, {.folder = folder, .out = &out, .err = &err}).wait();
+        process::Program(arguments, {.folder = folder, .out = &out, .err = &err, .stop = stop})
+            .wait();
     if (code != 0) {
       throw PlotError(
           fmt::format("gnuplot fails with exit code {}: {}", code, first_complaint(err.bytes())));
     }
     return out.bytes();
+  } catch (const process::Stopped&) {
+    throw;
   } catch (const process::ProcessError& error) {
     throw PlotError(error.what());
   }

@@ -1,6 +1,7 @@
 #pragma once
 // The program gnuplot, called without a shell.
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,8 +14,10 @@ namespace clca::plot {
 std::string literal(std::string_view text);
 
 /// Runs gnuplot in `folder` on `commands`, then on each script; what it leaves on its standard
-/// output. Throws PlotError with its first complaint, and where it is not on the PATH.
+/// output. Throws PlotError with its first complaint, and where it is not on the PATH;
+/// process::Stopped once `stop` is not zero.
 std::vector<std::uint8_t> gnuplot(const std::filesystem::path& folder, const std::string& commands,
-                                  const std::vector<std::filesystem::path>& scripts);
+                                  const std::vector<std::filesystem::path>& scripts,
+                                  const std::atomic<int>* stop);
 
 }  // namespace clca::plot

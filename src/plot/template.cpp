@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kMostTemplateBytes = 1 << 20;
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   return first == std::string::npos ? std::string()
@@ -69,7 +71,7 @@ Template read_template(const fs::path& file) {
   Template result;
   result.file = file;
   result.name = file.stem().string();
-  const auto bytes = store::read_whole(file);
+  const auto bytes = store::read_whole(file, kMostTemplateBytes);
   std::stringstream text(std::string(bytes.begin(), bytes.end()));
   for (std::string line; std::getline(text, line) && line.starts_with('#');) {
     read_line(result, line);

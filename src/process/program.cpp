@@ -2,19 +2,22 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <poll.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <system_error>
 #include <utility>
+
+#include "process/start_child.hpp"
 
 namespace clca::process {
 
@@ -22,55 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a child process starts with other than what it inherits.
-class Actions {
- public:
-  /// `input`: file descriptor of its standard input; -1 for nothing to read.
-  Actions(const Setting& setting, int input) {
-    ::posix_spawn_file_actions_init(&actions_);
-    connect(setting.out, STDOUT_FILENO);
-    connect(setting.err, STDERR_FILENO);
-    // Last: where this program has no standard input, one of the others may be 0 itself.
-    if (input >= 0) {
-      ::posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-    } else {
-      ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    }
-    ::posix_spawn_file_actions_addchdir_np(&actions_, setting.folder.c_str());
-  }
-  ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
-  Actions(const Actions&) = delete;
-  Actions& operator=(const Actions&) = delete;
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
+constexpr std::chrono::milliseconds kPause(5);
 
- private:
-  void connect(const Transcript* transcript, int number) {
-    if (transcript != nullptr) {
-      ::posix_spawn_file_actions_adddup2(&actions_, transcript->number(), number);
-    }
-  }
-
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// Whether the child is in a group of its own, which signals from the terminal do not reach.
-class Attributes {
- public:
-  explicit Attributes(bool own_group) {
-    ::posix_spawnattr_init(&attributes_);
-    if (own_group) {
-      ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-      ::posix_spawnattr_setpgroup(&attributes_, 0);
-    }
-  }
-  ~Attributes() { ::posix_spawnattr_destroy(&attributes_); }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
+void pause() {
+  ::poll(nullptr, 0, static_cast<int>(kPause.count()));
+}
 
 /// A socket, unlike a pipe, can be written to without a signal when nobody reads any more. The
 /// first end is ours.
@@ -89,14 +48,18 @@ std::optional<fs::path> find_program(const std::string& name) {
   std::stringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
     fs::path file = fs::path(folder) / name;
-    if (file.is_absolute() && !fs::is_directory(file) && ::access(file.c_str(), X_OK) == 0) {
+    std::error_code unknown;
+    if (file.is_absolute() && !fs::is_directory(file, unknown) &&
+        ::access(file.c_str(), X_OK) == 0) {
       return file;
     }
   }
   return std::nullopt;
 }
 
-Transcript::Transcript() : file_(std::tmpfile(), &std::fclose) {
+// In memory: a disk that is full must not cut it off.
+Transcript::Transcript()
+    : file_(::fdopen(::memfd_create("transcript", MFD_CLOEXEC), "w+"), &std::fclose) {
   if (!file_) {
     throw ProcessError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
   }
@@ -116,62 +79,92 @@ std::vector<std::uint8_t> Transcript::bytes() const {
   return all;
 }
 
-Program::Program(const std::vector<std::string>& arguments, const Setting& setting) {
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) {
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  }
-  argv.push_back(nullptr);
-  int its_end = -1;
+Program::Program(const std::vector<std::string>& arguments, const Setting& setting)
+    : name_(fs::path(arguments[0]).filename().string()),
+      stop_(setting.stop),
+      grace_(setting.grace) {
+  std::array<int, 2> ends = {-1, -1};  // ours and its
   if (setting.fed) {
-    const auto [ours, its] = socket_pair();
-    input_ = ours;
-    its_end = its;
+    ends = socket_pair();
+  } else if (ends[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC); ends[1] < 0) {
+    throw ProcessError(fmt::format("cannot open /dev/null: {}", std::strerror(errno)));
   }
-  const int error = ::posix_spawn(&child_, argv[0], Actions(setting, its_end).get(),
-                                  Attributes(setting.fed).get(), argv.data(), environ);
-  if (its_end >= 0) {
-    ::close(its_end);
-  }
-  if (error != 0) {
-    child_ = -1;
+  input_ = ends[0];
+  try {
+    child_ = start_child(arguments, setting, ends[1]);
+  } catch (...) {
+    ::close(ends[1]);
     close_input();
-    throw ProcessError(fmt::format("cannot run {}: {}", arguments[0], std::strerror(error)));
+    throw;
   }
+  ::close(ends[1]);
 }
 
 Program::~Program() {
+  close_input();
   if (child_ > 0) {
-    ::kill(child_, SIGKILL);
-    wait();
+    kill();
   }
 }
 
-// Not const: what it is fed changes the program.
-// NOLINTNEXTLINE(readability-make-member-function-const)
 bool Program::feed(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno != EINTR) {
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    } else if (errno == EAGAIN) {
+      pollfd writable = {.fd = input_, .events = POLLOUT, .revents = 0};
+      ::poll(&writable, 1, static_cast<int>(kPause.count()));
+    } else if (errno != EINTR) {
       return false;
     }
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
+    end_when_stopped();
   }
   return true;
 }
 
 int Program::wait() {
   close_input();
-  if (child_ < 0) {
-    return code_;
+  while (child_ > 0 && !has_ended(WNOHANG)) {
+    end_when_stopped();
+    pause();
   }
+  return code_;
+}
+
+void Program::end_when_stopped() {
+  if (stop_ == nullptr || *stop_ == 0) {
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!deadline_) {
+    deadline_ = now + grace_;
+  }
+  if (now >= *deadline_) {
+    kill();
+    throw Stopped(fmt::format("{} was stopped before it was done", name_));
+  }
+}
+
+void Program::kill() {
+  ::kill(child_, SIGKILL);
+  while (!has_ended(0)) {
+  }
+}
+
+bool Program::has_ended(int options) {
   int status = 0;
-  while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+  const pid_t ended = ::waitpid(child_, &status, options);
+  if (ended == 0 || (ended < 0 && errno == EINTR)) {
+    return false;
   }
   child_ = -1;
   constexpr int kSignalBase = 128;
-  code_ = WIFEXITED(status) ? WEXITSTATUS(status) : kSignalBase + WTERMSIG(status);
-  return code_;
+  constexpr int kUnknown = 255;  // somebody else has waited for it
+  code_ = ended < 0           ? kUnknown
+          : WIFEXITED(status) ? WEXITSTATUS(status)
+                              : kSignalBase + WTERMSIG(status);
+  return true;
 }
 
 void Program::close_input() {

@@ -108,10 +108,14 @@ std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
 
 class Movie::Impl {
  public:
-  Impl(const Arguments& arguments, int width, int height)
+  Impl(const Arguments& arguments, int width, int height, const std::atomic<int>* stop)
       : width_(width),
         height_(height),
-        ffmpeg_(arguments, {.out = &complaints_, .err = &complaints_, .fed = true}) {}
+        ffmpeg_(arguments, {.out = &complaints_,
+                            .err = &complaints_,
+                            .fed = true,
+                            .stop = stop,
+                            .grace = std::chrono::seconds(5)}) {}
 
   void add(const Image& image) {
     if (image.width != width_ || image.height != height_) {
@@ -146,10 +150,10 @@ class Movie::Impl {
 };
 
 Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-             int frames_per_second) {
+             int frames_per_second, const std::atomic<int>* stop) {
   try {
     impl_ = std::make_unique<Impl>(ffmpeg_arguments(file, format, width, height, frames_per_second),
-                                   width, height);
+                                   width, height, stop);
   } catch (const process::ProcessError& error) {
     throw MovieError(error.what());
   }

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kUsualBytes = 14 << 20;         // of pictures: 19 MiB of page, in base64
-constexpr std::uintmax_t kMostPictureBytes = 192 << 20;  // where a number of pictures is asked for
+constexpr std::uintmax_t kUsualBytes = 14 << 20;       // of pictures: 19 MiB of page, in base64
+constexpr std::uintmax_t kMostAskedBytes = 192 << 20;  // where a number of pictures is asked for
 constexpr std::size_t kMostEnds = 12;
 
 struct Picture {
@@ -114,7 +114,7 @@ std::uint32_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t plac
 std::vector<std::uint8_t> png_bytes(const fs::path& file) {
   constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   constexpr std::size_t kLeast = 57;  // header and end
-  std::vector<std::uint8_t> bytes = store::read_whole(file);
+  std::vector<std::uint8_t> bytes = store::read_whole(file, store::kMostPictureBytes);
   if (bytes.size() < kLeast || !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
     throw store::StoreError(fmt::format("{} is left out: it is no PNG", file.string()));
   }
@@ -211,7 +211,7 @@ std::string frames_html(const fs::path& run, const store::RunSummary& summary,
     return {};
   }
   Writer writer(summary, warnings);
-  std::uintmax_t budget = most ? kMostPictureBytes : kUsualBytes;
+  std::uintmax_t budget = most ? kMostAskedBytes : kUsualBytes;
   std::string ends_text;
   std::vector<Picture> ends = end_pictures(all, writer.ends());
   std::erase_if(ends, [&](const Picture& picture) {

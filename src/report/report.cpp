@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 #include <variant>
 
 #include "clca/scene/parse.hpp"
@@ -21,29 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostSummaryBytes = 64 << 20;
-constexpr std::uintmax_t kMostSceneBytes = 16 << 20;  // as the parser of scenes
-
-/// The text of a file. Throws StoreError, also for one that is larger than it can be.
-std::string text_of(const fs::path& file, std::uintmax_t most_bytes) {
-  std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-    throw store::StoreError(fmt::format("cannot read {}: it is no file", file.string()));
-  }
-  const std::uintmax_t bytes = fs::file_size(file, error);
-  if (!error && bytes > most_bytes) {
-    throw store::StoreError(
-        fmt::format("cannot read {}: {} MiB are more than the {} MiB that it may have",
-                    file.string(), bytes >> 20U, most_bytes >> 20U));
-  }
-  const auto content = store::read_whole(file);
-  return {content.begin(), content.end()};
-}
-
 store::RunSummary summary_of(const fs::path& run) {
   try {
     const fs::path file = run / "run.json";
-    text_of(file, kMostSummaryBytes);
     store::RunSummary summary = store::read_summary(file);
     if (summary.kind != "automaton" && summary.kind != "boltzmann") {
       throw store::StoreError(fmt::format("cannot read {}: no report of a run of kind '{}'",
@@ -61,7 +40,8 @@ void read_scene(Page& page, const fs::path& run, const store::RunSummary& summar
   page.title = summary.scene;
   try {
     const fs::path file = run / "scene.yaml";
-    page.scene_text = text_of(file, kMostSceneBytes);
+    const auto text = store::read_whole(file, scene::kMostSceneBytes);
+    page.scene_text = {text.begin(), text.end()};
     const scene::AnyScene scene = scene::parse_any(page.scene_text, file.string());
     const std::string title = std::visit([](const auto& one) { return one.title; }, scene);
     // The name of the file where the scene has no title.

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostTables = 24;          // of one kind
-constexpr std::uintmax_t kMostBytes = 64 << 20;  // a table takes up to 40 times that in memory
+constexpr std::size_t kMostTables = 24;  // of one kind
+constexpr double kMostBytes = 64 << 20;  // a table takes up to 40 times that in memory
 
 /// Stages as they come in the run, times as they ascend, all else by the alphabet.
 auto place_of(const store::RunSummary& summary, const std::string& label) {
@@ -88,14 +88,7 @@ std::vector<RunTable> Tables::find_all(const std::string& name) const {
 
 std::optional<RunTable> Tables::read(const std::string& file, const std::string& label) const {
   try {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(run_ / file, error);
-    if (!error && bytes > kMostBytes) {
-      throw store::StoreError(fmt::format(
-          "{} is left out: {} MiB are more than the {} MiB of a table that a report reads",
-          (run_ / file).string(), bytes >> 20U, kMostBytes >> 20U));
-    }
-    return RunTable(label, store::read_table(run_ / file), *warnings_);
+    return RunTable(label, store::read_table(run_ / file, kMostBytes), *warnings_);
   } catch (const store::StoreError& error) {
     warnings_->add(error.what());
     return std::nullopt;

@@ -22,10 +22,10 @@ std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
   }
   std::sort(all.begin(), all.end(),
             [](const Candidate& a, const Candidate& b) { return a.time.time < b.time.time; });
-  constexpr double kRounding = 1e-9;
   std::vector<GasTime> times;
   for (const Candidate& next : all) {
-    if (times.empty() || next.time.time - times.back().time > kRounding * scene.series_every) {
+    if (times.empty() ||
+        next.time.time - times.back().time > scene::kSameTime * scene.series_every) {
       times.push_back(next.time);
       continue;
     }

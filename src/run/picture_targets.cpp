@@ -47,13 +47,28 @@ void FilesTarget::add(Picture picture, std::uint64_t step) {
 }
 
 MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
-                         int frames_per_second)
-    : file_(store::named_file(file).create()),
+                         int frames_per_second, const std::atomic<int>* stop)
+    : path_(file),
+      file_(store::named_file(file).create()),
       movie_(file_.temporary_path(), format_of(file), frames.width, frames.height,
-             frames_per_second) {}
+             frames_per_second, stop) {}
+
+void MovieTarget::add(const render::Image& image) {
+  naming_file([&] { movie_.add(image); });
+}
+
+/// A failure names the movie: ffmpeg knows only the temporary file.
+template <class Act>
+void MovieTarget::naming_file(Act act) {
+  try {
+    act();
+  } catch (const render::MovieError& error) {
+    throw render::MovieError(fmt::format("cannot write {}: {}", path_.string(), error.what()));
+  }
+}
 
 void MovieTarget::finish() {
-  movie_.finish();
+  naming_file([&] { movie_.finish(); });
   file_.finish();
 }
 
@@ -88,7 +103,7 @@ void SheetTarget::finish() {
 PictureTargets::PictureTargets(const scene::Scene& scene, const RedrawOptions& options,
                                std::size_t pictures, std::uint64_t step) {
   if (!options.movie.empty()) {
-    movie_.emplace(*scene.output.frames, options.movie, options.frames_per_second);
+    movie_.emplace(*scene.output.frames, options.movie, options.frames_per_second, options.stop);
   }
   if (!options.sheet.empty()) {
     sheet_.emplace(scene, options.sheet, options.columns, pictures);

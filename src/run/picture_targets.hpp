@@ -33,12 +33,16 @@ class MovieTarget {
  public:
   /// Throws RedrawError for an ending that is none of a movie, render::MovieError,
   /// store::StoreError.
-  MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
-              int frames_per_second);
-  void add(const render::Image& image) { movie_.add(image); }
+  MovieTarget(const scene::Frames& frames, const std::filesystem::path& file, int frames_per_second,
+              const std::atomic<int>* stop);
+  void add(const render::Image& image);
   void finish();
 
  private:
+  template <class Act>
+  void naming_file(Act act);
+
+  std::filesystem::path path_;
   store::AtomicFile file_;
   render::Movie movie_;
 };

@@ -7,6 +7,7 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "clca/text/name.hpp"
 
 namespace clca::run {
 
@@ -108,8 +109,12 @@ SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
   store::FoundCheckpoint found = found_checkpoint(run.folder, most_bytes);
   run.checkpoint = std::move(found.checkpoint);
   run.warning = std::move(found.warning);
-  run.scene = parse_saved({run.checkpoint.scene, run.checkpoint.scene_name},
-                          folder / store::kSceneFile, until);
+  const SavedScene saved = {run.checkpoint.scene, run.checkpoint.scene_name};
+  if (!text::is_file_name(saved.name)) {
+    throw store::StoreError(
+        fmt::format("cannot go on in {}: '{}' cannot name a file", folder.string(), saved.name));
+  }
+  run.scene = parse_saved(saved, folder / store::kSceneFile, until);
   return run;
 }
 

@@ -20,7 +20,6 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32;
 constexpr std::size_t kMostValues = 2'000'000;
 
 constexpr std::string_view kNoAliases =

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
+#include "clca/text/name.hpp"
+#include "clca/text/read.hpp"
 #include "scene/document.hpp"
 #include "scene/fields.hpp"
 #include "scene/kind.hpp"
@@ -30,9 +29,19 @@ void check_version(const KeyedMap& fields) {
   }
 }
 
-std::string name_of_file(const std::string& file) {
-  const std::string stem = printable(std::filesystem::path(file).stem().string());
-  return stem.empty() ? "scene" : stem;
+/// What the run is called, and its files.
+std::string name_of_file(const std::string& file, const Place& place) {
+  std::string name = printable(std::filesystem::path(file).stem().string());
+  if (name.empty()) {
+    return "scene";
+  }
+  if (!text::is_file_name(name)) {
+    fail(place,
+         fmt::format("the name of the scene file also names the run, so it has up to 200 bytes and "
+                     "no dot in front, found {}",
+                     shown(name)));
+  }
+  return name;
 }
 
 std::vector<Measure> all_measures() {
@@ -57,8 +66,8 @@ template <class AScene>
 AScene read_head(const KeyedMap& fields, const std::string& file) {
   check_version(fields);
   AScene scene;
-  scene.name = name_of_file(file);
-  scene.title = first_characters(scene.name, kLongestTitle);
+  scene.name = name_of_file(file, {fields.place().origin, 1, 1});
+  scene.title = scene.name;
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
   return scene;
@@ -104,24 +113,13 @@ Scene of_automaton(AnyScene any) {
   return std::get<Scene>(std::move(any));
 }
 
-/// The text of a file, cut once it is too long to be a scene.
-std::string read_text_of(const std::filesystem::path& file, const Place& place) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    fail(place, "this is a folder, not a scene file");
+std::string text_of(const std::filesystem::path& file, const Place& place) {
+  try {
+    const auto bytes = text::read_file(file, kMostSceneBytes);
+    return {bytes.begin(), bytes.end()};
+  } catch (const text::ReadError& error) {
+    fail(place, fmt::format("cannot read the file: {}", error.what()));
   }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(kLargestText + 1, '\0');
-  if (stream) {
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  }
-  if (stream.bad() || !stream.is_open()) {
-    fail(place, fmt::format("cannot read the file: {}",
-                            std::generic_category().message(errno == 0 ? EIO : errno)));
-  }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Ove
                         const std::vector<Override>& varied) {
   const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
                        1};
-  return parse_any(read_text_of(file, start), file.string(), overrides, varied);
+  return parse_any(text_of(file, start), file.string(), overrides, varied);
 }
 
 Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,

@@ -15,13 +15,16 @@ namespace clca::scene {
 
 namespace {
 
-std::vector<double> read_histograms(const Value& value, const std::string& path, double until) {
+std::vector<double> read_histograms(const Value& value, const std::string& path,
+                                    const BoltzmannScene& scene) {
+  const double apart = kSameTime * scene.series_every;
   std::vector<double> times;
   for (const Value& item : read_list(value, path, 0, kMostHistograms)) {
-    times.push_back(read_number(item, path, 0, until));
-    if (times.size() > 1 && times.back() <= times[times.size() - 2]) {
-      fail(item.place, fmt::format("{}: expected times that ascend, found {} after {}", path,
-                                   times.back(), times[times.size() - 2]));
+    times.push_back(read_number(item, path, 0, scene.until));
+    if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
+      fail(item.place,
+           fmt::format("{}: expected times that ascend by more than {}, found {} after {}", path,
+                       apart, times.back(), times[times.size() - 2]));
     }
   }
   return times;
@@ -99,7 +102,7 @@ void read_boltzmann_output(const Value* output, const Value& block, BoltzmannSce
       scene.series_every = rows.positive("every", kLongestTime, scene.series_every);
     }
     if (const Value* times = fields.find("histograms")) {
-      scene.histograms = read_histograms(*times, fields.path("histograms"), scene.until);
+      scene.histograms = read_histograms(*times, fields.path("histograms"), scene);
     }
     if (const Value* bins = fields.find("bins")) {
       scene.bins = read_bins(*bins, fields.path("bins"));

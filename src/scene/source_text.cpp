@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "clca/scene/parse.hpp"
 #include "scene/text.hpp"
 
 namespace clca::scene {
@@ -22,8 +23,8 @@ std::size_t count_characters(std::string_view text) {
 
 SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
     : text_(text), origin_(std::move(origin)) {
-  if (text_.size() > kLargestText) {
-    fail({origin_, 1, 1}, "the text is larger than 16 MiB");
+  if (text_.size() > kMostSceneBytes) {
+    fail({origin_, 1, 1}, fmt::format("the text is larger than {} MiB", kMostSceneBytes >> 20U));
   }
   characters_ = {0};
   for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
@@ -36,6 +37,7 @@ SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> orig
   }
   check_characters();
   check_directives();
+  check_brackets();
 }
 
 Place SourceText::place(std::size_t position) const {
@@ -91,6 +93,39 @@ void SourceText::check_directives() const {
       return;
     }
   }
+}
+
+// yaml-cpp keeps all of a value in brackets in memory before it hands on the first of it.
+void SourceText::check_brackets() const {
+  constexpr std::string_view kBeforeValue = "\n:,-?[{";
+  std::size_t depth = 0;
+  char before = '\n';  // the last character that is no space
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    const char letter = text_[i];
+    const bool begins = kBeforeValue.find(before) != std::string_view::npos;
+    if (letter == '#' && (i == 0 || text_[i - 1] == ' ' || text_[i - 1] == '\n')) {
+      i = std::min(text_.find('\n', i), text_.size()) - 1;
+    } else if (begins && (letter == '"' || letter == '\'')) {
+      i = end_of_quote(i);
+      before = letter;
+    } else if (letter != ' ' && letter != '\r') {
+      const bool opens = letter == '[' || letter == '{';
+      if (opens && begins && ++depth > kDeepest) {
+        fail(place(i), fmt::format("nested deeper than {} levels", kDeepest));
+      }
+      depth -= (letter == ']' || letter == '}') && depth > 0 ? 1 : 0;
+      before = opens && !begins ? 'a' : letter;  // in the middle of a text it is a letter
+    }
+  }
+}
+
+std::size_t SourceText::end_of_quote(std::size_t begin) const {
+  const char quote = text_[begin];
+  std::size_t i = begin + 1;
+  while (i < text_.size() && text_[i] != quote) {
+    i += quote == '"' && text_[i] == '\\' ? 2 : 1;
+  }
+  return i;
 }
 
 }  // namespace clca::scene

@@ -326,7 +326,7 @@ void OutputFolder::make_folder(const std::string& name) const {
 
 AtomicFile OutputFolder::create(const std::string& name, Replace replace) const {
   const std::string whole = prefix_ + name;
-  if (!is_inside(whole)) {
+  if (replace == Replace::own && !is_inside(whole)) {
     fail_at("write", path(name), "it is no name of a file");
   }
   std::error_code unknown;

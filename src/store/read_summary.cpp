@@ -2,18 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/text/name.hpp"
 
 namespace clca::store {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kMostSummaryBytes = 16 << 20;
 
 /// What is wrong with a run.json.
 class Unsound : public std::runtime_error {
@@ -75,8 +79,17 @@ MeasureValue measure(const Json& value) {
   throw Unsound("a measure is neither a number nor true, false or null");
 }
 
+/// What files are named after.
+std::string name(const Json& object, const char* key) {
+  std::string found = text(object, key);
+  if (!clca::text::is_file_name(found)) {
+    throw Unsound(fmt::format("'{}' is '{}', which cannot name a file", key, found));
+  }
+  return found;
+}
+
 StageSummary stage(const Json& object) {
-  StageSummary summary = {.name = text(object, "name"),
+  StageSummary summary = {.name = name(object, "name"),
                           .steps = count(object, "steps"),
                           .ended = text(object, "ended"),
                           .measures = {}};
@@ -85,6 +98,28 @@ StageSummary stage(const Json& object) {
   }
   return summary;
 }
+
+/// Ends the parser where a text would take memory or time out of proportion.
+class Limits {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& /*value*/) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (level >= kDeepest) {
+      throw Unsound(fmt::format("it is nested deeper than {} levels", kDeepest));
+    }
+    if (event == Json::parse_event_t::object_start) {
+      keys_[level + 1] = 0;
+    } else if (event == Json::parse_event_t::key && ++keys_[level] > kMostKeys) {
+      throw Unsound(fmt::format("it has an object of more than {} keys", kMostKeys));
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kDeepest = 16;
+  static constexpr int kMostKeys = 1000;     // of an object, since looking one up takes that long
+  std::array<int, kDeepest + 1> keys_ = {};  // so far, by depth
+};
 
 RunSummary summary_of(const Json& object) {
   const Json& build = field(object, "build", &Json::is_object);
@@ -103,6 +138,9 @@ RunSummary summary_of(const Json& object) {
                         .compiler = text(build, "compiler"),
                         .build_type = text(build, "type"),
                         .stages = {}};
+  if (summary.kind != "comparison") {  // which writes no files of that name
+    name(object, "scene");
+  }
   for (const Json& one : field(object, "stages", &Json::is_array)) {
     summary.stages.push_back(stage(one));
   }
@@ -113,7 +151,7 @@ RunSummary summary_of(const Json& object) {
 
 RunSummary parse_summary(std::string_view json, const std::string& name) {
   try {
-    return summary_of(Json::parse(json));
+    return summary_of(Json::parse(json, Limits()));
   } catch (const Json::exception&) {
     throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", name));
   } catch (const Unsound& error) {
@@ -122,7 +160,7 @@ RunSummary parse_summary(std::string_view json, const std::string& name) {
 }
 
 RunSummary read_summary(const std::filesystem::path& file) {
-  const auto bytes = read_whole(file);
+  const auto bytes = read_whole(file, kMostSummaryBytes);
   return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 

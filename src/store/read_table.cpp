@@ -107,8 +107,8 @@ std::vector<double> ReadTable::numbers(const std::string& name) const {
   return values;
 }
 
-ReadTable read_table(const std::filesystem::path& file) {
-  const auto bytes = read_whole(file);
+ReadTable read_table(const std::filesystem::path& file, double most_bytes) {
+  const auto bytes = read_whole(file, most_bytes);
   CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
   std::set<std::string_view> known;

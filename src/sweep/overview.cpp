@@ -46,7 +46,9 @@ render::Image final_picture(const std::filesystem::path& folder, const scene::Sc
                             std::uint64_t step, int width) {
   try {
     render::Image image =
-        render::decode_png(store::read_whole(store::frame_path(folder, scene.name, step))).image;
+        render::decode_png(store::read_whole(store::frame_path(folder, scene.name, step),
+                                             store::kMostPictureBytes))
+            .image;
     while (image.width >= 4 * width && image.height > 1) {
       image = halved(image);
     }

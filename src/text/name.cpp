@@ -4,12 +4,12 @@
 
 namespace clca::text {
 
-bool is_file_name(std::string_view name) {
-  constexpr std::size_t kMostBytes = 200;
-  return !name.empty() && name != "." && name != ".." && name.size() <= kMostBytes &&
-         std::none_of(name.begin(), name.end(), [](char letter) {
-           const auto byte = static_cast<unsigned char>(letter);
-           return letter == '/' || byte < ' ' || byte == 0x7F;
+bool is_file_name(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  return !text.empty() && text.size() <= kLongest && text.front() != '.' &&
+         std::none_of(text.begin(), text.end(), [](char letter) {
+           const auto code = static_cast<unsigned char>(letter);
+           return letter == '/' || code < 0x20 || code == 0x7F;
          });
 }
 

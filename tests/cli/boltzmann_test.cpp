@@ -77,7 +77,7 @@ class GasCommand : public ::testing::Test {
     return testing::run_program(arguments, setting);
   }
   nlohmann::json summary(const std::string& run) const {
-    return nlohmann::json::parse(store::read_whole(folder_.path() / run / "run.json"));
+    return nlohmann::json::parse(testing::bytes_of(folder_.path() / run / "run.json"));
   }
   /// Checks that the call is refused with one line on standard error, and nothing else.
   void expect_refused(const testing::ProgramResult& result,

@@ -64,7 +64,7 @@ class CliTest : public ::testing::Test {
     return testing::run_program(arguments, setting);
   }
   nlohmann::json summary(const std::string& run) const {
-    return nlohmann::json::parse(store::read_whole(folder_.path() / run / "run.json"));
+    return nlohmann::json::parse(testing::bytes_of(folder_.path() / run / "run.json"));
   }
   /// Checks that the call is refused with one line on standard error, and nothing else.
   void expect_refused(const testing::ProgramResult& result, int code,
@@ -229,7 +229,7 @@ TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
 
 TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
   write("gas.yaml", kEndless);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto result = run({"run", "gas.yaml", "-o", "out"},
                             {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
     EXPECT_EQ(result.code, 128 + signal) << result.err;

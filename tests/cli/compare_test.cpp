@@ -46,7 +46,7 @@ class CompareCommand : public ::testing::Test {
     return testing::run_program(arguments, {.folder = folder_.path().string()});
   }
   std::vector<std::uint8_t> bytes(const std::string& file) const {
-    return store::read_whole(folder_.path() / file);
+    return testing::bytes_of(folder_.path() / file);
   }
 
   testing::ScratchFolder folder_;

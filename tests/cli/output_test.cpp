@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
@@ -47,7 +46,7 @@ stages:
                                 {.folder = folder_.path().string(), .program = "/bin/sh"});
   }
   std::string text(const std::string& file) const {
-    const auto bytes = store::read_whole(folder_.path() / file);
+    const auto bytes = testing::bytes_of(folder_.path() / file);
     return {bytes.begin(), bytes.end()};
   }
 

@@ -51,7 +51,7 @@ class PlotCommandTest : public ::testing::Test {
     return testing::run_program(arguments, setting);
   }
   std::vector<std::uint8_t> bytes(const fs::path& file) const {
-    return store::read_whole(folder_.path() / file);
+    return testing::bytes_of(folder_.path() / file);
   }
   void expect_picture(const fs::path& file, int width, int height) const {
     const render::Image image = render::decode_png(bytes(file)).image;
@@ -127,7 +127,9 @@ TEST_F(PlotCommandTest, TheSameTablesGiveTheSameBytes) {
 
 TEST_F(PlotCommandTest, NamesOfFoldersAndScenesMayHoldAnySign) {
   const std::string odd = "it's \"odd\" \\ `touch bad` $(touch bad) @x %d {a}^2 é\n;";
-  write_gas(folder_.path() / odd, "the " + odd);
+  std::string scene = "the " + odd;
+  std::erase(scene, '\n');
+  write_gas(folder_.path() / odd, scene);
   const auto result = plot({odd, "--only", "collisions", "-o", odd + "/out"});
   EXPECT_EQ(result.code, 0) << result.err;
   expect_picture(odd + "/out/collisions.png", 960, 600);
@@ -159,13 +161,16 @@ TEST_F(PlotCommandTest, WhenGnuplotFailsItsComplaintIsPassedOnAndNothingIsWritte
          "collisions: gnuplot fails with exit code 1: \"a.gp\" line 3: no x");
   expect("echo 'no such library' >&2\nexit 127\n", "exit code 127: no such library");
   expect("kill -9 $$\n", "exit code 137");
-  expect("exit 0\n", "gnuplot leaves no picture");
+  expect("exit 0\n", "gnuplot leaves no whole picture");
+  expect("printf '\\211PNG\\r\\n\\032\\ncut off before its end'\n", "no whole picture");
 }
 
 TEST_F(PlotCommandTest, WrongFoldersTablesAndNamesAreOneLineAndExitCodeTwo) {
   expect_refused(plot({"none"}), 2, HasSubstr("none/run.json: No such file"));
   fs::create_directories(folder_.path() / "empty");
-  store::write_whole(folder_.path() / "empty/run.json", store::to_json({}));
+  store::RunSummary summary;
+  summary.scene = "empty";
+  store::write_whole(folder_.path() / "empty/run.json", store::to_json(summary));
   expect_refused(plot({"empty"}), 2, HasSubstr("empty: no tables that a figure could be drawn"));
   write_gas(folder_.path() / "gas", "gas");
   expect_refused(plot({"gas", "--only", "moon"}), 2, HasSubstr("no figure 'moon' (there are: c"));

@@ -65,7 +65,7 @@ class RenderCommandTest : public ::testing::Test {
     return testing::run_program(arguments, setting);
   }
   render::Image picture(const fs::path& name) const {
-    return render::decode_png(store::read_whole(path(name))).image;
+    return render::decode_png(testing::bytes_of(path(name))).image;
   }
   /// One line, and nothing left behind.
   void expect_refused(const testing::ProgramResult& result, int code,
@@ -89,8 +89,8 @@ TEST_F(RenderCommandTest, DrawsTheSamePicturesAgainBesideThoseOfTheRun) {
   EXPECT_THAT(result.out, AllOf(HasSubstr(" pictures drawn\n"), EndsWith("run/render\n")));
   ASSERT_EQ(names(path("run/render")), names(path("run/frames")));
   for (const std::string& name : names(path("run/frames"))) {
-    EXPECT_EQ(store::read_whole(path("run/render") / name),
-              store::read_whole(path("run/frames") / name))
+    EXPECT_EQ(testing::bytes_of(path("run/render") / name),
+              testing::bytes_of(path("run/frames") / name))
         << name;
   }
 }
@@ -121,7 +121,7 @@ TEST_F(RenderCommandTest, DrawsAsTheOptionsSay) {
   EXPECT_EQ(names(path("far/away")),
             (std::set<std::string>{"small-000004.png", "small-000006.png", "small-000008.png"}));
   const render::DecodedPng png =
-      render::decode_png(store::read_whole(path("far/away/small-000004.png")));
+      render::decode_png(testing::bytes_of(path("far/away/small-000004.png")));
   EXPECT_EQ(png.image.width, 200);
   EXPECT_EQ(png.image.height, 100);
   EXPECT_EQ(png.text.at("Title"), "Near");
@@ -168,8 +168,9 @@ TEST_F(RenderCommandTest, AFullDiskLeavesNoMovie) {
   if (!process::find_program("ffmpeg")) {
     GTEST_SKIP() << "there is no ffmpeg";
   }
-  expect_refused(render({"run", "--movie", "a.png", "--every", "2"}, {.file_size_limit = 3000}), 1,
-                 AllOf(StartsWith("clca: error: ffmpeg fails"), HasSubstr("too large")));
+  expect_refused(
+      render({"run", "--movie", "a.png", "--every", "2"}, {.file_size_limit = 3000}), 1,
+      AllOf(StartsWith("clca: error: cannot write a.png: ffmpeg fails"), HasSubstr("too large")));
   EXPECT_FALSE(fs::exists(path("a.png")));
 }
 
@@ -252,7 +253,7 @@ TEST_F(RenderCommandTest, ANameThatLeavesTheFolderIsRefused) {
   store::RunSummary summary = store::read_summary(path("run/run.json"));
   summary.scene = "../../away";
   store::write_whole(path("run/run.json"), store::to_json(summary));
-  expect_refused(render({"run"}), 2, HasSubstr("no name of a scene"));
+  expect_refused(render({"run"}), 2, HasSubstr("cannot name a file"));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "clca/render/png.hpp"
-#include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
@@ -59,7 +58,7 @@ class ReportCommand : public ::testing::Test {
     return testing::run_program(arguments, {.folder = folder_.path().string()});
   }
   std::string text(const fs::path& file) const {
-    const auto bytes = store::read_whole(folder_.path() / file);
+    const auto bytes = testing::bytes_of(folder_.path() / file);
     return {bytes.begin(), bytes.end()};
   }
 
@@ -162,7 +161,7 @@ TEST_F(ReportInABrowser, APlaceInTheAddressShowsItsPicture) {
 TEST_F(ReportInABrowser, ItsPictureIsNotBlank) {
   browse({"--screenshot=page.png", "--window-size=900,1400"}, "");
   const render::Image image =
-      render::decode_png(store::read_whole(folder_.path() / "page.png")).image;
+      render::decode_png(testing::bytes_of(folder_.path() / "page.png")).image;
   EXPECT_EQ(image.width, 900);
   std::set<std::array<std::uint8_t, 3>> colors;
   for (const render::Rgb& color : image.pixels) {

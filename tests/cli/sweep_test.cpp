@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
@@ -63,7 +62,7 @@ class SweepCommandTest : public ::testing::Test {
     return testing::run_program(arguments, setting);
   }
   std::string text(const std::string& file) const {
-    const auto bytes = store::read_whole(folder_.path() / file);
+    const auto bytes = testing::bytes_of(folder_.path() / file);
     return {bytes.begin(), bytes.end()};
   }
   void expect_refused(const testing::ProgramResult& result, int code,

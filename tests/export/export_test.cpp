@@ -140,7 +140,7 @@ TEST_F(Export, TakesTheStepsThatAreAskedFor) {
       {"run", "--to", "xyz", "-o", "some.xyz", "--from", "5", "--until", "30", "--every", "10"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out, "3 frames\nsome.xyz\n");
-  const auto bytes = store::read_whole(folder_.path() / "some.xyz");
+  const auto bytes = testing::bytes_of(folder_.path() / "some.xyz");
   const std::string text(bytes.begin(), bytes.end());
   for (const char* step : {"Step=5 ", "Step=15 ", "Step=25 "}) {
     EXPECT_THAT(text, HasSubstr(step));
@@ -193,7 +193,7 @@ TEST_F(Export, WrongInputIsExitCodeTwoWithOneLineAndNoFile) {
 TEST_F(Export, ADamagedTrajectoryIsWrongInput) {
   record(kPeriodic, 20, 5);
   const fs::path part = fs::directory_iterator(run_ / "trajectory")->path();
-  auto bytes = store::read_whole(part);
+  auto bytes = testing::bytes_of(part);
   bytes[bytes.size() / 2] ^= 1U;
   store::write_whole(part, bytes);
   const auto result = call({"run", "--to", "gsd"});

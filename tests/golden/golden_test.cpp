@@ -48,7 +48,7 @@ render::Image last_picture(const GoldenCase& golden, const fs::path& folder) {
   const fs::path file = fs::path(CLCA_SOURCE_DIR) / "scenes" / (golden.scene + ".yaml");
   const auto summary = run::run(scene::parse_file(file, overrides), {.folder = folder});
   const auto picture = folder / "frames" / fmt::format("{}-{:06}.png", golden.scene, summary.steps);
-  return render::decode_png(store::read_whole(picture)).image;
+  return render::decode_png(testing::bytes_of(picture)).image;
 }
 
 void compare_or_bless(const std::string& name, const render::Image& image) {
@@ -57,7 +57,7 @@ void compare_or_bless(const std::string& name, const render::Image& image) {
     store::write_whole(expected_file, render::encode_png(image, {{"Title", name}}));
     return;
   }
-  const render::Image expected = render::decode_png(store::read_whole(expected_file)).image;
+  const render::Image expected = render::decode_png(testing::bytes_of(expected_file)).image;
   ASSERT_EQ(image.width, expected.width);
   ASSERT_EQ(image.height, expected.height);
   const render::Difference difference = render::compare(expected, image, kTolerance);

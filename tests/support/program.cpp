@@ -49,6 +49,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
   const std::filesystem::path err = scratch.path() / "err";
   const pid_t child = ::fork();
   if (child == 0) {
+    ::signal(SIGHUP, SIG_DFL);  // also where the tests run under nohup
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     for (const auto& [name, value] : setting.environment) {

@@ -10,6 +10,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "support/difference.hpp"
+#include "support/runs.hpp"
 
 namespace clca::testing {
 
@@ -30,7 +31,7 @@ std::set<std::string> files_of(const fs::path& folder) {
 }
 
 nlohmann::json timeless(const fs::path& file) {
-  nlohmann::json json = nlohmann::json::parse(store::read_whole(file));
+  nlohmann::json json = nlohmann::json::parse(bytes_of(file));
   for (const char* key : {"wall_seconds", "step_seconds", "particle_updates_per_second",
                           "collisions_per_second", "threads"}) {
     json.erase(key);
@@ -76,9 +77,8 @@ std::string difference_of_runs(const fs::path& a, const fs::path& b) {
     return "only one has " + odd.front();
   }
   for (const std::string& name : files) {
-    const bool same = name == "run.json"
-                          ? timeless(a / name) == timeless(b / name)
-                          : store::read_whole(a / name) == store::read_whole(b / name);
+    const bool same = name == "run.json" ? timeless(a / name) == timeless(b / name)
+                                         : bytes_of(a / name) == bytes_of(b / name);
     if (!same) {
       return name;
     }

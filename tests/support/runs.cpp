@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clca/store/file.hpp"
+
 namespace clca::testing {
 
 namespace {
@@ -45,6 +47,10 @@ ScratchFolder::ScratchFolder() {
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
+  return store::read_whole(file, 1e9);
 }
 
 scene::Scene bare_scene(const std::string& name, const std::vector<scene::Override>& overrides) {

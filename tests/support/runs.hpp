@@ -24,6 +24,9 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+/// All of a file. Throws store::StoreError.
+std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file);
+
 /// scenes/NAME.yaml without pictures and series.
 scene::Scene bare_scene(const std::string& name, const std::vector<scene::Override>& overrides);
 

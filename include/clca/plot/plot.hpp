@@ -4,6 +4,7 @@
 // One template, one figure: plots/NAME.gp begins with comments that say what it needs, and reads
 // the tables itself. docs/plots.md describes both.
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
@@ -47,7 +48,9 @@ std::filesystem::path template_folder();
 std::vector<Figure> figures(const std::filesystem::path& run, const std::vector<std::string>& only,
                             const std::filesystem::path& templates);
 
-/// The figure as PNG: the same bytes for the same tables, gnuplot and fonts. Throws PlotError.
-std::vector<std::uint8_t> draw(const Figure& figure, const Size& size);
+/// The figure as PNG: the same bytes for the same tables, gnuplot and fonts. Throws PlotError;
+/// process::Stopped once `stop` is not zero.
+std::vector<std::uint8_t> draw(const Figure& figure, const Size& size,
+                               const std::atomic<int>* stop = nullptr);
 
 }  // namespace clca::plot

@@ -1,6 +1,7 @@
 #pragma once
 // Moving pictures, encoded by the program ffmpeg.
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,17 +28,19 @@ std::optional<MovieFormat> movie_format(const std::filesystem::path& file);
 class Movie {
  public:
   /// Writes to `file`, whatever was there, for pictures of one size (pixels). mp4 and webm get a
-  /// white row or column where a size is odd. Throws MovieError.
+  /// white row or column where a size is odd. Once `stop` is not zero, ffmpeg has 5 s left for what
+  /// it has been given. Throws MovieError.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-        int frames_per_second);
+        int frames_per_second, const std::atomic<int>* stop = nullptr);
   /// What was not finished is left half written.
   ~Movie();
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
-  /// Throws MovieError, and std::invalid_argument for a picture of another size.
+  /// Throws MovieError, process::Stopped, and std::invalid_argument for a picture of another size.
   void add(const Image& image);
-  /// The file is whole when this returns. Throws MovieError, also when there was no picture.
+  /// The file is whole when this returns. Throws MovieError, also when there was no picture, and
+  /// process::Stopped.
   void finish();
 
  private:

@@ -61,7 +61,8 @@ class Redraw {
   Redraw& operator=(const Redraw&) = delete;
 
   /// Call once. Returns the number of pictures drawn: less than pictures() when it was stopped.
-  /// Throws render::MovieError, store::StoreError.
+  /// Throws render::MovieError, store::StoreError, process::Stopped where ffmpeg did not end in
+  /// time.
   std::size_t draw(const RedrawEvents& events = {});
   /// To be drawn.
   std::size_t pictures() const;

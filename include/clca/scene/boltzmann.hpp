@@ -27,6 +27,9 @@ struct UniformBins {
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
+/// Times of observation that differ by less than this share of `series_every` are one.
+inline constexpr double kSameTime = 1e-9;
+
 struct BoltzmannScene {
   std::string name;   ///< of the file, without folder and ending
   std::string title;  ///< the name where the file gives none

@@ -1,6 +1,7 @@
 #pragma once
 // Scene text to Scene: strict, every error with its place.
 
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,9 @@ class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Most bytes that the text of a scene may have. A parser may take 250 times that in memory.
+inline constexpr std::size_t kMostSceneBytes = std::size_t{4} << 20U;
 
 /// A value to put in place of what the file says: `rules.inertia=0`, `stages.1.until.steps=50`
 /// (list items by number from 0, or by `name` where they have one: `stages.flow.max_steps=9`).

@@ -24,7 +24,11 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 /// Makes a folder, and those that it lies in, if need be. Throws StoreError.
 void make_folder(const std::filesystem::path& folder);
 
-/// All bytes of a file. Throws StoreError, also for one of more than `most_bytes`.
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes = 1e18);
+/// All bytes of a regular file, and of nothing else. Throws StoreError, also for more than
+/// `most_bytes`.
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes);
+
+/// Most bytes of a picture that is read.
+inline constexpr double kMostPictureBytes = 256 << 20;
 
 }  // namespace clca::store

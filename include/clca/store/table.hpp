@@ -48,8 +48,11 @@ struct ReadTable {
   std::vector<double> numbers(const std::string& name) const;
 };
 
+inline constexpr double kMostTableBytes = 1 << 30;
+
 /// Reads a table as Table writes it. Throws StoreError, with file and line, for everything else: a
-/// file that is cut off, a row that is too short or too long, a quote out of place.
-ReadTable read_table(const std::filesystem::path& file);
+/// file that is cut off, a row that is too short or too long, a quote out of place, more than
+/// `most_bytes`.
+ReadTable read_table(const std::filesystem::path& file, double most_bytes = kMostTableBytes);
 
 }  // namespace clca::store

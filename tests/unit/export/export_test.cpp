@@ -50,7 +50,7 @@ automaton::State three_particles() {
 }
 
 std::string text_of(const fs::path& file) {
-  const auto bytes = store::read_whole(file);
+  const auto bytes = testing::bytes_of(file);
   return {bytes.begin(), bytes.end()};
 }
 

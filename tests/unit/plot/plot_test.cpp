@@ -161,7 +161,9 @@ TEST_F(FiguresTest, ATemplateThatDoesNotSayWhatItNeedsIsNamed) {
 
 TEST(Templates, AreFoundAndSayWhatTheyNeed) {
   const testing::ScratchFolder empty;
-  store::write_whole(empty.path() / "run.json", store::to_json({}));
+  store::RunSummary summary;
+  summary.scene = "empty";
+  store::write_whole(empty.path() / "run.json", store::to_json(summary));
   EXPECT_THROW(figures(empty.path(), {}, template_folder()), InputError);
 }
 

@@ -1,8 +1,13 @@
 #include "clca/process/program.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -72,6 +77,63 @@ TEST(ProgramTest, OneThatIsGivenUpIsEnded) {
 TEST(ProgramTest, OneThatCannotBeStartedIsAnError) {
   EXPECT_THROW(Program({"/nonexistent"}, {}), ProcessError);
   EXPECT_THROW(Program({"/nonexistent"}, {.fed = true}), ProcessError);
+}
+
+TEST(ProgramTest, OneInAFolderThatIsNotThereNamesTheFolder) {
+  try {
+    Program({"/bin/sh", "-c", "true"}, {.folder = "/nonexistent"});
+    FAIL();
+  } catch (const ProcessError& error) {
+    EXPECT_STREQ(error.what(), "cannot enter the folder /nonexistent: No such file or directory");
+  }
+}
+
+TEST(ProgramTest, OneThatHangsIsEndedOnceItIsToStop) {
+  std::atomic<int> stop = 0;
+  Program waits({"/bin/sleep", "1000"}, {.stop = &stop});
+  Program takes_nothing({"/bin/sleep", "1000"}, {.fed = true, .stop = &stop});
+  stop = SIGINT;
+  EXPECT_THROW(waits.wait(), Stopped);
+  const std::string much(10'000'000, 'x');
+  EXPECT_THROW(takes_nothing.feed(bytes(much)), Stopped);
+}
+
+TEST(ProgramTest, OneThatComesToItsEndInTimeIsDone) {
+  const std::atomic<int> stop = SIGINT;
+  const Transcript out;
+  Program program({"/usr/bin/wc", "-c"},
+                  {.out = &out, .fed = true, .stop = &stop, .grace = std::chrono::minutes(1)});
+  const std::string much(1'000'000, 'x');
+  EXPECT_TRUE(program.feed(bytes(much)));
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_EQ(text(out), "1000000\n");
+}
+
+TEST(ProgramTest, OneInheritsNoFilesButItsStreams) {
+  const testing::ScratchFolder folder;
+  const int open = ::open((folder.path() / "file").c_str(), O_WRONLY | O_CREAT, 0600);
+  const Program other({"/bin/sleep", "1000"}, {.fed = true});
+  const Transcript out;
+  Program program({"/bin/ls", "/proc/self/fd"}, {.out = &out});
+  EXPECT_EQ(program.wait(), 0);
+  EXPECT_EQ(text(out), "0\n1\n2\n3\n");  // 3 is the folder that ls reads
+  ::close(open);
+}
+
+TEST(ProgramTest, OneEndsWithTheProgramThatStartedItHoweverThatEnds) {
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t starter = ::fork();
+  if (starter == 0) {
+    Program program({"/bin/sh", "-c", "kill -KILL $PPID; exec sleep 1000"}, {});
+    program.wait();
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(starter, &status, 0), starter);
+  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+  EXPECT_GT(::waitpid(-1, &status, 0), 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(ProgramTest, IsFoundOnThePathOnly) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "clca/process/program.hpp"
-#include "clca/store/file.hpp"
 #include "support/runs.hpp"
 
 namespace clca::render {
@@ -115,8 +114,8 @@ TEST_F(MovieTest, TheSamePicturesGiveTheSameBytes) {
   for (const char* ending : {".mp4", ".webm", ".png"}) {
     write_movie(file(std::string("a") + ending), 96, 64);
     write_movie(file(std::string("b") + ending), 96, 64);
-    EXPECT_EQ(store::read_whole(file(std::string("a") + ending)),
-              store::read_whole(file(std::string("b") + ending)))
+    EXPECT_EQ(testing::bytes_of(file(std::string("a") + ending)),
+              testing::bytes_of(file(std::string("b") + ending)))
         << ending;
   }
 }

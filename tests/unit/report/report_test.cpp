@@ -79,7 +79,7 @@ stages:
     write("run.json", store::to_json(summary_));
     warnings_.clear();
     options.warning = [&](const std::string& text) { warnings_.push_back(text); };
-    const auto bytes = store::read_whole(write_report(run(), options));
+    const auto bytes = testing::bytes_of(write_report(run(), options));
     std::string html(bytes.begin(), bytes.end());
     EXPECT_EQ(testing::markup_error(html), "");
     return html;

@@ -104,11 +104,11 @@ std::map<std::string, std::string> content(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string extension = entry.path().extension();
     if (extension == ".csv" || extension == ".yaml") {
-      const auto bytes = store::read_whole(entry.path());
+      const auto bytes = testing::bytes_of(entry.path());
       files[entry.path().filename()] = std::string(bytes.begin(), bytes.end());
     }
   }
-  auto json = nlohmann::json::parse(store::read_whole(folder / "run.json"));
+  auto json = nlohmann::json::parse(testing::bytes_of(folder / "run.json"));
   for (const char* key : {"wall_seconds", "step_seconds", "collisions_per_second", "threads"}) {
     json.erase(key);
   }
@@ -118,7 +118,7 @@ std::map<std::string, std::string> content(const fs::path& folder) {
 
 /// Lines of log.txt without their times.
 std::vector<std::string> log_lines(const fs::path& folder) {
-  const auto bytes = store::read_whole(folder / "log.txt");
+  const auto bytes = testing::bytes_of(folder / "log.txt");
   std::vector<std::string> lines;
   std::istringstream text(std::string(bytes.begin(), bytes.end()));
   for (std::string line; std::getline(text, line);) {

@@ -51,7 +51,7 @@ class GasRunTest : public ::testing::Test {
     return store::read_table(folder_.path() / (name + ".csv"));
   }
   nlohmann::json json() const {
-    return nlohmann::json::parse(store::read_whole(folder_.path() / "run.json"));
+    return nlohmann::json::parse(testing::bytes_of(folder_.path() / "run.json"));
   }
   bool leaves(const std::string& name) const { return fs::exists(folder_.path() / name); }
 

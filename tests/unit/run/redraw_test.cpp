@@ -82,7 +82,7 @@ class RedrawTest : public ::testing::Test {
     ASSERT_EQ(names(again), names(run / "frames"));
     ASSERT_GT(names(again).size(), 5U);
     for (const std::string& name : names(again)) {
-      EXPECT_EQ(store::read_whole(again / name), store::read_whole(run / "frames" / name)) << name;
+      EXPECT_EQ(testing::bytes_of(again / name), testing::bytes_of(run / "frames" / name)) << name;
     }
   }
 
@@ -124,7 +124,7 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   const fs::path sheet = folder_.path() / "sheet.png";
   Redraw redraw(scene, {.run = folder_.path() / "run", .sheet = sheet, .columns = 4});
   EXPECT_GT(redraw.draw(), 24U);
-  const render::DecodedPng png = render::decode_png(store::read_whole(sheet));
+  const render::DecodedPng png = render::decode_png(testing::bytes_of(sheet));
   EXPECT_EQ(png.text.at("Title"), "Drained");
   EXPECT_GT(png.image.width, 4 * 480);
   EXPECT_GT(png.image.height, 6 * 384);
@@ -145,7 +145,7 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   EXPECT_GT(drawn, 0U);
   EXPECT_LT(drawn, redraw.pictures());
   EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
-  render::decode_png(store::read_whole(folder_.path() / "sheet.png"));
+  render::decode_png(testing::bytes_of(folder_.path() / "sheet.png"));
 
   stop = 2;
   EXPECT_EQ(

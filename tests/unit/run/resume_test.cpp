@@ -142,10 +142,10 @@ TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
 
 TEST_F(ResumeTest, ARunThatIsDoneEndsAgainAsItDid) {
   run(small(), {.folder = path()});
-  const auto before = store::read_whole(path() / "series.csv");
+  const auto before = testing::bytes_of(path() / "series.csv");
   resume(load_run(path(), kMuch), {});
   resume(load_run(path(), kMuch), {});
-  EXPECT_EQ(store::read_whole(path() / "series.csv"), before);
+  EXPECT_EQ(testing::bytes_of(path() / "series.csv"), before);
 }
 
 TEST_F(ResumeTest, KilledBeforeTheFirstCheckpointItBeginsAnew) {
@@ -162,7 +162,7 @@ TEST_F(ResumeTest, KilledBeforeTheFirstCheckpointItBeginsAnew) {
 TEST_F(ResumeTest, TheLogGoesOnWithoutALineTwice) {
   run(small(), {.folder = path()});
   resume(load_run(path(), kMuch), {});
-  const auto bytes = store::read_whole(path() / "log.txt");
+  const auto bytes = testing::bytes_of(path() / "log.txt");
   const std::string log(bytes.begin(), bytes.end());
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;
   EXPECT_THAT(log, HasSubstr("stage flow"));
@@ -172,7 +172,7 @@ TEST_F(ResumeTest, ADamagedCheckpointIsPassedOverForTheOneBefore) {
   run(small(), {.folder = path()});
   const fs::path unbroken = folder_.path() / "unbroken";
   fs::copy(path(), unbroken, fs::copy_options::recursive);
-  auto bytes = store::read_whole(path() / "checkpoint.clca");
+  auto bytes = testing::bytes_of(path() / "checkpoint.clca");
   bytes[bytes.size() / 2] ^= 1U;
   store::write_whole(path() / "checkpoint.clca", bytes);
   std::vector<std::string> warnings;

@@ -43,7 +43,7 @@ scene::Scene small_scene(const std::vector<scene::Override>& overrides = {}) {
 }
 
 nlohmann::json json_of(const fs::path& file) {
-  const auto bytes = store::read_whole(file);
+  const auto bytes = testing::bytes_of(file);
   return nlohmann::json::parse(bytes);
 }
 
@@ -107,7 +107,7 @@ TEST(Run, PicturesSayWhereTheyComeFrom) {
   const testing::ScratchFolder folder;
   run(small_scene(), {.folder = folder.path()});
   const fs::path first = folder.path() / "frames" / "small-000000.png";
-  const auto png = render::decode_png(store::read_whole(first));
+  const auto png = render::decode_png(testing::bytes_of(first));
   EXPECT_EQ(png.image.width, 160);
   EXPECT_EQ(png.text.at("Scene"), "small");
   EXPECT_EQ(png.text.at("Seed"), "5");

@@ -32,10 +32,16 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a histogram before the beginning", "output: {histograms: [-1, 15]}",
      "scene.yaml:5:23: error: output.histograms: expected a number from 0 to 15, found '-1'"},
     {"histograms that go back", "output: {histograms: [0, 9, 5]}",
-     "scene.yaml:5:29: error: output.histograms: expected times that ascend, found 5 after 9",
+     "scene.yaml:5:29: error: output.histograms: expected times that ascend by more than "
+     "5e-10, found 5 after 9",
      Judge::parser},
     {"a histogram twice", "output: {histograms: [0, 5, 5]}",
-     "scene.yaml:5:29: error: output.histograms: expected times that ascend, found 5 after 5"},
+     "scene.yaml:5:29: error: output.histograms: expected times that ascend by more than "
+     "5e-10, found 5 after 5"},
+    {"histograms that are taken for one", "output: {histograms: [0, 5, 5.0000000001]}",
+     "scene.yaml:5:29: error: output.histograms: expected times that ascend by more than "
+     "5e-10, found 5.0000000001 after 5",
+     Judge::parser},
     {"a histogram at no number", "output: {histograms: [0, .nan]}",
      "scene.yaml:5:26: error: output.histograms: expected a number from 0 to 15, found '.nan'"},
     {"a time outside a list", "output: {histograms: 5}",

@@ -141,12 +141,26 @@ TEST(BadTexts, AreRefusedInOneLineThatNamesThePlace) {
 
 TEST(BadTexts, AreRefusedWhenTheyNestTooDeeply) {
   const std::string text = "clca: " + std::string(100'000, '[');
-  EXPECT_EQ(refusal(text), "scene.yaml:1:23: error: nested deeper than 32 levels");
+  EXPECT_EQ(refusal(text), "scene.yaml:1:39: error: nested deeper than 32 levels");
+}
+
+TEST(BadTexts, NestOnlyWhereABracketOpensAValue) {
+  const std::string brackets(40, '[');
+  for (const std::string& title :
+       {"title: '" + brackets + "'", "title: \"\\\"" + brackets + "\"", "title: a" + brackets,
+        "title: a # " + brackets, "title: it's " + brackets}) {
+    EXPECT_EQ(refusal(title).find("nested"), std::string::npos) << refusal(title);
+  }
+  std::string lists = "clca: 1\n";
+  for (int i = 0; i < 40; ++i) {
+    lists += "k" + std::to_string(i) + ": [[{a: ']'}], ['[']]\n";
+  }
+  EXPECT_EQ(refusal(lists).find("nested"), std::string::npos) << refusal(lists);
 }
 
 TEST(BadTexts, AreRefusedWhenTheyAreTooLong) {
-  EXPECT_EQ(refusal(std::string((16U << 20U) + 1, '#')),
-            "scene.yaml:1:1: error: the text is larger than 16 MiB");
+  EXPECT_EQ(refusal(std::string((4U << 20U) + 1, '#')),
+            "scene.yaml:1:1: error: the text is larger than 4 MiB");
 }
 
 TEST(BadTexts, AreRefusedWhenTheyHoldTooManyValues) {

@@ -128,6 +128,11 @@ TEST(Override, MayNotNestWithoutBound) {
   EXPECT_TRUE(refusal({deep + "=1"}).ends_with("=1: error: a key of more than 32 parts"));
 }
 
+TEST(Override, MayNotHoldAValueThatNestsWithoutBound) {
+  EXPECT_TRUE(refusal({"rules=" + std::string(50'000, '[')})
+                  .ends_with("error: nested deeper than 32 levels"));
+}
+
 TEST(Override, WithAnErrorNamesItself) {
   for (const BadOverride& bad : kBad) {
     const std::string text(bad.text);

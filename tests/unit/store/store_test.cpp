@@ -10,6 +10,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
+#include "support/runs.hpp"
 
 namespace clca::store {
 namespace {
@@ -29,7 +30,7 @@ class StoreTest : public ::testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   static std::string text_of(const fs::path& file) {
-    const auto bytes = read_whole(file);
+    const auto bytes = testing::bytes_of(file);
     return {bytes.begin(), bytes.end()};
   }
 
@@ -49,7 +50,7 @@ TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
   EXPECT_THAT([&] { write_whole(folder_ / "no" / "a.txt", "x"); },
               ::testing::ThrowsMessage<StoreError>(
                   "cannot write " + (folder_ / "no/a.txt").string() + ": there is no such folder"));
-  EXPECT_THAT([&] { read_whole(folder_ / "none"); },
+  EXPECT_THAT([&] { testing::bytes_of(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
 }
 
@@ -157,6 +158,44 @@ TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
   }
   EXPECT_THAT([&] { read_summary(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
+}
+
+TEST_F(ReadSummary, TextThatTakesMemoryOrTimeOutOfProportionIsRefused) {
+  const auto reason = [](const std::string& json) -> std::string {
+    try {
+      parse_summary(json, "run.json");
+    } catch (const StoreError& error) {
+      return error.what();
+    }
+    return "read";
+  };
+  for (const char* opening : {"[", "{\"a\":", "[{\"a\":"}) {
+    std::string deep;
+    while (deep.size() < 5'000'000) {
+      deep += opening;
+    }
+    EXPECT_EQ(reason(deep), "cannot read run.json: it is nested deeper than 16 levels") << opening;
+  }
+  std::string wide = "{\"a\": {";
+  for (int key = 0; key < 300'000; ++key) {
+    wide += '"' + std::to_string(key) + "\":0,";
+  }
+  EXPECT_EQ(reason(wide), "cannot read run.json: it has an object of more than 1000 keys");
+  write_whole(folder_ / "run.json", std::string_view("{"));
+  fs::resize_file(folder_ / "run.json", std::uintmax_t{1} << 30U);  // a hole
+  EXPECT_THAT([&] { read_summary(folder_ / "run.json"); },
+              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("more memory than")));
+}
+
+TEST_F(ReadSummary, NamesThatLeadOutOfTheFolderAreRefused) {
+  for (const char* name : {"../../evil", "..", "", "a/b", "a\nb", ".hidden"}) {
+    RunSummary summary = full_summary();
+    summary.scene = name;
+    EXPECT_THROW(parse_summary(to_json(summary), "run.json"), StoreError) << name;
+    summary = full_summary();
+    summary.stages.at(0).name = name;
+    EXPECT_THROW(parse_summary(to_json(summary), "run.json"), StoreError) << name;
+  }
 }
 
 }  // namespace

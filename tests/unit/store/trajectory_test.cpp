@@ -189,7 +189,7 @@ TEST_F(TrajectoryTest, FilesThatAreNotWholeAreRefused) {
   EXPECT_THAT(reason(scene), HasSubstr("trajectory: no trajectory there"));
   write(scene, 5, 8);
   ASSERT_EQ(reason(scene), "");
-  const std::vector<std::uint8_t> whole = read_whole(part(1));
+  const std::vector<std::uint8_t> whole = testing::bytes_of(part(1));
   auto bytes = whole;
   bytes.resize(bytes.size() / 2);
   write_whole(part(1), bytes);

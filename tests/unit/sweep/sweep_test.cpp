@@ -44,7 +44,7 @@ class SweepTest : public ::testing::Test {
   fs::path file() const { return folder_.path() / "small.yaml"; }
   fs::path at(const std::string& path) const { return folder_.path() / path; }
   std::string text(const std::string& path) const {
-    const auto bytes = store::read_whole(at(path));
+    const auto bytes = testing::bytes_of(at(path));
     return {bytes.begin(), bytes.end()};
   }
   Plan plan_of(const std::string& variation = "rules.inertia=0,0.9") const {
@@ -139,7 +139,7 @@ TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
               AllOf(SizeIs(3), Contains(AllOf(HasSubstr("counts.small=500,seed=5 failed"),
                                               HasSubstr("of 500 small fitted")))));
   EXPECT_THAT(text("out/runs.csv"), HasSubstr("500,1,failed,"));
-  const auto overview = render::decode_png(store::read_whole(at("out/overview.png"))).image;
+  const auto overview = render::decode_png(testing::bytes_of(at("out/overview.png"))).image;
   EXPECT_GT(overview.width, 0);
 }
 

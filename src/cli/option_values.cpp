@@ -1,0 +1,115 @@
+#include "cli/option_values.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "scene/text.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+/// A number that begins with a digit, and what follows it.
+template <class T>
+struct Quantity {
+  T number = 0;
+  std::string_view unit;
+};
+
+template <class T>
+std::optional<Quantity<T>> quantity(std::string_view text) {
+  Quantity<T> result;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, result.number);
+  if (text.empty() || text.front() < '0' || text.front() > '9' || error != std::errc()) {
+    return std::nullopt;
+  }
+  result.unit = text.substr(static_cast<std::size_t>(stop - text.data()));
+  return result;
+}
+
+/// Seconds.
+std::optional<double> time_unit(std::string_view unit) {
+  if (unit.empty() || unit == "s") {
+    return 1;
+  }
+  return unit == "min" ? std::optional(60.0) : unit == "h" ? std::optional(3600.0) : std::nullopt;
+}
+
+/// Bytes of `k`, `KB`, `KiB` and so on, all of 1024.
+std::optional<double> size_unit(std::string unit) {
+  unit = CLI::detail::to_lower(unit);
+  if (unit.empty() || unit == "b") {
+    return 1;
+  }
+  const std::size_t power = std::string_view("kmgtpe").find(unit.front());
+  const std::string rest = unit.substr(1);
+  const bool is_known = rest.empty() || rest == "b" || rest == "i" || rest == "ib";
+  return power != std::string_view::npos && is_known
+             ? std::optional(std::exp2(10 * static_cast<double>(power + 1)))
+             : std::nullopt;
+}
+
+std::string expected(std::string_view what, const std::string& text) {
+  return fmt::format("expected {}, found {}", what, scene::shown(text));
+}
+
+}  // namespace
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  const auto check = [least, most](const std::string& text) -> std::string {
+    const auto found = quantity<std::uint64_t>(text);
+    const bool is_plain = found && found->unit.empty() && (text.size() == 1 || text.front() != '0');
+    return is_plain && found->number >= least && found->number <= most
+               ? std::string()
+               : expected(fmt::format("a whole number from {} to {}", least, most), text);
+  };
+  const bool is_any = least == 0 && most == std::numeric_limits<std::uint64_t>::max();
+  return {check, is_any ? std::string() : fmt::format("in [{} - {}]", least, most)};
+}
+
+CLI::Validator finite_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    const bool is_negative = text.starts_with('-');
+    const auto found = quantity<double>(std::string_view(text).substr(is_negative ? 1 : 0));
+    return found && found->unit.empty() ? std::string() : expected("a number", text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator time_span() {
+  const auto convert = [](std::string& text) -> std::string {
+    constexpr double kLongest = 1e9;
+    const auto found = quantity<double>(text);
+    const auto unit = found ? time_unit(found->unit) : std::nullopt;
+    if (!unit || found->number * *unit > kLongest) {
+      return expected("a time up to 1e9 seconds, as in 90, 30min or 2h", text);
+    }
+    text = fmt::format("{}", found->number * *unit);
+    return {};
+  };
+  return {convert, ""};
+}
+
+CLI::Validator byte_size() {
+  const auto convert = [](std::string& text) -> std::string {
+    constexpr double kLargest = 0x1p62;
+    const auto found = quantity<std::uint64_t>(text);
+    const auto unit = found ? size_unit(std::string(found->unit)) : std::nullopt;
+    const double bytes = unit ? static_cast<double>(found->number) * *unit : 0;
+    if (bytes < 1 || bytes > kLargest) {
+      return expected("a size from 1 to 4EiB, as in 512MiB or 4GiB", text);
+    }
+    text = fmt::format("{}", static_cast<std::uint64_t>(bytes));
+    return {};
+  };
+  return {convert, ""};
+}
+
+}  // namespace clca::cli
