@@ -266,6 +266,8 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
               HasSubstr("scene.yaml:1:1: error:"));
   EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.summary = "{}"; }),
               HasSubstr("its summary"));
+  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.scene_name = "../../evil"; }),
+              EndsWith("'../../evil' cannot name a file"));
 }
 
 }  // namespace
