@@ -36,6 +36,7 @@ inline void write_gas_summary(const std::filesystem::path& run, std::uint64_t pa
   std::filesystem::create_directories(run);
   store::RunSummary summary;
   summary.kind = "boltzmann";
+  summary.scene = "gas";
   summary.particles = particles;
   store::write_whole(run / "run.json", store::to_json(summary));
 }

@@ -35,6 +35,7 @@ class Compare : public ::testing::Test {
   void write_automaton(const std::vector<std::string>& stages) const {
     fs::create_directories(automaton());
     store::RunSummary summary;
+    summary.scene = "shaken";
     for (const std::string& stage : stages) {
       summary.stages.push_back(
           {.name = stage, .ended = "settled", .measures = {{"fluctuation_samples", 4000.0}}});

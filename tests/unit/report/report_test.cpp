@@ -116,10 +116,11 @@ TEST_F(Report, NeedsNothingFromElsewhere) {
 
 TEST_F(Report, EscapesEverythingThatComesFromFiles) {
   const std::string evil = "</pre></script><script>alert(1)</script>\"'&";
-  summary_.scene = evil;
+  const std::string evil_name = "<script>alert(1)<script>\"'&";
+  summary_.scene = evil_name;
   summary_.status = evil;
   summary_.version = evil;
-  summary_.stages[0].name = evil;
+  summary_.stages[0].name = evil_name;
   summary_.stages[0].ended = evil;
   summary_.stages[0].measures.emplace_back(evil, 1.0);
   write("scene.yaml",
@@ -169,7 +170,7 @@ TEST_F(Report, OfAFolderThatIsNoRunIsRefused) {
   refused("no report of a run of kind 'comparison'");
   fs::remove(run() / "run.json");
   fs::create_directories(run() / "run.json");
-  refused("run.json: it is no file");
+  refused("run.json: it is a folder");
 }
 
 TEST_F(Report, WithAnUnsoundSceneGoesByItsName) {
