@@ -167,6 +167,7 @@ TEST_F(Export, WrongInputIsExitCodeTwoWithOneLineAndNoFile) {
   fs::create_directories(folder_.path() / "gas");
   store::RunSummary gas;
   gas.kind = "boltzmann";
+  gas.scene = "gas";
   store::write_whole(folder_.path() / "gas/run.json", store::to_json(gas));
   const std::size_t before = files_beside();
   for (const auto& [arguments, reason] :
