@@ -124,10 +124,13 @@ TEST_P(TooLittleMemory, EndsWithOneLineAndARunThatCanBeGoneOnWith) {
   }
 }
 
+std::string name_of(const ::testing::TestParamInfo<const char*>& scene) {
+  const std::vector<std::string> names = {"Pictures", "ManyParticles", "AGas"};
+  return names.at(scene.index);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, TooLittleMemory, ::testing::Values(kPictures, kManyParticles, kGas),
-                         [](const auto& test) {
-                           return std::array{"Pictures", "ManyParticles", "AGas"}.at(test.index);
-                         });
+                         name_of);
 
 }  // namespace
 }  // namespace clca

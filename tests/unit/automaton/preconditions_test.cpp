@@ -76,7 +76,7 @@ TEST(AnAutomaton, RefusesMotionsThatCannotBeCarriedOut) {
   for (const Motion& motion :
        {Motion{down, Drive{.period = 0, .distance = 1}}, Motion{down, Drive{1, -1}},
         Motion{down, Wave{.amplitude = 1, .period = 0}}, Motion{down, Wave{.amplitude = -1}},
-        Motion{down, Shake{.amplitude = -1}}, Motion{down, Path{{{0, 1}}}},
+        Motion{down, Shake{.amplitude = -1, .wait = 1}}, Motion{down, Path{{{0, 1}}}},
         Motion{down, Path{{{4, 1}, {4, 2}}}},
         Motion{static_cast<lattice::Direction>(6), Drive{1, 1}}}) {
     EXPECT_EQ(refusal_after([&](State& state) { set_motion(state, motion); }),
