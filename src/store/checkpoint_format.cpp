@@ -146,11 +146,12 @@ template <std::size_t... kIndex>
 fields::Column column_of(const Entry& entry, Expander& expander,
                          std::index_sequence<kIndex...> /*types*/) {
   fields::Column column;
-  ((entry.type == kIndex + 1 &&
-    (column = expanded<typename std::variant_alternative_t<kIndex, fields::Column>::value_type>(
-         entry, expander),
-     true)) ||
-   ...);
+  static_cast<void>(
+      ((entry.type == kIndex + 1 &&
+        (column = expanded<typename std::variant_alternative_t<kIndex, fields::Column>::value_type>(
+             entry, expander),
+         true)) ||
+       ...));
   return column;
 }
 

@@ -35,10 +35,11 @@ struct Bits<8> : std::type_identity<std::uint64_t> {};
 template <class T>
 void sort_bytes(std::span<const T> values, std::span<std::uint8_t> bytes) {
   for (std::size_t i = 0; i < sizeof(T); ++i) {
-    std::transform(values.begin(), values.end(), bytes.begin() + i * values.size(), [i](T value) {
-      return static_cast<std::uint8_t>(std::bit_cast<typename Bits<sizeof(T)>::type>(value) >>
-                                       (8 * i));
-    });
+    std::transform(
+        values.begin(), values.end(), bytes.subspan(i * values.size()).begin(), [i](T value) {
+          return static_cast<std::uint8_t>(std::bit_cast<typename Bits<sizeof(T)>::type>(value) >>
+                                           (8 * i));
+        });
   }
 }
 
