@@ -29,18 +29,6 @@ Checkpoint read(const fs::path& file, double most_bytes) {
   }
 }
 
-/// What an older version has left is not passed over in silence.
-void refuse_older(const fs::path& run_folder) {
-  for (const char* name : {"checkpoint.h5", "checkpoint-previous.h5"}) {
-    if (fs::exists(run_folder / name)) {
-      throw StoreError(
-          fmt::format("cannot go on with {}: an older version of clca has written it, and this "
-                      "one does not read it",
-                      (run_folder / name).string()));
-    }
-  }
-}
-
 }  // namespace
 
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
@@ -61,7 +49,6 @@ void remove_checkpoints(const OutputFolder& folder) {
 
 std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double most_bytes) {
   if (!fs::exists(newest(run_folder)) && !fs::exists(one_before(run_folder))) {
-    refuse_older(run_folder);
     return std::nullopt;
   }
   try {
