@@ -42,6 +42,7 @@ Bytes content_of(const Bytes& file) {
 struct Answers {
   unsigned read = 0;
   unsigned refused = 0;
+  unsigned crashes = 0;  ///< of the HDF5 library, among those that were refused
 };
 
 /// Calls use(damage) for each number; what it throws has to be one line for a user.
@@ -57,13 +58,17 @@ void use_damaged(const char* kind, Use use) {
     } catch (const store::StoreError& error) {
       EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
       ++answers.refused;
+      if (std::string_view(error.what()).find(": the HDF5 library crashed") != std::string::npos) {
+        ++answers.crashes;
+      }
     } catch (const scene::SceneError&) {
       ++answers.refused;
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();
     }
   }
-  std::printf("%s: %u read, %u refused\n", kind, answers.read, answers.refused);
+  std::printf("%s: %u read, %u refused, of these %u by a crash of the HDF5 library\n", kind,
+              answers.read, answers.refused, answers.crashes);
   EXPECT_GT(answers.refused, files_of_a_kind() / 4);
 }
 
@@ -135,6 +140,13 @@ TEST_F(DamagedTrajectory, IsGoneOnWithOrRefused) {
     const store::TrajectoryWriter writer(folder_.path(), fuzz::small_scene(), fixed_, written_);
   });
   expect_memory_below(4 * kLimit);
+}
+
+TEST_F(DamagedTrajectory, ThatMakesTheLibraryCrashIsRefused) {
+  Damage damage(1133);  // does so in HDF5 1.10.8
+  put(damage);
+  EXPECT_THROW(store::Trajectory(folder_.path(), fuzz::small_scene(), fixed_, kLimit),
+               store::StoreError);
 }
 
 /// Numbers of some columns changed, or columns cut, prolonged or of other numbers.
