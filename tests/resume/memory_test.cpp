@@ -33,12 +33,12 @@ output: {frames: {every: 10, width: 800, height: 1200}, series: {every: 1}, chec
 constexpr const char* kManyParticles = R"(clca: 1
 box: {width: 900, height: 900}
 species: {grain: {shape: {hexagon: 1}}}
-stages: [{name: fall, fill: {region: [0, 0, 900, 900], counts: {grain: 60000}}, until: {steps: 30}}]
+stages: [{name: fall, fill: {region: [0, 0, 900, 900], counts: {grain: 60000}}, until: {steps: 16}}]
 output: {series: {every: 1}, checkpoint: {every: 7}}
 )";
 
 constexpr const char* kGas = R"(clca: 1
-boltzmann: {particles: 150000, ensemble: 2, restitution: [0.8, 0.9], friction: 0.3, until: 1}
+boltzmann: {particles: 60000, ensemble: 2, restitution: 0.9, friction: 0.3, until: 0.5}
 output: {checkpoint: {seconds: 0.05}}
 )";
 
@@ -55,7 +55,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// The least number of MiB with which `ends_well`, to 1 MiB.
+/// The least number of MiB with which `ends_well`, nearly.
 template <class EndsWell>
 std::size_t least_mebibytes(std::size_t low, EndsWell ends_well) {
   std::size_t high = std::max<std::size_t>(low, 1);
@@ -63,7 +63,7 @@ std::size_t least_mebibytes(std::size_t low, EndsWell ends_well) {
     low = high;
     high *= 2;
   }
-  while (low + 1 < high) {
+  while (low + 4 < high) {
     const std::size_t middle = (low + high) / 2;
     (ends_well(middle) ? high : low) = middle;
   }
