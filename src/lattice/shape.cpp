@@ -74,7 +74,8 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
 constexpr int kFarthestSite = 1'000'000;
 
 void check_reach(Axial site) {
-  if (site.x > kFarthestSite || site.x < -kFarthestSite || site.q > kFarthestSite || site.q < -kFarthestSite) {
+  if (site.x > kFarthestSite || site.x < -kFarthestSite || site.q > kFarthestSite ||
+      site.q < -kFarthestSite) {
     throw std::invalid_argument("a site of a shape is too far away");
   }
 }

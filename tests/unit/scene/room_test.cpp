@@ -35,7 +35,7 @@ std::string filled(const std::string& fill, const std::string& more = "") {
 
 TEST(AFill, ThatTakesMoreSitesThanItsRegionHasIsRefusedWithBothNumbers) {
   EXPECT_EQ(refusal(filled("region: [0, 0, 60, 60], counts: {grain: 10000}")),
-            "room.yaml:4:30: error: stages.rain.fill: the counts take 70000 sites and the region "
+            "room.yaml:4:29: error: stages.rain.fill: the counts take 70000 sites and the region "
             "has 4200 that no wall covers; enlarge the region, lower the counts or fill in several "
             "stages");
   EXPECT_EQ(refusal(filled("region: [0, 0, 60, 60], counts: {grain: 600}")), "");
