@@ -77,9 +77,12 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
     throw StoreError(fmt::format("cannot go on in {}: there is no such folder", path.string()));
   }
   if (!is_of_run(OutputFolder(path))) {
-    throw StoreError(fmt::format(
-        "cannot go on in {}: no run has begun there{}", path.string(),
-        fs::exists(path / kSummaryFile, unknown) ? ", or it has lost its .clca.manifest" : ""));
+    const char* reason = fs::exists(path / "checkpoint.h5", unknown)
+                             ? "an older version of clca has written it"
+                         : fs::exists(path / kSummaryFile, unknown)
+                             ? "no run has begun there, or it has lost its .clca.manifest"
+                             : "no run has begun there";
+    throw StoreError(fmt::format("cannot go on in {}: {}", path.string(), reason));
   }
   return {path, FolderLock(path)};
 }

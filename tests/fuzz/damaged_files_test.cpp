@@ -86,7 +86,7 @@ void expect_memory_below(double bytes) {
 class DamagedTrajectory : public ::testing::Test {
  protected:
   DamagedTrajectory() {
-    store::TrajectoryWriter writer(folder_.path(), fuzz::small_scene(), fixed_, {});
+    store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(), fixed_, {});
     std::size_t frames = 0;
     for (const fuzz::SmallFrame& frame : fuzz::small_run()) {
       writer.add(frame.state, frame.stage, frame.stage_begins);
@@ -97,7 +97,7 @@ class DamagedTrajectory : public ::testing::Test {
     writer.flush();
     written_ = writer.written();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-      parts_.at(part) = store::read_whole(path(part));
+      parts_.at(part) = testing::bytes_of(path(part));
     }
   }
 
@@ -137,7 +137,7 @@ TEST_F(DamagedTrajectory, IsReadOrRefused) {
 TEST_F(DamagedTrajectory, IsGoneOnWithOrRefused) {
   use_damaged("trajectories of runs that go on", [&](Damage& damage) {
     put(damage);
-    const store::TrajectoryWriter writer(folder_.path(), fuzz::small_scene(), fixed_, written_);
+    const store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(), fixed_, written_);
   });
   expect_memory_below(4 * kLimit);
 }
@@ -183,7 +183,7 @@ class DamagedCheckpoint : public ::testing::Test {
 
   /// Goes on with damaged copies of what is in `saved`, if it can; each stops at once.
   void try_all(const char* kind) const {
-    const Bytes file = store::read_whole(saved() / "checkpoint.clca");
+    const Bytes file = testing::bytes_of(saved() / "checkpoint.clca");
     const Bytes content = content_of(file);
     const store::Checkpoint checkpoint = store::parse_checkpoint(file, kLimit);
     const fs::path broken = folder_.path() / "broken";

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "clca/scene/scene.hpp"
+#include "clca/store/output_folder.hpp"
 
 namespace clca::run {
 

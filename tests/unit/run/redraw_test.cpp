@@ -107,7 +107,7 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
   RedrawOptions options = {
       .run = folder_.path() / "run", .folder = store::OutputFolder(folder_.path() / "some"), .from = 10, .to = 20};
   Redraw(scene, options).draw();
-  EXPECT_THAT(names(options.folder), ElementsAre("tried-000010.png", "tried-000020.png"));
+  EXPECT_THAT(names(options.folder->path()), ElementsAre("tried-000010.png", "tried-000020.png"));
   options.from = 11;
   options.to = 19;
   try {

@@ -151,7 +151,7 @@ TEST_F(RunFolderTest, TheLockIsNeitherFollowedNorEmptied) {
   fs::remove(run() / ".clca.lock");
   put(".clca.lock", "mine");
   { const RunFolder folder = RunFolder::for_new_run(run()); }
-  const auto bytes = read_whole(run() / ".clca.lock");
+  const auto bytes = read_whole(run() / ".clca.lock", 100);
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "mine");
 }
 
