@@ -71,9 +71,14 @@ scene::Scene scene_of(const RenderOptions& options) {
 }
 
 /// Makes out all that can be wrong with the input. Nothing: it has been told.
-std::unique_ptr<run::Redraw> redraw_or_complain(const RenderOptions& options) {
+std::unique_ptr<run::Redraw> redraw_or_complain(RenderOptions& options) {
+  run::RedrawOptions& redraw = options.redraw;
   try {
-    return std::make_unique<run::Redraw>(scene_of(options), options.redraw);
+    const scene::Scene scene = scene_of(options);
+    if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
+      redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
+    }
+    return std::make_unique<run::Redraw>(scene, redraw);
   } catch (const run::RedrawError& error) {
     complain(error);
   } catch (const store::StoreError& error) {
@@ -94,9 +99,6 @@ void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::siz
 
 int render_run(RenderOptions options) {
   run::RedrawOptions& redraw = options.redraw;
-  if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
-    redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
-  }
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.most_bytes = memory_limit(options.scene);

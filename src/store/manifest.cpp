@@ -179,6 +179,9 @@ void ManifestFile::replace(const Manifest& manifest, const std::string& temporar
 }
 
 void ManifestFile::remove_if_only(const std::string& mark) const {
+  if (read().temporary.empty()) {
+    return;  // another output folder of this process was the last
+  }
   const Locked locked(*this);
   const Manifest manifest = read();
   if (manifest.files.empty() && manifest.folders.empty() &&

@@ -89,7 +89,7 @@ void remove_if_abandoned(int folder, const std::string& name) {
 class OutputFolder::State {
  public:
   explicit State(fs::path path) : path_(std::move(path)) {
-    folder_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    open();
     if (!folder_.is_open() && errno != ENOENT) {
       fail_at("write to", path_, std::strerror(errno));
     }
@@ -133,6 +133,10 @@ class OutputFolder::State {
   void remove_temporary_files() const;
 
  private:
+  void open() {
+    const char* path = path_.empty() ? "." : path_.c_str();
+    folder_ = Descriptor(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  }
   /// Re-reads the manifest, which another process may have changed.
   void refresh() { manifest_.files.merge(manifest_file().read().files); }
 
@@ -198,7 +202,7 @@ Descriptor OutputFolder::State::make_parent(const std::string& name) {
   const std::lock_guard lock(mutex_);
   if (!folder_.is_open()) {
     store::make_folder(path_);
-    folder_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    open();
   }
   Descriptor folder(::openat(folder_.number(), ".", kFolderFlags));
   const std::string below = folder_and_leaf(name).first;
@@ -330,7 +334,8 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
     fail_at("write", path(name), "it is no name of a file");
   }
   std::error_code unknown;
-  if (replace == Replace::named && !fs::exists(state_->path(), unknown)) {
+  if (replace == Replace::named && !state_->path().empty() &&
+      !fs::exists(state_->path(), unknown)) {
     fail_at("write", path(name), "there is no such folder");
   }
   auto file = std::make_unique<AtomicFile::State>();
@@ -447,8 +452,7 @@ void OutputFolder::remove_temporary_files() const {
 }
 
 OutputFile named_file(const fs::path& path) {
-  return {OutputFolder(path.has_parent_path() ? path.parent_path() : "."), path.filename().string(),
-          Replace::named};
+  return {OutputFolder(path.parent_path()), path.filename().string(), Replace::named};
 }
 
 OutputFolder named_folder(const fs::path& named, const fs::path& run, const std::string& below) {

@@ -93,11 +93,17 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   }
   const fs::path summary = path_ / kSummaryFile;
   std::error_code unknown;
-  const bool has_summary = fs::exists(summary, unknown);
+  bool has_summary = fs::exists(summary, unknown);
+  std::string problem;
   EarlierRun earlier;
-  if (has_summary) {
-    earlier.summary = read_summary(summary);
-    earlier.when = time_of(summary);
+  try {
+    if (has_summary) {
+      earlier.summary = read_summary(summary);
+      earlier.when = time_of(summary);
+    }
+  } catch (const StoreError& error) {
+    has_summary = false;
+    problem = error.what();
   }
   if (has_summary && earlier.summary.status == "done") {
     return earlier;
@@ -106,12 +112,18 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   try {
     const auto found = read_checkpoint(path_, kMuchMemory);
     earlier.unfinished = found && !found->checkpoint.is_start();
-    if (found && !has_summary) {
+    if (!found && !has_summary) {
+      throw StoreError(problem.empty() ? "it has neither run.json nor a checkpoint" : problem);
+    }
+    if (!has_summary) {
       earlier.summary = parse_summary(found->checkpoint.summary, "its checkpoint");
     }
-  } catch (const StoreError&) {  // it needs more memory, or a look by somebody
+  } catch (const StoreError& error) {  // without run.json nobody can say whose files they are
     if (!has_summary) {
-      throw;
+      throw StoreError(
+          fmt::format("cannot run in {}: clca has written files there, but of which "
+                      "run cannot be told: {}",
+                      path_.string(), error.what()));
     }
   }
   return earlier;

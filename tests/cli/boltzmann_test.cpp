@@ -162,8 +162,9 @@ TEST_F(GasCommand, AGasBeyondTheMemoryLimitIsRefusedWithItsPlace) {
 
 TEST_F(GasCommand, InterruptedItEndsCleanlyWithWholeTables) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const auto result = run({"boltzmann", "endless.yaml", "-o", "out", "--threads", "1"},
-                            {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
+    const auto result =
+        run({"boltzmann", "endless.yaml", "-o", "out", "--threads", "1", "--overwrite"},
+            {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
     EXPECT_EQ(result.code, 128 + signal) << result.err;
     EXPECT_THAT(result.out, HasSubstr("interrupted: "));
     const auto json = summary("out");

@@ -182,7 +182,8 @@ TEST_F(PlotCommandTest, WrongFoldersTablesAndNamesAreOneLineAndExitCodeTwo) {
 
 TEST_F(PlotCommandTest, AFolderThatCannotBeWrittenIsOneLineAndExitCodeOne) {
   write_gas(folder_.path() / "gas", "gas");
-  expect_refused(plot({"gas", "-o", "gas/run.json/x"}), 1, HasSubstr("cannot make the folder"));
+  expect_refused(plot({"gas", "-o", "gas/run.json/x"}), 1,
+                 HasSubstr("cannot write to gas/run.json/x"));
 }
 
 }  // namespace

@@ -42,11 +42,13 @@ output:
   frames: {every: 10, width: 320, height: 240}
 )";
 
+/// But for the manifest.
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> result;
   for (const auto& entry : fs::directory_iterator(folder)) {
     result.insert(entry.path().filename().string());
   }
+  result.erase(".clca.manifest");
   return result;
 }
 
@@ -242,7 +244,8 @@ output:
 }
 
 TEST_F(RenderCommandTest, PlacesThatCannotBeWrittenAreFoundBeforeAnythingIsDrawn) {
-  expect_refused(render({"run", "-o", "run/run.json/x"}), 2, HasSubstr("cannot make the folder"));
+  expect_refused(render({"run", "-o", "run/run.json/x"}), 2,
+                 HasSubstr("cannot write to run/run.json/x"));
   fs::create_directories(path("taken.mp4"));
   expect_refused(render({"run", "--movie", "taken.mp4"}), 2, HasSubstr("cannot write taken.mp4"));
   expect_refused(render({"run", "--movie", "no/a.mp4"}), 2, HasSubstr("cannot write no/a.mp4"));

@@ -25,7 +25,8 @@ enum class Replace : std::uint8_t {
 /// called from several threads. All throw StoreError.
 class OutputFolder {
  public:
-  /// Writes nothing yet: the folder is made with its first file. Throws for a damaged manifest.
+  /// Writes nothing yet: the folder is made with its first file. Throws for a damaged manifest. An
+  /// empty path is the working directory.
   explicit OutputFolder(const std::filesystem::path& path);
 
   /// The folder `name` in this one; its files are in the same manifest.

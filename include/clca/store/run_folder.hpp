@@ -51,8 +51,8 @@ class RunFolder {
   const std::filesystem::path& path() const { return path_; }
   const OutputFolder& files() const { return files_; }
 
-  /// Nothing where clca has written nothing. Throws StoreError where the run.json of an earlier run
-  /// cannot be read.
+  /// Nothing where clca has written nothing. Throws StoreError where neither run.json nor a
+  /// checkpoint of an earlier run can be read.
   std::optional<EarlierRun> earlier_run() const;
 
   /// Begins a run: once `start` has replaced the checkpoint, the earlier run is no more, and

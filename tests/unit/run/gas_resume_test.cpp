@@ -231,6 +231,7 @@ TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
     fs::copy_file(aside.path() / "checkpoint.clca", folder_.path() / "checkpoint.clca",
                   fs::copy_options::overwrite_existing);
     fs::remove(folder_.path() / "checkpoint-previous.clca");
+    fs::remove(folder_.path() / "run.json");
     resume_to();
     expect_as_unbroken(scene);
   }
@@ -239,7 +240,10 @@ TEST_F(GasResumeTest, KilledItGoesOnFromWhatItSavedOnTheWay) {
 TEST_F(GasResumeTest, KilledBeforeItsFirstCheckpointItBeginsAnew) {
   const scene::BoltzmannScene scene = gas();
   run(scene, {.folder = folder_.path()});
-  fs::remove(folder_.path() / "checkpoint.clca");
+  fs::remove(folder_.path() / "run.json");
+  store::Checkpoint start = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  start.fields.clear();
+  store::replace_checkpoint(store::OutputFolder(folder_.path()), start);
   EXPECT_EQ(resume_to().status, "done");
   expect_as_unbroken(scene);
 }
@@ -364,6 +368,7 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
     forgery.change(course);
     store::Checkpoint forged = sound;
     fields::encode(kSavedGases, course, forged.fields);
+    fs::remove(folder_.path() / "run.json");
     store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), ::testing::AllOf(HasSubstr("its checkpoint is not of this run"),
                                             HasSubstr(forgery.reason)));
@@ -374,6 +379,7 @@ TEST_F(GasResumeTest, AnyColumnThatIsMissingOrOfOtherNumbersIsRefused) {
   run(gas({"boltzmann.ensemble=2"}), {.folder = folder_.path()});
   const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
   ASSERT_GT(sound.fields.size(), 20U);
+  fs::remove(folder_.path() / "run.json");
   for (const auto& [path, column] : sound.fields) {
     store::Checkpoint forged = sound;
     forged.fields.erase(path);

@@ -19,11 +19,13 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+/// But for the manifest.
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> result;
   for (const auto& entry : fs::directory_iterator(folder)) {
     result.insert(entry.path().filename().string());
   }
+  result.erase(".clca.manifest");
   return result;
 }
 
@@ -104,8 +106,10 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForces) {
 TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
   const scene::Scene scene = parse(kDrained);
   testing::run_and_store(scene, folder_.path() / "run", 10);
-  RedrawOptions options = {
-      .run = folder_.path() / "run", .folder = store::OutputFolder(folder_.path() / "some"), .from = 10, .to = 20};
+  RedrawOptions options = {.run = folder_.path() / "run",
+                           .folder = store::OutputFolder(folder_.path() / "some"),
+                           .from = 10,
+                           .to = 20};
   Redraw(scene, options).draw();
   EXPECT_THAT(names(options.folder->path()), ElementsAre("tried-000010.png", "tried-000020.png"));
   options.from = 11;

@@ -110,6 +110,11 @@ class ResumeTest : public ::testing::Test {
     }
     return "";
   }
+  /// A run that was killed behind its last checkpoint, that of its end.
+  void leave_killed() const {
+    run(small(), {.folder = path()});
+    fs::remove(path() / "run.json");
+  }
   /// Changes the newest checkpoint and writes it back.
   template <class Change>
   void change(Change change) const {
@@ -140,8 +145,9 @@ TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
   EXPECT_FALSE(fs::exists(path() / "checkpoint.clca"));
 }
 
-TEST_F(ResumeTest, ARunThatIsDoneEndsAgainAsItDid) {
+TEST_F(ResumeTest, ARunThatIsDoneHasNothingToGoOnWith) {
   run(small(), {.folder = path()});
+  EXPECT_EQ(load_run(path(), kMuch).finished->status, "done");
   const auto before = testing::bytes_of(path() / "series.csv");
   resume(load_run(path(), kMuch), {});
   resume(load_run(path(), kMuch), {});
@@ -149,11 +155,10 @@ TEST_F(ResumeTest, ARunThatIsDoneEndsAgainAsItDid) {
 }
 
 TEST_F(ResumeTest, KilledBeforeTheFirstCheckpointItBeginsAnew) {
-  run(small(), {.folder = path()});
+  leave_killed();
   const fs::path unbroken = folder_.path() / "unbroken";
-  fs::copy(path(), unbroken, fs::copy_options::recursive);
-  fs::remove(path() / "checkpoint.clca");
-  fs::remove(path() / "checkpoint-previous.clca");
+  run(small(), {.folder = unbroken});
+  change([](store::Checkpoint& checkpoint) { checkpoint.fields.clear(); });
   std::ofstream(path() / "series.csv") << "step,st";
   resume(load_run(path(), kMuch), {});
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
@@ -169,9 +174,9 @@ TEST_F(ResumeTest, TheLogGoesOnWithoutALineTwice) {
 }
 
 TEST_F(ResumeTest, ADamagedCheckpointIsPassedOverForTheOneBefore) {
-  run(small(), {.folder = path()});
+  leave_killed();
   const fs::path unbroken = folder_.path() / "unbroken";
-  fs::copy(path(), unbroken, fs::copy_options::recursive);
+  run(small(), {.folder = unbroken});
   auto bytes = testing::bytes_of(path() / "checkpoint.clca");
   bytes[bytes.size() / 2] ^= 1U;
   store::write_whole(path() / "checkpoint.clca", bytes);
@@ -189,7 +194,7 @@ TEST_F(ResumeTest, WithoutASoundCheckpointItIsRefused) {
   EXPECT_THAT(why_not(), EndsWith("run: there is no such folder"));
   fs::create_directories(path());
   EXPECT_THAT(why_not(), EndsWith("run: no run has begun there"));
-  run(small(), {.folder = path()});
+  leave_killed();
   store::write_whole(path() / "checkpoint.clca", "clca");
   store::write_whole(path() / "checkpoint-previous.clca", "");
   EXPECT_THAT(why_not(), EndsWith("checkpoint.clca: it is no checkpoint of clca"));
@@ -203,8 +208,33 @@ TEST_F(ResumeTest, AnotherRunInTheFolderIsRefused) {
 }
 
 TEST_F(ResumeTest, ACheckpointThatNeedsTooMuchMemoryIsRefused) {
-  run(small(), {.folder = path()});
+  leave_killed();
   EXPECT_THAT(why_not(20'000), HasSubstr("needs more memory than the limit"));
+}
+
+TEST_F(ResumeTest, AnEndThatTheRunHasPassedIsRefusedAndNothingIsChanged) {
+  run(small(), {.folder = path()});
+  const auto scene = testing::bytes_of(path() / "scene.yaml");
+  const auto summary = testing::bytes_of(path() / "run.json");
+  EXPECT_THAT([&] { resume(load_run(path(), kMuch, "2"), {}); },
+              ::testing::ThrowsMessage<ScenePlaceError>(
+                  HasSubstr("--until 2: error: stage flow has passed this end: it is at step")));
+  EXPECT_EQ(testing::bytes_of(path() / "scene.yaml"), scene);
+  EXPECT_EQ(testing::bytes_of(path() / "run.json"), summary);
+}
+
+TEST_F(ResumeTest, AnInterruptedRunIsReplacedOnlyWhereThatIsAskedFor) {
+  const std::atomic<int> stop = 2;
+  run(small(), {.folder = path(), .stop = &stop});
+  run(small(), {.folder = path(), .stop = &stop, .overwrite = true});
+  std::atomic<int> later = 0;
+  run(small(), {.folder = path(), .stop = &later, .overwrite = true},
+      {.progress = [&](const Progress&) { later = 2; }, .progress_interval = {}});
+  EXPECT_THAT([&] { run(small(), {.folder = path()}); },
+              ::testing::ThrowsMessage<UnfinishedRunError>(
+                  ::testing::AllOf(HasSubstr("small, seed 3, interrupted"),
+                                   HasSubstr("clca resume"), HasSubstr("--overwrite"))));
+  EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
 }
 
 TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
@@ -220,6 +250,7 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
   const auto refusal = [&](const auto& damage) {
     auto checkpoint = original;
     damage(checkpoint);
+    fs::remove(path() / "run.json");
     store::write_checkpoint(store::OutputFolder(path()), checkpoint);
     store::write_checkpoint(store::OutputFolder(path()), checkpoint);
     try {

@@ -164,17 +164,5 @@ TEST(Checkpoint, DataOfAnotherLengthIsRefused) {
   EXPECT_EQ(with_count(2), "its compressed data is damaged");
 }
 
-TEST(Checkpoint, OneOfAnOlderVersionIsNamed) {
-  const testing::ScratchFolder folder;
-  EXPECT_FALSE(read_checkpoint(folder.path(), kMuch).has_value());
-  write_whole(folder.path() / "checkpoint.h5", "clca checkpoint version 1\n");
-  EXPECT_THAT([&] { read_checkpoint(folder.path(), kMuch); },
-              ::testing::ThrowsMessage<StoreError>(
-                  EndsWith("checkpoint.h5: an older version of clca has written it, and this one "
-                           "does not read it")));
-  write_checkpoint(OutputFolder(folder.path()), example());
-  EXPECT_EQ(read_checkpoint(folder.path(), kMuch)->checkpoint.fields, example().fields);
-}
-
 }  // namespace
 }  // namespace clca::store
