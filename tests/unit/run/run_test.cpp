@@ -117,11 +117,11 @@ TEST(Run, PicturesSayWhereTheyComeFrom) {
 
 TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {
   const testing::ScratchFolder folder;
-  const auto scene = small_scene({"stages.packing.fill.counts.small=299"});
+  const auto scene = small_scene({"stages.packing.fill.counts.small=285"});
   EXPECT_THAT([&] { run(scene, {.folder = folder.path() / "out"}); },
               ::testing::ThrowsMessage<ScenePlaceError>(::testing::AllOf(
                   ::testing::StartsWith("small.yaml:12:11: error: the fill of stage packing"),
-                  ::testing::HasSubstr("of 299 small"), ::testing::HasSubstr("enlarge"))));
+                  ::testing::HasSubstr("of 285 small"), ::testing::HasSubstr("enlarge"))));
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
