@@ -49,7 +49,7 @@ Source open_run(const ExportOptions& options) {
                     options.run.string(), summary.kind));
   }
   std::error_code unknown;
-  if (!fs::exists(options.run / "trajectory", unknown)) {
+  if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {
     throw exports::ExportError(
         fmt::format("{}: the run has left no trajectory; run the scene again with "
                     "output.trajectory in it",

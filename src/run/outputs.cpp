@@ -25,8 +25,10 @@ Outputs::Outputs(const scene::Scene& scene, const automaton::State& state,
 }
 
 std::vector<std::string> Outputs::file_names() const {
-  std::vector<std::string> names = {store::table_name("series"), store::table_name("cycles"),
-                                    store::table_name("fields"), "trajectory.h5"};
+  std::vector<std::string> names = {
+      store::table_name("series"), store::table_name("cycles"),
+      store::table_name("fields"), "trajectory.h5",
+      "trajectory/part-000000.h5", store::frame_path("", scene_.name, 0).string()};
   for (const scene::Stage& stage : scene_.stages) {
     for (const char* kind :
          {"profile", "convection", "fluctuation", "contacts", "forces", "loads", "walls"}) {

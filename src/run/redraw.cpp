@@ -23,7 +23,7 @@ using Frame = store::Trajectory::Frame;
 /// The scene, if the run can be drawn so.
 const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& options) {
   std::error_code unknown;
-  if (!fs::exists(options.run / "trajectory", unknown)) {
+  if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {
     throw RedrawError(fmt::format(
         "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
         "by --set output.trajectory.every=10",

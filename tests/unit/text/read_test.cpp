@@ -34,12 +34,12 @@ class ReadFile : public ::testing::Test {
 TEST_F(ReadFile, IsAllOfItUpToTheLimit) {
   std::ofstream(path("a")) << std::string(100'000, 'x');
   EXPECT_EQ(read_file(path("a"), 100'000), std::vector<std::uint8_t>(100'000, 'x'));
-  EXPECT_EQ(reason(path("a"), 99'999), "it needs more memory than the limit of 0.09537 MiB");
+  EXPECT_EQ(reason(path("a"), 99'999), "it is larger than the limit of 0.09537 MiB");
 }
 
 TEST_F(ReadFile, AFileMayHaveNoEndAlthoughItSaysThatItIsEmpty) {
   EXPECT_EQ(fs::file_size("/proc/self/maps"), 0U);
-  EXPECT_EQ(reason("/proc/self/maps"), "it needs more memory than the limit of 9.537e-05 MiB");
+  EXPECT_EQ(reason("/proc/self/maps"), "it is larger than the limit of 9.537e-05 MiB");
 }
 
 TEST_F(ReadFile, WhatIsNoRegularFileIsRefusedAtOnce) {
