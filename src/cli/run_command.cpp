@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "clca/run/run.hpp"
+#include "clca/store/run_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/run_options.hpp"
 #include "cli/scene_options.hpp"
@@ -24,25 +25,21 @@ struct RunCommandOptions {
   RunCommonOptions run;
 };
 
-/// The folder, or the first of FOLDER-2, FOLDER-3, ... that is not there.
-std::string free_folder(std::string folder) {
-  while (folder.size() > 1 && folder.ends_with('/')) {
-    folder.pop_back();
-  }
-  std::string free = folder;
-  std::error_code unknown;
-  for (int number = 2; std::filesystem::exists(free, unknown); ++number) {
-    free = fmt::format("{}-{}", folder, number);
-  }
-  return free;
-}
-
 template <class Scene>
 int run_one(const Scene& scene, const RunCommandOptions& options) {
-  const std::string wanted = options.folder.empty() ? "renders/" + scene.name : options.folder;
-  const std::string folder = options.keep ? free_folder(wanted) : wanted;
+  const std::string folder = options.folder.empty() ? "renders/" + scene.name : options.folder;
+  std::error_code unknown;
+  if (!options.keep &&
+      std::filesystem::equivalent(options.scene.file,
+                                  std::filesystem::path(folder) / store::kSceneFile, unknown)) {
+    throw run::ScenePlaceError(
+        fmt::format("{}: error: the run would replace this file; run in another folder, or with "
+                    "--keep",
+                    options.scene.file));
+  }
   return show_run(folder, options.run, [&](run::RunOptions run, const run::RunEvents& events) {
     run.overwrite = options.overwrite;
+    run.keep = options.keep;
     return run::run(scene, run, events);
   });
 }

@@ -49,6 +49,8 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
     events.gas_progress = [&](const run::GasProgress& progress) { line.show(progress); };
     events.message = [&](const std::string& text) { line.print(text); };
   }
+  std::filesystem::path used = folder;
+  events.folder = [&](const std::filesystem::path& path) { used = path; };
   const std::atomic<int>& stop = catch_stop_signals();
   const store::RunSummary summary = run_it({.folder = folder,
                                             .threads = options.threads,
@@ -56,7 +58,7 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
                                             .time_limit = options.time_limit},
                                            events);
   if (!options.quiet) {
-    print_out("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, folder);
+    print_out("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, used.string());
   }
   return exit_code_of(summary, stop);
 }

@@ -80,7 +80,9 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
     : collection_(std::move(collection)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
-      kinds_(kind_looks(scene, kinds)) {}
+      kinds_(kind_looks(scene, kinds)) {
+  collection_.create();  // throws where it cannot be written, before anything else is
+}
 
 std::string VtpWriter::beside(const std::string& part, std::uint64_t step) const {
   const std::string repeat = earlier_ > 0 ? fmt::format("-{}", earlier_ + 1) : "";

@@ -15,7 +15,7 @@ namespace {
 /// Some address space has to be left before each use of the driver: where it finds no memory it
 /// crashes.
 void require_memory() {
-  constexpr std::size_t kBytes = std::size_t{64} << 20U;
+  constexpr std::size_t kBytes = std::size_t{128} << 20U;
   void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) {
     throw std::bad_alloc();

@@ -65,7 +65,7 @@ store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double m
     return *std::move(found);
   }
   throw store::StoreError(fmt::format(
-      "cannot go on in {}: the run is done and has kept no checkpoint (output.checkpoint: none)",
+      "cannot go on in {}: it has no checkpoint; a run with output.checkpoint: none keeps none",
       folder.path().string()));
 }
 

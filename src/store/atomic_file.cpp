@@ -84,6 +84,7 @@ void AtomicFile::finish() {
       state.claim() ? ::renameat(folder, state.temporary.c_str(), folder, state.name.c_str()) == 0
                     : rename_without_replacing(folder, state.temporary, state.name);
   if (!renamed && errno == EEXIST) {
+    state.disown();
     refuse_foreign(state.path);
   }
   if (!renamed || !state.file.close()) {

@@ -17,6 +17,8 @@ struct AtomicFile::State {
   Descriptor file;
   /// Called right before the file gets its name; returns whether it may replace one.
   std::function<bool()> claim;
+  /// Called where the claim was wrong: another file has the name.
+  std::function<void()> disown = [] {};
   std::uint64_t size = 0;
 
   ~State();

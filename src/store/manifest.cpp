@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
-#include <vector>
 
 #include "clca/store/file.hpp"
 #include "clca/text/name.hpp"
@@ -21,6 +21,7 @@ namespace {
 
 constexpr const char* kManifest = ".clca.manifest";
 constexpr std::string_view kHeader = "clca manifest 1\n";
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
 std::string line_of(std::string_view kind, std::string_view name) {
   return fmt::format("{} \"{}\"\n", kind, name);
@@ -36,16 +37,26 @@ std::optional<std::string> name_in(std::string_view line, std::string_view kind)
   return std::string(line.substr(before, line.size() - before - 1));
 }
 
-std::string read_text(int file) {
-  std::string text;
-  std::vector<char> block(1U << 16U);
-  for (off_t at = 0;; at = static_cast<off_t>(text.size())) {
-    const ssize_t count = ::pread(file, block.data(), block.size(), at);
-    if (count <= 0) {
-      return text;
-    }
-    text.append(block.data(), static_cast<std::size_t>(count));
+/// At most so many bytes of a file.
+std::string read_text(int file, std::size_t most) {
+  struct stat status {};
+  if (::fstat(file, &status) == 0) {
+    most = std::min(most, static_cast<std::size_t>(status.st_size));
   }
+  std::string text(most, '\0');
+  std::size_t size = 0;
+  ssize_t count = 0;
+  while (size < most &&
+         (count = ::pread(file, text.data() + size, most - size, static_cast<off_t>(size))) > 0) {
+    size += static_cast<std::size_t>(count);
+  }
+  text.resize(size);
+  return text;
+}
+
+/// Whether a text begins as a manifest; the last word of the header may be missing.
+bool is_header(const std::string& text) {
+  return kHeader.starts_with(std::string_view(text).substr(0, kHeader.size()));
 }
 
 }  // namespace
@@ -64,29 +75,37 @@ bool is_inside(std::string_view name) {
 /// The manifest, open and locked against other processes that change it.
 class ManifestFile::Locked {
  public:
-  explicit Locked(const ManifestFile& manifest) : path_(manifest.path_) {
+  explicit Locked(const ManifestFile& manifest) : manifest_(manifest) {
     constexpr int kFlags = O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     struct stat held {};
-    struct stat named {};
-    do {  // another process may have put a new one in place before the lock was had
+    do {
       file_ = Descriptor(::openat(manifest.folder_, kManifest, kFlags, kReadableByAll));
-      if (!file_.is_open() || ::flock(file_.number(), LOCK_EX) != 0 ||
-          ::fstat(file_.number(), &held) != 0) {
+      if (!file_.is_open() || !lock() || ::fstat(file_.number(), &held) != 0) {
         fail();
       }
-    } while (::fstatat(manifest.folder_, kManifest, &named, AT_SYMLINK_NOFOLLOW) != 0 ||
-             held.st_ino != named.st_ino || held.st_dev != named.st_dev);
-    if (!S_ISREG(held.st_mode)) {
-      errno = EINVAL;
-      fail();
-    }
+      if (!S_ISREG(held.st_mode)) {
+        manifest_.refuse("write", "it is not a regular file");
+      }
+      if (!is_header(read_text(file_.number(), kHeader.size()))) {
+        manifest_.refuse("write", "it is not a clca manifest");
+      }
+      if (held.st_nlink > 1) {  // of a backup, which is not to be changed
+        manifest_.put(read_text(file_.number(), kMostBytes));
+      }
+    } while (!is_in_place(held));
     size_ = held.st_size;
+    if (size_ == 0 && manifest.expected_) {
+      manifest_.refuse("write", "it has been removed or emptied meanwhile");
+    }
   }
 
   void append(std::string text) {
     char last = '\n';
-    if (size_ == 0) {
+    if (size_ < static_cast<off_t>(kHeader.size())) {
       text = std::string(kHeader) + text;
+      if (::ftruncate(file_.number(), 0) != 0) {  // a header that was not written whole
+        fail();
+      }
     } else if (::pread(file_.number(), &last, 1, size_ - 1) == 1 && last != '\n') {
       text = '\n' + text;  // the line before was not written whole
     }
@@ -100,31 +119,53 @@ class ManifestFile::Locked {
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw StoreError(
-        fmt::format("cannot write {}: {}", (path_ / kManifest).string(), std::strerror(errno)));
+  /// Waits a few seconds for other processes, which hold the lock for a moment only.
+  bool lock() const {
+    constexpr int kTries = 500;
+    constexpr useconds_t kPause = 10'000;
+    for (int i = 0; i < kTries; ++i) {
+      if (::flock(file_.number(), LOCK_EX | LOCK_NB) == 0) {
+        return true;
+      }
+      if (errno != EWOULDBLOCK && errno != EINTR) {
+        return false;
+      }
+      ::usleep(kPause);
+    }
+    return false;
   }
+  /// Whether no other process has put a new manifest in place before this one was locked.
+  bool is_in_place(const struct stat& held) const {
+    struct stat named {};
+    return ::fstatat(manifest_.folder_, kManifest, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
+           held.st_ino == named.st_ino && held.st_dev == named.st_dev;
+  }
+  [[noreturn]] void fail() const { manifest_.refuse("write", std::strerror(errno)); }
 
-  std::filesystem::path path_;
+  const ManifestFile& manifest_;
   Descriptor file_;
   off_t size_ = 0;
 };
 
+void ManifestFile::refuse(std::string_view what, const char* reason) const {
+  throw StoreError(fmt::format("cannot {} {}: {}", what, (path_ / kManifest).string(), reason));
+}
+
 Manifest ManifestFile::read() const {
-  const auto refuse = [&](std::string_view reason) {
-    throw StoreError(fmt::format("cannot read {}: {}", (path_ / kManifest).string(), reason));
-  };
   const Descriptor file(
       ::openat(folder_, kManifest, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (!file.is_open()) {
-    if (errno != ENOENT) {
-      refuse(std::strerror(errno));
-    }
+  if (!file.is_open() && errno == ENOENT) {
     return {};
   }
-  const std::string text = file.is_regular() ? read_text(file.number()) : "";
-  if (!kHeader.starts_with(text.substr(0, kHeader.size())) || !file.is_regular()) {
-    refuse("it is no manifest of clca");
+  if (!file.is_open()) {
+    refuse("read", std::strerror(errno));
+  }
+  if (!file.is_regular() || ::lseek(file.number(), 0, SEEK_END) > static_cast<off_t>(kMostBytes)) {
+    refuse("read", "it is not a clca manifest");
+  }
+  const std::string text = read_text(file.number(), kMostBytes);
+  if (!is_header(text)) {
+    refuse("read", "it is not a clca manifest");
   }
   Manifest manifest;
   for (std::size_t start = kHeader.size(); start < text.size();) {
@@ -136,6 +177,8 @@ Manifest ManifestFile::read() const {
     start = end + 1;
     if (auto name = name_in(line, "file")) {
       manifest.files.insert(*std::move(name));
+    } else if (const auto removed = name_in(line, "removed")) {
+      manifest.files.erase(*removed);
     } else if (auto folder = name_in(line, "folder")) {
       manifest.folders.insert(*std::move(folder));
     } else if (auto mark = name_in(line, "temporary")) {
@@ -144,7 +187,7 @@ Manifest ManifestFile::read() const {
   }
   for (const auto* names : {&manifest.files, &manifest.folders}) {
     if (!std::all_of(names->begin(), names->end(), is_inside)) {
-      refuse("it names files outside of the folder");
+      refuse("read", "it names files outside of the folder");
     }
   }
   return manifest;
@@ -154,38 +197,45 @@ void ManifestFile::append(std::string_view kind, const std::string& name) const 
   Locked(*this).append(line_of(kind, name));
 }
 
-void ManifestFile::replace(const Manifest& manifest, const std::string& temporary) const {
-  std::string text(kHeader);
-  for (const std::string& name : manifest.files) {
-    text += line_of("file", name);
-  }
-  for (const std::string& name : manifest.folders) {
-    text += line_of("folder", name);
-  }
-  for (const std::string& mark : manifest.temporary) {
-    text += line_of("temporary", mark);
-  }
-  const Locked locked(*this);
-  Descriptor file(::openat(folder_, temporary.c_str(),
-                           O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadableByAll));
+void ManifestFile::put(std::string_view text) const {
+  const std::string temporary = std::string(kManifest) + "-new";
+  ::unlinkat(folder_, temporary.c_str(), 0);  // of a process that was killed: all hold the lock
+  const Descriptor file(::openat(folder_, temporary.c_str(),
+                                 O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                 kReadableByAll));
   const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   if (!file.is_open() || !write_all(file.number(), bytes) || ::fsync(file.number()) != 0 ||
       ::renameat(folder_, temporary.c_str(), folder_, kManifest) != 0) {
     const int error = errno;
     ::unlinkat(folder_, temporary.c_str(), 0);
-    throw StoreError(
-        fmt::format("cannot write {}: {}", (path_ / kManifest).string(), std::strerror(error)));
+    refuse("write", std::strerror(error));
   }
 }
 
-void ManifestFile::remove_if_only(const std::string& mark) const {
-  if (read().temporary.empty()) {
-    return;  // another output folder of this process was the last
+void ManifestFile::replace(const Manifest& seen, Manifest left) const {
+  const Locked locked(*this);
+  const Manifest now = read();
+  std::string text(kHeader);
+  const auto add = [&](std::string_view kind, std::set<std::string> Manifest::*names) {
+    std::set_difference((now.*names).begin(), (now.*names).end(), (seen.*names).begin(),
+                        (seen.*names).end(), std::inserter(left.*names, (left.*names).end()));
+    for (const std::string& name : left.*names) {
+      text += line_of(kind, name);
+    }
+  };
+  add("file", &Manifest::files);
+  add("folder", &Manifest::folders);
+  add("temporary", &Manifest::temporary);
+  put(text);
+}
+
+void ManifestFile::remove_if_empty() const {
+  if (::faccessat(folder_, kManifest, F_OK, AT_SYMLINK_NOFOLLOW) != 0) {
+    return;
   }
   const Locked locked(*this);
   const Manifest manifest = read();
-  if (manifest.files.empty() && manifest.folders.empty() &&
-      manifest.temporary == std::set<std::string>{mark}) {
+  if (manifest.files.empty() && manifest.folders.empty()) {
     ::unlinkat(folder_, kManifest, 0);
   }
 }

@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <mutex>
@@ -74,6 +75,10 @@ std::vector<std::string> names_in(int folder) {
   return names;
 }
 
+bool is_temporary(const std::string& name) {
+  return name.starts_with(kTemporary);
+}
+
 /// Removes a temporary file unless a process is still at work on it.
 void remove_if_abandoned(int folder, const std::string& name) {
   const Descriptor file(
@@ -88,13 +93,15 @@ void remove_if_abandoned(int folder, const std::string& name) {
 /// The open folder and what its manifest lists. Names are from the root on.
 class OutputFolder::State {
  public:
-  explicit State(fs::path path) : path_(std::move(path)) {
+  /// `named`: for files that the user names, which want a manifest only for temporary files. In a
+  /// folder of several users (/tmp) it may be somebody else's: then it is done without.
+  State(fs::path path, bool named) : path_(std::move(path)), named_(named) {
     open();
-    if (!folder_.is_open() && errno != ENOENT) {
+    if (!folder_.is_open() && !named_ && errno != ENOENT) {
       fail_at("write to", path_, std::strerror(errno));
     }
     if (folder_.is_open()) {
-      manifest_ = manifest_file().read();
+      unless_named([this] { manifest_ = manifest_file().read(); });
     }
   }
   ~State() {
@@ -102,15 +109,27 @@ class OutputFolder::State {
       return;
     }
     try {
-      manifest_file().remove_if_only(mark_of_process());
-    } catch (const StoreError&) {  // it stays: that is harmless
+      const std::vector<std::string> names = names_in(folder_.number());
+      if (std::none_of(names.begin(), names.end(), is_temporary)) {
+        manifest_file().remove_if_empty();
+      }
+    } catch (const std::exception&) {  // it stays: that is harmless
     }
   }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
   const fs::path& path() const { return path_; }
-  ManifestFile manifest_file() const { return {folder_.number(), path_}; }
+  /// Throws where the folder of a file that the user has named is not there.
+  void require_folder(const fs::path& file) {
+    open();
+    if (!folder_.is_open()) {
+      fail_at("write", file, std::strerror(errno));
+    }
+  }
+  ManifestFile manifest_file() const {
+    return {folder_.number(), path_, !manifest_.files.empty() || !manifest_.folders.empty()};
+  }
 
   bool owns(const std::string& name) {
     const std::lock_guard lock(mutex_);
@@ -120,6 +139,8 @@ class OutputFolder::State {
   void require_free(const std::string& name);
   /// Lists a file that is about to get its name. Returns whether it was listed before.
   bool claim(const std::string& name);
+  /// Takes a file off the list.
+  void disown(const std::string& name);
   /// The folder that the file `name` lies in; not open where it is not there or is reached by a
   /// symbolic link only.
   Descriptor parent(const std::string& name) const;
@@ -133,6 +154,17 @@ class OutputFolder::State {
   void remove_temporary_files() const;
 
  private:
+  /// Errors do not matter to files that the user names.
+  template <class Act>
+  void unless_named(Act act) {
+    try {
+      act();
+    } catch (const StoreError&) {
+      if (!named_) {
+        throw;
+      }
+    }
+  }
   void open() {
     const char* path = path_.empty() ? "." : path_.c_str();
     folder_ = Descriptor(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -141,6 +173,7 @@ class OutputFolder::State {
   void refresh() { manifest_.files.merge(manifest_file().read().files); }
 
   fs::path path_;
+  bool named_;
   std::mutex mutex_;  // of all below
   Descriptor folder_;
   Manifest manifest_;
@@ -166,7 +199,7 @@ void OutputFolder::State::require_free(const std::string& name) {
   const Found found =
       folder.is_open() ? found_in(folder.number(), folder_and_leaf(name).second) : Found::nothing;
   if (found == Found::other) {
-    fail_at("write", path_ / name, "what is there is no regular file");
+    fail_at("write", path_ / name, "it is not a regular file");
   }
   if (found == Found::file && !manifest_.files.contains(name)) {
     refresh();
@@ -186,6 +219,14 @@ bool OutputFolder::State::claim(const std::string& name) {
   return false;
 }
 
+void OutputFolder::State::disown(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  if (manifest_.files.contains(name)) {
+    manifest_file().remove_file(name);
+    manifest_.files.erase(name);
+  }
+}
+
 Descriptor OutputFolder::State::parent(const std::string& name) const {
   Descriptor folder(folder_.is_open() ? ::openat(folder_.number(), ".", kFolderFlags) : -1);
   const std::string below = folder_and_leaf(name).first;
@@ -203,6 +244,9 @@ Descriptor OutputFolder::State::make_parent(const std::string& name) {
   if (!folder_.is_open()) {
     store::make_folder(path_);
     open();
+    if (!folder_.is_open()) {
+      fail_at("write to", path_, std::strerror(errno));
+    }
   }
   Descriptor folder(::openat(folder_.number(), ".", kFolderFlags));
   const std::string below = folder_and_leaf(name).first;
@@ -232,13 +276,16 @@ void OutputFolder::State::mark() {
   const std::lock_guard lock(mutex_);
   if (!marked_) {
     remove_temporary_files();
-    manifest_file().add_temporary(mark_of_process());
+    unless_named([this] { manifest_file().add_temporary(mark_of_process()); });
     marked_ = true;
   }
 }
 
 void OutputFolder::State::remove(const std::string& name) const {
   const Descriptor folder = parent(name);
+  if (!folder.is_open() && errno != ENOENT && errno != ENOTDIR && errno != ELOOP) {
+    fail_at("remove", path_ / name, std::strerror(errno));
+  }
   const std::string leaf = folder_and_leaf(name).second;
   if (folder.is_open() && found_in(folder.number(), leaf) == Found::file &&
       ::unlinkat(folder.number(), leaf.c_str(), 0) != 0 && errno != ENOENT) {
@@ -270,8 +317,8 @@ void OutputFolder::State::clear(const std::string& first, const std::string& kep
     }
   }
   left.temporary = {mark_of_process()};
-  manifest_file().replace(left, temporary_name());
-  manifest_ = std::move(left);
+  manifest_file().replace(manifest_, left);
+  manifest_ = manifest_file().read();
 }
 
 void OutputFolder::State::remove_temporary_files() const {
@@ -295,7 +342,7 @@ void OutputFolder::State::remove_temporary_files() const {
   }
 }
 
-OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path)) {}
+OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path, false)) {}
 
 OutputFolder::OutputFolder(std::shared_ptr<State> state, std::string prefix)
     : state_(std::move(state)), prefix_(std::move(prefix)) {}
@@ -333,10 +380,11 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
   if (replace == Replace::own && !is_inside(whole)) {
     fail_at("write", path(name), "it is no name of a file");
   }
-  std::error_code unknown;
-  if (replace == Replace::named && !state_->path().empty() &&
-      !fs::exists(state_->path(), unknown)) {
-    fail_at("write", path(name), "there is no such folder");
+  if (replace == Replace::named) {
+    state_->require_folder(path(name));
+    if (name.starts_with(".clca")) {
+      fail_at("write", path(name), "clca has files of its own with such names");
+    }
   }
   auto file = std::make_unique<AtomicFile::State>();
   file->path = path(name);
@@ -345,9 +393,10 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
   if (replace == Replace::own) {
     require_free(name);
     file->claim = [state = state_, whole] { return state->claim(whole); };
+    file->disown = [state = state_, whole] { state->disown(whole); };
   } else {
     if (found_in(file->folder.number(), file->name) == Found::other) {
-      fail_at("write", file->path, "what is there is no regular file");
+      fail_at("write", file->path, "it is not a regular file");
     }
     file->claim = [state = state_] { return true; };
   }
@@ -385,6 +434,10 @@ int OutputFolder::open_to_append(const std::string& name) const {
                            O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC |
                                (known && there ? 0 : O_CREAT | O_EXCL),
                            kReadableByAll));
+  if (!file.is_open() && errno == EEXIST) {
+    state_->disown(whole);
+    refuse_foreign(path(name));
+  }
   if (!file.is_open()) {
     fail_at("write", path(name), std::strerror(errno));
   }
@@ -400,11 +453,24 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
       ::fstatat(folder.number(), leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
     return bytes == 0;
   }
-  if (static_cast<std::uint64_t>(status.st_size) <= bytes) {
-    return static_cast<std::uint64_t>(status.st_size) == bytes;
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size < bytes || (size == bytes && status.st_nlink == 1)) {
+    return size == bytes;
   }
-  const Descriptor file(
-      ::openat(folder.number(), leaf.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  Descriptor file(
+      ::openat(folder.number(), leaf.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file.is_open() && status.st_nlink > 1) {  // of a backup, which is not to be changed
+    std::vector<std::uint8_t> block(1U << 16U);
+    AtomicFile copy = create(name);
+    ssize_t count = 0;
+    while (copy.size() < bytes && (count = ::read(file.number(), block.data(), block.size())) > 0) {
+      const std::uint64_t left = bytes - copy.size();
+      copy.write(
+          std::span(block).first(std::min<std::uint64_t>(left, static_cast<std::uint64_t>(count))));
+    }
+    copy.finish();
+    return true;
+  }
   if (!file.is_open() || ::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
     fail_at("write", path(name), std::strerror(errno));
   }
@@ -427,9 +493,13 @@ void OutputFolder::sync(const std::string& name) const {
 void OutputFolder::rename(const std::string& from, const std::string& to) const {
   require_free(from);
   require_free(to);
-  state_->claim(prefix_ + to);
   const Descriptor folder = state_->parent(prefix_ + from);
   const Descriptor target = state_->parent(prefix_ + to);
+  if (!folder.is_open() || !target.is_open() ||
+      found_in(folder.number(), folder_and_leaf(prefix_ + from).second) == Found::nothing) {
+    return;
+  }
+  state_->claim(prefix_ + to);
   if (::renameat(folder.number(), folder_and_leaf(prefix_ + from).second.c_str(), target.number(),
                  folder_and_leaf(prefix_ + to).second.c_str()) != 0 &&
       errno != ENOENT) {
@@ -440,6 +510,7 @@ void OutputFolder::rename(const std::string& from, const std::string& to) const 
 void OutputFolder::remove(const std::string& name) const {
   if (owns(name)) {
     state_->remove(prefix_ + name);
+    state_->disown(prefix_ + name);
   }
 }
 
@@ -452,7 +523,8 @@ void OutputFolder::remove_temporary_files() const {
 }
 
 OutputFile named_file(const fs::path& path) {
-  return {OutputFolder(path.parent_path()), path.filename().string(), Replace::named};
+  return {OutputFolder(std::make_shared<OutputFolder::State>(path.parent_path(), true), ""),
+          path.filename().string(), Replace::named};
 }
 
 OutputFolder named_folder(const fs::path& named, const fs::path& run, const std::string& below) {

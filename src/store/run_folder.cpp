@@ -63,7 +63,8 @@ RunFolder RunFolder::for_new_run(const fs::path& path) {
           "cannot run in {}: clca has written something else than a run there ({}); run elsewhere",
           path.string(), there.front()));
     }
-    for (const char* name : {kSceneFile, kSummaryFile, kLogFile, kCheckpointFile}) {
+    for (const char* name :
+         {kSceneFile, kSummaryFile, kLogFile, kCheckpointFile, kCheckpointBefore}) {
       files.require_free(name);
     }
   }

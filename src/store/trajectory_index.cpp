@@ -84,6 +84,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
   const Handle whole = space_of(shape_of(column, rows));
   const Handle creation = properties(H5P_DATASET_CREATE);
   const T fill = no_value<T>();
+  check(H5Pset_obj_track_times(creation.id(), false), "no times");  // the same bytes again
   check(H5Pset_fill_value(creation.id(), number_type<T>(), &fill), "fill value");
   map_parts(creation, whole, column, parts);
   const Handle links = properties(H5P_LINK_CREATE);

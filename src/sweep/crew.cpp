@@ -1,5 +1,7 @@
 #include "sweep/crew.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -68,6 +70,11 @@ Ended Crew::carried_out(std::size_t run) const {
   Ended one = {run, {}, {}, {}};
   one.result.status = Status::failed;
   try {
+    std::error_code unknown;
+    if (std::filesystem::is_symlink(folder_.run(plan_.name(run)), unknown)) {
+      throw store::StoreError(fmt::format("cannot run in {}: it is a symbolic link",
+                                          folder_.run(plan_.name(run)).string()));
+    }
     run::RunEvents events;
     events.warning = [&one](const std::string& text) { one.warnings.push_back(text); };
     one.result.summary = run::run(plan_.scene(run),

@@ -95,7 +95,7 @@ class Faults : public ::testing::Test {
                                                                                      : from_new;
   }
 
-  static constexpr std::array kMine = {"frames/mine.png", "frames/scene-000099.png", "lock",
+  static constexpr std::array kMine = {"frames/mine.png", "frames/other-000099.png", "lock",
                                        "book.part-2", "profile-me.csv"};
   testing::ScratchFolder folder_;
 };

@@ -61,6 +61,9 @@ struct RunOptions {
   bool last_picture_only = false;
   /// Replaces a run in the folder that was interrupted, too.
   bool overwrite = false;
+  /// Leaves what is in the folder alone: runs in the first of FOLDER, FOLDER-2, ... that is not
+  /// there.
+  bool keep = false;
 };
 
 /// A run that was interrupted is in the way of a new one. what() is one line with the folder.
@@ -75,6 +78,8 @@ struct RunEvents {
   std::function<void(const GasProgress&)> gas_progress = {};
   /// Least time between two calls of one of these; they come after a step.
   std::chrono::milliseconds progress_interval{100};
+  /// The folder of the run, when it has been chosen.
+  std::function<void(const std::filesystem::path&)> folder = {};
   std::function<void(const std::string&)> message = {};
   std::function<void(const std::string&)> warning = {};
 };

@@ -19,6 +19,8 @@ enum class Replace : std::uint8_t {
   named  ///< any regular file: the user has named it; it is not listed in the manifest
 };
 
+struct OutputFile;
+
 /// The file `.clca.manifest` lists every file before it is made. Nothing that is not listed is ever
 /// replaced or removed, and no symbolic link below the folder is followed. Names are relative, with
 /// `/` between folders ("frames/a-000120.png"). Copies share one folder; all functions may be
@@ -69,6 +71,7 @@ class OutputFolder {
 
  private:
   class State;
+  friend OutputFile named_file(const std::filesystem::path& path);
   OutputFolder(std::shared_ptr<State> state, std::string prefix);
 
   std::shared_ptr<State> state_;

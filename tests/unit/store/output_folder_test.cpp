@@ -131,7 +131,7 @@ TEST_F(OutputFolderTest, SymbolicLinksAreNeverFollowed) {
   EXPECT_THAT([&] { out.write("frames/a.png", "y"); },
               ThrowsMessage<StoreError>(HasSubstr("link")));
   EXPECT_THAT([&] { out.write("table.csv", "y"); },
-              ThrowsMessage<StoreError>(EndsWith("what is there is no regular file")));
+              ThrowsMessage<StoreError>(EndsWith("it is not a regular file")));
   EXPECT_THROW(out.open_to_append("table.csv"), StoreError);
   EXPECT_THROW(out.truncate("table.csv", 0), StoreError);
   out.clear("", "");
@@ -198,6 +198,80 @@ TEST_F(OutputFolderTest, AFileThatTheUserNamedReplacesARegularFileAndIsNotListed
   ASSERT_EQ(::mkfifo(path("out/pipe").c_str(), 0600), 0);
   EXPECT_THROW(write_whole(path("out/pipe"), "x"), StoreError);
   EXPECT_TRUE(fs::is_fifo(path("out/pipe")));
+}
+
+TEST_F(OutputFolderTest, AManifestOfSomebodyElseIsNoObstacleToAFileThatTheUserNamed) {
+  put("out/.clca.manifest", "something else\n");
+  write_whole(path("out/a.txt"), "asked for");
+  EXPECT_EQ(text("out/a.txt"), "asked for");
+  EXPECT_EQ(text("out/.clca.manifest"), "something else\n");
+}
+
+TEST_F(OutputFolderTest, AFileWhoseNameWasTakenMeanwhileIsNotListed) {
+  {
+    AtomicFile file = folder().create("a.txt");
+    put("out/a.txt", "mine");
+    EXPECT_THROW(file.finish(), StoreError);
+  }
+  EXPECT_THROW(folder().write("a.txt", "x"), StoreError);
+  folder().clear("", "");
+  EXPECT_EQ(text("out/a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, AFileThatWasRemovedIsTheUsersToMakeAnew) {
+  folder().write("a.txt", "x");
+  folder().remove("a.txt");
+  put("out/a.txt", "mine");
+  EXPECT_THROW(folder().write("a.txt", "x"), StoreError);
+  folder().clear("", "");
+  EXPECT_EQ(text("out/a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, ABackupByHardLinksIsNotChanged) {
+  const OutputFolder out = folder();
+  GrowingFile(out, "table.csv", 0).append("a,b\n1,2\n");
+  fs::create_directories(path("backup"));
+  for (const char* name : {"table.csv", ".clca.manifest"}) {
+    fs::create_hard_link(path("out") / name, path("backup") / name);
+  }
+  const std::string manifest = text("backup/.clca.manifest");
+  GrowingFile(folder(), "table.csv", 8).append("3,4\n");
+  folder().write("more.txt", "x");
+  EXPECT_EQ(text("out/table.csv"), "a,b\n1,2\n3,4\n");
+  EXPECT_EQ(text("backup/table.csv"), "a,b\n1,2\n");
+  EXPECT_EQ(text("backup/.clca.manifest"), manifest);
+}
+
+TEST_F(OutputFolderTest, WhatAnotherProcessListsWhileTheFolderIsClearedStaysListed) {
+  const OutputFolder out = folder();
+  out.write("a.txt", "x");
+  folder().write("b.txt", "x");  // out does not know of it
+  out.clear("", "a.txt");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+  AtomicFile late = folder().create("c.txt");
+  out.clear("", "a.txt");
+  late.finish();
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt", "c.txt"));
+}
+
+TEST_F(OutputFolderTest, AManifestThatIsGoneIsNotBegunAnew) {
+  const OutputFolder out = folder();
+  out.write("a.txt", "x");
+  fs::remove(path("out/.clca.manifest"));
+  EXPECT_THAT([&] { out.write("b.txt", "x"); },
+              ThrowsMessage<StoreError>(HasSubstr("it has been removed or emptied meanwhile")));
+}
+
+TEST_F(OutputFolderTest, AManifestWithPartOfItsHeaderIsWrittenAnew) {
+  put("out/.clca.manifest", "clca man");
+  folder().write("a.txt", "x");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+}
+
+TEST_F(OutputFolderTest, FilesOfItsOwnCannotBeNamedByTheUser) {
+  folder().write("a.txt", "x");
+  EXPECT_THROW(write_whole(path("out/.clca.manifest"), "x"), StoreError);
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
 }
 
 TEST_F(OutputFolderTest, AGrowingFileKeepsWhatItIsToldAndCutsOffTheRest) {
