@@ -90,9 +90,9 @@ fs::path write_report(const fs::path& run, const Options& options) {
   page.charts = charts_html(tables);
   page.maps = maps_html(tables);
   page.files = tables.files();
-  const store::OutputFile file =
-      options.file.empty() ? store::OutputFile{store::OutputFolder(run), "report.html"}
-                           : store::named_file(options.file);
+  const store::OutputFile file = options.file.empty()
+                                     ? store::OutputFile{store::OutputFolder(run), "report.html"}
+                                     : store::named_file(options.file);
   file.folder.write(file.name, to_html(page, summary, warnings), file.replace);
   return file.path();
 }

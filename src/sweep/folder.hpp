@@ -16,9 +16,7 @@ class Folder {
   /// for a folder of a run.
   Folder(std::filesystem::path path, const Plan& plan);
 
-  std::filesystem::path run(const std::string& name) const {
-    return files_.path() / "runs" / name;
-  }
+  std::filesystem::path run(const std::string& name) const { return files_.path() / "runs" / name; }
   void write_tables(const std::string& runs, const std::string& measures) const;
   void write_overview(const std::vector<std::uint8_t>& png) const;
 

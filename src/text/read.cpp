@@ -54,8 +54,7 @@ class OpenFile {
 
 [[noreturn]] void refuse_size(double most_bytes) {
   constexpr double kMebibyte = 1 << 20;
-  throw ReadError(
-      fmt::format("it is larger than the limit of {:.4g} MiB", most_bytes / kMebibyte));
+  throw ReadError(fmt::format("it is larger than the limit of {:.4g} MiB", most_bytes / kMebibyte));
 }
 
 }  // namespace

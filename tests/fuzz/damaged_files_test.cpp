@@ -86,7 +86,8 @@ void expect_memory_below(double bytes) {
 class DamagedTrajectory : public ::testing::Test {
  protected:
   DamagedTrajectory() {
-    store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(), fixed_, {});
+    store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(), fixed_,
+                                   {});
     std::size_t frames = 0;
     for (const fuzz::SmallFrame& frame : fuzz::small_run()) {
       writer.add(frame.state, frame.stage, frame.stage_begins);
@@ -137,7 +138,8 @@ TEST_F(DamagedTrajectory, IsReadOrRefused) {
 TEST_F(DamagedTrajectory, IsGoneOnWithOrRefused) {
   use_damaged("trajectories of runs that go on", [&](Damage& damage) {
     put(damage);
-    const store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(), fixed_, written_);
+    const store::TrajectoryWriter writer(store::OutputFolder(folder_.path()), fuzz::small_scene(),
+                                         fixed_, written_);
   });
   expect_memory_below(4 * kLimit);
 }

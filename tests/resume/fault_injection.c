@@ -18,8 +18,8 @@
 /* Returns whether the call shall fail; may not return at all. */
 static int fault(void) {
   static atomic_long calls = 0;
-  const char *at = getenv("CLCA_FAULT_AT");
-  const char *what = getenv("CLCA_FAULT");
+  const char* at = getenv("CLCA_FAULT_AT");
+  const char* what = getenv("CLCA_FAULT");
   if (at == NULL || what == NULL || atomic_fetch_add(&calls, 1) + 1 < atol(at)) {
     return 0;
   }
@@ -38,40 +38,40 @@ static int is_file(int descriptor) {
 
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
-#define OPEN_AT(name)                                             \
-  int name(int folder, const char *path, int flags, ...) {        \
-    va_list more;                                                 \
-    va_start(more, flags);                                        \
+#define OPEN_AT(name)                                               \
+  int name(int folder, const char* path, int flags, ...) {          \
+    va_list more;                                                   \
+    va_start(more, flags);                                          \
     const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0; \
-    va_end(more);                                                 \
-    if (flags & (O_CREAT | O_TRUNC) && fault()) {                 \
-      return -1;                                                  \
-    }                                                             \
-    return REAL(name)(folder, path, flags, mode);                 \
+    va_end(more);                                                   \
+    if (flags & (O_CREAT | O_TRUNC) && fault()) {                   \
+      return -1;                                                    \
+    }                                                               \
+    return REAL(name)(folder, path, flags, mode);                   \
   }
-#define OPEN(name)                                                \
-  int name(const char *path, int flags, ...) {                    \
-    va_list more;                                                 \
-    va_start(more, flags);                                        \
+#define OPEN(name)                                                  \
+  int name(const char* path, int flags, ...) {                      \
+    va_list more;                                                   \
+    va_start(more, flags);                                          \
     const mode_t mode = flags & O_CREAT ? va_arg(more, mode_t) : 0; \
-    va_end(more);                                                 \
-    if (flags & (O_CREAT | O_TRUNC) && fault()) {                 \
-      return -1;                                                  \
-    }                                                             \
-    return REAL(name)(path, flags, mode);                         \
+    va_end(more);                                                   \
+    if (flags & (O_CREAT | O_TRUNC) && fault()) {                   \
+      return -1;                                                    \
+    }                                                               \
+    return REAL(name)(path, flags, mode);                           \
   }
 OPEN(open)
 OPEN(open64)
 OPEN_AT(openat)
 OPEN_AT(openat64)
 
-ssize_t write(int file, const void *bytes, size_t count) {
+ssize_t write(int file, const void* bytes, size_t count) {
   return is_file(file) && fault() ? -1 : REAL(write)(file, bytes, count);
 }
-ssize_t writev(int file, const struct iovec *parts, int count) {
+ssize_t writev(int file, const struct iovec* parts, int count) {
   return is_file(file) && fault() ? -1 : REAL(writev)(file, parts, count);
 }
-ssize_t pwrite(int file, const void *bytes, size_t count, off_t at) {
+ssize_t pwrite(int file, const void* bytes, size_t count, off_t at) {
   return is_file(file) && fault() ? -1 : REAL(pwrite)(file, bytes, count, at);
 }
 int fsync(int file) {
@@ -83,13 +83,13 @@ int fdatasync(int file) {
 int ftruncate(int file, off_t size) {
   return fault() ? -1 : REAL(ftruncate)(file, size);
 }
-int truncate(const char *path, off_t size) {
+int truncate(const char* path, off_t size) {
   return fault() ? -1 : REAL(truncate)(path, size);
 }
-int mkdir(const char *path, mode_t mode) {
+int mkdir(const char* path, mode_t mode) {
   return fault() ? -1 : REAL(mkdir)(path, mode);
 }
-int mkdirat(int folder, const char *path, mode_t mode) {
+int mkdirat(int folder, const char* path, mode_t mode) {
   struct stat there;
   return fstatat(folder, path, &there, AT_SYMLINK_NOFOLLOW) != 0 && fault()
              ? -1
@@ -102,31 +102,31 @@ static void pass(void) {
   (void)fault();
   errno = error;
 }
-int rename(const char *from, const char *to) {
+int rename(const char* from, const char* to) {
   pass();
   return REAL(rename)(from, to);
 }
-int renameat(int from_folder, const char *from, int to_folder, const char *to) {
+int renameat(int from_folder, const char* from, int to_folder, const char* to) {
   pass();
   return REAL(renameat)(from_folder, from, to_folder, to);
 }
-int renameat2(int from_folder, const char *from, int to_folder, const char *to, unsigned flags) {
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   pass();
   return REAL(renameat2)(from_folder, from, to_folder, to, flags);
 }
-int linkat(int from_folder, const char *from, int to_folder, const char *to, int flags) {
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
   pass();
   return REAL(linkat)(from_folder, from, to_folder, to, flags);
 }
-int unlink(const char *path) {
+int unlink(const char* path) {
   pass();
   return REAL(unlink)(path);
 }
-int unlinkat(int folder, const char *path, int flags) {
+int unlinkat(int folder, const char* path, int flags) {
   pass();
   return REAL(unlinkat)(folder, path, flags);
 }
-int remove(const char *path) {
+int remove(const char* path) {
   pass();
   return REAL(remove)(path);
 }

@@ -24,13 +24,13 @@ class RedrawError : public std::runtime_error {
 };
 
 struct RedrawOptions {
-  std::filesystem::path run = {};    ///< folder of the run
+  std::filesystem::path run = {};                  ///< folder of the run
   std::optional<store::OutputFolder> folder = {};  ///< for pictures one by one
-  std::filesystem::path movie = {};   ///< see render::movie_format; empty: none
-  int frames_per_second = 25;         ///< of the movie
-  std::filesystem::path sheet = {};   ///< a PNG file; empty: none
-  int columns = 4;                    ///< of the sheet
-  std::uint64_t from = 0;             ///< first step
+  std::filesystem::path movie = {};                ///< see render::movie_format; empty: none
+  int frames_per_second = 25;                      ///< of the movie
+  std::filesystem::path sheet = {};                ///< a PNG file; empty: none
+  int columns = 4;                                 ///< of the sheet
+  std::uint64_t from = 0;                          ///< first step
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
   double most_bytes = std::numeric_limits<double>::infinity();   ///< of memory, for the trajectory
   /// Looked at before each picture: when it is not zero the drawing ends with what it has, whole.

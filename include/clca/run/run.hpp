@@ -89,8 +89,8 @@ struct RunEvents {
 /// store::StoreError, or std::bad_alloc; std::invalid_argument for a number of threads that is not
 /// positive. Where fewer threads can be started it warns and goes on with these. What fails after
 /// the folder was made leaves `failed` in it, and the last checkpoint to be gone on with. Several
-/// threads may run at once, each into a folder of its own. No folder is made for a scene whose first
-/// stage cannot begin.
+/// threads may run at once, each into a folder of its own. No folder is made for a scene whose
+/// first stage cannot begin.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
@@ -105,9 +105,9 @@ struct SavedRun {
   scene::AnyScene scene;
   store::Checkpoint checkpoint;
   std::optional<store::RunSummary> finished;  ///< there is nothing to go on with: its summary
-  double most_bytes = 0;             ///< that loading it may take
+  double most_bytes = 0;                      ///< that loading it may take
   std::optional<std::string> until;  ///< the end that was asked for in place of the scene's
-  std::string warning;  ///< one line where the newest checkpoint could not be used
+  std::string warning;               ///< one line where the newest checkpoint could not be used
 };
 
 /// Loads what `folder` has saved. With `until`, in the words of a scene, the run goes on as if its

@@ -144,7 +144,8 @@ TEST(Writers, LeaveNothingUnlessTheyFinish) {
 TEST(Gsd, BeginsWithTheNumberAndTheVersionsOfTheLayout) {
   const testing::ScratchFolder folder;
   const automaton::State state = three_particles();
-  const auto out = writer(Format::gsd, store::named_file(folder.path() / "a.gsd"), two_species(), state.kinds);
+  const auto out =
+      writer(Format::gsd, store::named_file(folder.path() / "a.gsd"), two_species(), state.kinds);
   out->add(state);
   out->finish();
   const std::string text = text_of(folder.path() / "a.gsd");
