@@ -30,8 +30,7 @@ fs::path made_free(const fs::path& folder) {
     store::make_folder(wanted.parent_path());
   }
   for (int number = 1;; ++number) {
-    const fs::path path =
-        number == 1 ? wanted : fs::path(fmt::format("{}-{}", wanted.string(), number));
+    fs::path path = number == 1 ? wanted : fs::path(fmt::format("{}-{}", wanted.string(), number));
     if (::mkdir(path.c_str(), 0777) == 0) {
       return path;
     }
@@ -60,7 +59,7 @@ void require_no_foreign(const store::OutputFolder& folder, const std::string& be
   for (fs::directory_iterator it(path, error), last; !error && it != last; it.increment(error)) {
     const std::string name = it->path().filename().string();
     if (name.starts_with(begin) && name.ends_with(end)) {
-      folder.require_free(below + "/" + name);
+      folder.require_free(fmt::format("{}/{}", below, name));
     }
   }
 }

@@ -328,23 +328,23 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
   return Run(scene, with_startable_threads(options, events), events).execute();
 }
 
-store::RunSummary resume(SavedRun saved, const RunOptions& wanted, const RunEvents& events) {
+store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {
   if (!saved.warning.empty() && events.warning) {
     events.warning(saved.warning);
   }
   if (saved.finished) {
     return *saved.finished;
   }
-  const RunOptions options = with_startable_threads(wanted, events);
+  const RunOptions startable = with_startable_threads(options, events);
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
-    return resume_gas(saved, options, events);
+    return resume_gas(saved, startable, events);
   }
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
     saved.folder.clear_results();
-    return Run(scene, options, events, std::move(saved.folder)).execute();
+    return Run(scene, startable, events, std::move(saved.folder)).execute();
   }
-  return resumed_run(scene, options, events, saved)->execute();
+  return resumed_run(scene, startable, events, saved)->execute();
 }
 
 }  // namespace clca::run

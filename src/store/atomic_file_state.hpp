@@ -10,6 +10,11 @@
 namespace clca::store {
 
 struct AtomicFile::State {
+  State() = default;
+  ~State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
   std::filesystem::path path;  ///< for messages
   Descriptor folder;
   std::string name;       ///< in the folder
@@ -20,8 +25,6 @@ struct AtomicFile::State {
   /// Called where the claim was wrong: another file has the name.
   std::function<void()> disown = [] {};
   std::uint64_t size = 0;
-
-  ~State();
 };
 
 /// Gives a file a name in its folder that no other file has. Sets errno and returns false where

@@ -10,8 +10,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "clca/store/file.hpp"
 #include "store/descriptor.hpp"
@@ -31,10 +33,10 @@ std::string holder_of(int descriptor) {
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     std::istringstream words(line);
-    std::string number, kind, mode, access, process, place;
-    words >> number >> kind >> mode >> access >> process >> place;
-    if (kind == "FLOCK" && place == file && process != "0") {
-      return process;
+    // Number, kind, mode, access, process, file.
+    const std::vector<std::string> fields{std::istream_iterator<std::string>(words), {}};
+    if (fields.size() > 5 && fields[1] == "FLOCK" && fields[5] == file && fields[4] != "0") {
+      return fields[4];
     }
   }
   return "";

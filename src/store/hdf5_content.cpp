@@ -87,7 +87,7 @@ void check_layout(const Handle& dataset, std::size_t item_bytes) {
     std::array<hsize_t, H5S_MAX_RANK> chunk = {};
     const int dimensions = H5Pget_chunk(creation.id(), H5S_MAX_RANK, chunk.data());
     check(dimensions, "has no chunks");
-    double bytes = static_cast<double>(item_bytes);
+    auto bytes = static_cast<double>(item_bytes);
     for (int dimension = 0; dimension < dimensions; ++dimension) {
       bytes *= static_cast<double>(chunk.at(static_cast<std::size_t>(dimension)));
     }

@@ -32,11 +32,11 @@ constexpr int kFolderFlags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
 /// In the names of all temporary files of this process: nobody else has it by chance.
 const std::string& mark_of_process() {
-  static const std::string mark = [] {
+  static const std::string kMark = [] {
     std::random_device device;
     return fmt::format("{:08x}{:08x}", device(), device());
   }();
-  return mark;
+  return kMark;
 }
 
 std::string temporary_name() {
@@ -308,12 +308,13 @@ void OutputFolder::State::clear(const std::string& first, const std::string& kep
       remove(name);
     }
   }
-  for (auto name = manifest_.folders.rbegin(); name != manifest_.folders.rend(); ++name) {
-    const Descriptor folder = parent(*name);
-    const std::string leaf = folder_and_leaf(*name).second;
+  const std::vector<std::string> inner_first(manifest_.folders.rbegin(), manifest_.folders.rend());
+  for (const std::string& name : inner_first) {
+    const Descriptor folder = parent(name);
+    const std::string leaf = folder_and_leaf(name).second;
     if (folder.is_open() && ::unlinkat(folder.number(), leaf.c_str(), AT_REMOVEDIR) != 0 &&
         errno != ENOENT) {
-      left.folders.insert(*name);  // it is not empty
+      left.folders.insert(name);  // it is not empty
     }
   }
   left.temporary = {mark_of_process()};

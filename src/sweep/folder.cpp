@@ -37,7 +37,7 @@ std::string to_json(const Plan& plan) {
 
 }  // namespace
 
-Folder::Folder(fs::path path, const Plan& plan) : files_(std::move(path)) {
+Folder::Folder(const fs::path& path, const Plan& plan) : files_(path) {
   if (files_.owns(store::kSummaryFile)) {
     throw store::StoreError(fmt::format(
         "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));

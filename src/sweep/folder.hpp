@@ -14,7 +14,7 @@ class Folder {
   /// Makes the folder if need be and writes what is asked. What lies there stays, but for the
   /// overview of an earlier sweep, which may show something else. Throws store::StoreError, also
   /// for a folder of a run.
-  Folder(std::filesystem::path path, const Plan& plan);
+  Folder(const std::filesystem::path& path, const Plan& plan);
 
   std::filesystem::path run(const std::string& name) const { return files_.path() / "runs" / name; }
   void write_tables(const std::string& runs, const std::string& measures) const;
