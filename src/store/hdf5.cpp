@@ -56,7 +56,8 @@ void fail(const char* what) {
 }
 
 void begin() {
-  check(H5dont_atexit(), "begin");
+  static const herr_t first = H5dont_atexit();  // may be called once
+  check(first, "begin");
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
   check(H5PLset_loading_state(0), "plugins");
 }

@@ -1,15 +1,15 @@
 #pragma once
-// What a sanitizer takes away.
+// Whether tests run under a sanitizer, which limits neither memory nor what it does itself.
 
 namespace clca::testing {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kLimitsMemoryOfChildren = false;
+inline constexpr bool kSanitized = true;
 #elif defined(__has_feature)
-inline constexpr bool kLimitsMemoryOfChildren =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+inline constexpr bool kSanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
-inline constexpr bool kLimitsMemoryOfChildren = true;
+inline constexpr bool kSanitized = false;
 #endif
 
 }  // namespace clca::testing

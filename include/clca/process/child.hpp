@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <thread>
 
 #include "clca/process/program.hpp"
 
@@ -34,7 +35,8 @@ class Child {
 
   /// Forks. The child calls work(send) and ends; receive() gives what it sends. Where other threads
   /// run, `work` must not wait for a lock that they may hold (allocating is safe); it must not
-  /// start threads. Signals from the terminal do not reach the child. Throws ProcessError.
+  /// start threads. Signals from the terminal do not reach the child. Under a sanitizer, where
+  /// there are other threads, `work` runs in a thread of this process. Throws ProcessError.
   Child(const std::function<void(const Send&)>& work, const ChildLimits& limits);
   /// Ends it if it still runs.
   ~Child();
@@ -52,9 +54,11 @@ class Child {
   [[noreturn]] void fail(int status) const;
 
   ChildLimits limits_;
-  int child_ = -1;   // process id; -1 when it has ended
-  int output_ = -1;  // file descriptor
-  int error_ = -1;   // likewise: the text of its exception
+  int child_ = -1;         // process id; -1 when it has ended
+  int output_ = -1;        // file descriptor
+  int error_ = -1;         // likewise: the text of its exception
+  std::thread thread_;     // in place of the child
+  int thread_status_ = 0;  // as of waitpid
 };
 
 }  // namespace clca::process
