@@ -1,0 +1,50 @@
+#pragma once
+// Contacts that begin, change and end as grains move.
+
+#include <span>
+#include <vector>
+
+#include "clca/contact/state.hpp"
+#include "clca/grains/footprint.hpp"
+#include "contact/engine/contact_slots.hpp"
+#include "contact/rule/normal_table.hpp"
+#include "contact/rule/step.hpp"
+#include "contact/rule/touching.hpp"
+
+namespace clca::contact {
+
+/// Keeps slots in line with where grains are. Does what next_contacts() does, looking only at
+/// grains that have moved.
+class ContactFinder {
+ public:
+  ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
+                const grains::FootprintTable& footprints, const Rule& rule);
+
+  /// Fills empty slots from a list of contacts, which may have changed since; all grains count as
+  /// moved.
+  void load(const std::vector<Contact>& contacts, ContactSlots& slots);
+  /// Brings contacts of `moved` grains in line; the new ones are behind the others. Returns the
+  /// number of the first of them.
+  std::size_t update(std::span<const std::uint32_t> moved, ContactSlots& slots);
+  /// Puts all in order anew and forgets the empty ones.
+  void sort(ContactSlots& slots);
+
+ private:
+  void check_grains(std::uint32_t id, ContactSlots& slots);
+  void look_around(std::uint32_t id, ContactSlots& slots);
+  void check_walls(std::uint32_t id, ContactSlots& slots);
+  Slot make_slot(const Touch& touch) const;
+  lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
+  UnitVector normal(std::uint32_t upper, std::uint32_t other, lattice::Axial apart);
+
+  const grains::State& state_;
+  const grains::Occupancy& occupancy_;
+  const grains::FootprintTable& footprints_;
+  const Rule& rule_;
+  NormalTable normals_;
+  std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
+  std::vector<Touch> found_;
+  std::vector<Slot> sorted_;
+};
+
+}  // namespace clca::contact

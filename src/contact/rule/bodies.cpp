@@ -1,0 +1,83 @@
+#include "contact/rule/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace clca::contact {
+
+namespace {
+
+/// A disc of the same area, in sites and lattice spacings. A wall has no end of mass.
+struct Disc {
+  double inverse_mass = 0;
+  double inverse_radius = 0;
+
+  double inverse_inertia() const { return 2 * inverse_mass * inverse_radius * inverse_radius; }
+};
+
+Disc disc(const grains::Kind& kind) {
+  const auto mass = static_cast<double>(kind.shape.size());
+  return {1 / mass, std::sqrt(2 * std::numbers::pi / (mass * std::numbers::sqrt3))};
+}
+
+Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
+  const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
+  // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
+  // moving.
+  Pair pair = {.mass = fixed(mass, kMassBits),
+               .shear_mass = fixed(rolling == Rolling::none ? mass : mass / 3, kMassBits),
+               .upper_inverse_mass = fixed(upper.inverse_mass, kUnitBits),
+               .other_inverse_mass = fixed(other.inverse_mass, kUnitBits)};
+  const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
+  const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
+  const auto rolling_mass = [&](const Disc& disc) {
+    return fixed(inertia * inverse_radius * disc.inverse_radius, kMassBits);
+  };
+  const auto turning = [&](const Disc& disc) {
+    return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kUnitBits);
+  };
+  pair.upper_rolling_mass = rolling_mass(upper);
+  pair.other_rolling_mass = rolling_mass(other);
+  pair.upper_turning = turning(upper);
+  pair.other_turning = turning(other);
+  return pair;
+}
+
+}  // namespace
+
+Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_(kinds.size()) {
+  for (const grains::Kind& kind : kinds) {
+    for (const grains::Kind& other : kinds) {
+      pairs_.push_back(make_pair(disc(kind), disc(other), rolling));
+    }
+    pairs_.push_back(make_pair(disc(kind), Disc(), rolling));
+  }
+}
+
+bool is_hexagon(const lattice::Shape& shape) {
+  int radius = 0;
+  while (shape.contains({0, radius + 1})) {
+    ++radius;
+  }
+  return shape == lattice::Shape::hexagon(radius);
+}
+
+std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
+                                         lattice::Axial apart) {
+  lattice::Axial blocked;
+  for (const lattice::Direction direction : lattice::kDirections) {
+    const std::vector<lattice::Axial> lead = first.lead(direction);
+    if (std::any_of(lead.begin(), lead.end(),
+                    [&](lattice::Axial site) { return second.contains(site - apart); })) {
+      blocked = blocked + unit(direction);
+    }
+  }
+  if (blocked == lattice::Axial()) {
+    return std::nullopt;
+  }
+  const bool round = is_hexagon(first) && is_hexagon(second);
+  return unit_vector(lattice::Axial() - (round ? apart : blocked));
+}
+
+}  // namespace clca::contact

@@ -1,0 +1,52 @@
+#pragma once
+// What of the shape of grains counts for their motion.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "clca/contact/parameters.hpp"
+#include "clca/grains/state.hpp"
+#include "contact/rule/numbers.hpp"
+
+namespace clca::contact {
+
+/// Coefficients of two kinds that touch, or of a kind and a wall. Masses in 2^-10 sites, what is
+/// divided by a mass in 2^-30; all of a wall is 0.
+struct Pair {
+  std::int32_t mass = 0;        ///< reduced: of a change of relative velocity along the normal
+  std::int32_t shear_mass = 0;  ///< the same across it
+  std::int32_t upper_inverse_mass = 0;
+  std::int32_t other_inverse_mass = 0;
+  // Of a moment over the reduced radius: what it is for a spin that it stops, and how it changes
+  // spins.
+  std::int32_t upper_rolling_mass = 0;
+  std::int32_t other_rolling_mass = 0;
+  std::int32_t upper_turning = 0;
+  std::int32_t other_turning = 0;
+};
+
+class Bodies {
+ public:
+  Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling);
+
+  /// No second kind: a wall.
+  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
+    return pairs_[kind * (kinds_ + 1) + (other ? *other : kinds_)];
+  }
+
+ private:
+  std::size_t kinds_;
+  std::vector<Pair> pairs_;  // by kind, then by the other kind, the last of them walls
+};
+
+/// Whether it is one, with its reference site in the middle.
+bool is_hexagon(const lattice::Shape& shape);
+
+/// The normal between two grains that touch, towards the first, when the second lies `apart` from
+/// it; none where they do not touch. Of two hexagons it is the line of their centres; otherwise it
+/// is opposite to the sum of the directions in which the first cannot move for the second.
+std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
+                                         lattice::Axial apart);
+
+}  // namespace clca::contact

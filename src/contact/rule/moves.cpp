@@ -1,0 +1,117 @@
+#include "contact/rule/moves.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "clca/random/draw.hpp"
+#include "contact/rule/remainders.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+using lattice::Direction;
+
+/// Twice the place of a site along a direction, in whole numbers.
+int place_along(Direction direction, lattice::Site site) {
+  const lattice::Axial step = unit(direction);
+  return 3 * step.x * site.column + (2 * step.q + step.x) * lattice::doubled_height(site);
+}
+
+class Mover {
+ public:
+  Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints)
+      : state_(state), occupancy_(occupancy), footprints_(footprints) {}
+
+  /// All moves in one direction: a grain follows one that moves out of its way. The result does not
+  /// depend on the order of the grains.
+  void move(Direction direction, std::span<const std::uint32_t> ids,
+            std::vector<std::uint32_t>& moved) {
+    waiting_.clear();
+    for (const std::uint32_t id : ids) {
+      if (wants(state_.motions[id], direction) && !try_move(id, direction, moved)) {
+        waiting_.push_back(id);
+      }
+    }
+    if (waiting_.empty()) {
+      return;
+    }
+    // Those in front first: a whole row goes at once.
+    std::sort(waiting_.begin(), waiting_.end(), [&](std::uint32_t one, std::uint32_t other) {
+      return place_along(direction, state_.grains.particles[one].site()) >
+             place_along(direction, state_.grains.particles[other].site());
+    });
+    const auto goes = [&](std::uint32_t id) { return try_move(id, direction, moved); };
+    while (std::erase_if(waiting_, goes) > 0) {
+    }
+  }
+
+ private:
+  template <class Visit>
+  void for_each_place(const grains::Particle& grain, const std::vector<lattice::Offset>& offsets,
+                      Visit visit) const {
+    const lattice::Lattice& lattice = state_.grains.lattice;
+    const std::size_t place = lattice.index(grain.site());
+    const int column = lattice.wrapped(grain.column);
+    for (const lattice::Offset offset : offsets) {
+      visit(lattice.at(place, column, offset));
+    }
+  }
+
+  bool try_move(std::uint32_t id, Direction direction, std::vector<std::uint32_t>& moved) {
+    grains::Particle& grain = state_.grains.particles[id];
+    const grains::Footprint& footprint = footprints_.of(grain);
+    const auto at = lattice::index_of(direction);
+    bool free = true;
+    for_each_place(grain, footprint.lead[at],
+                   [&](std::size_t place) { free = free && !occupancy_.taken(place); });
+    if (!free) {
+      return false;
+    }
+    for_each_place(grain, footprint.trail[at],
+                   [&](std::size_t place) { occupancy_.release(place); });
+    for_each_place(grain, footprint.lead[at], [&](std::size_t place) {
+      occupancy_.take(place, static_cast<grains::Owner>(id));
+    });
+    const lattice::Site target = grain.site() + unit(direction);
+    grain.column = target.column;
+    grain.row = target.row;
+    grain.previous = static_cast<grains::Move>(direction);
+    step_back(state_.motions[id], direction);
+    moved.push_back(id);
+    return true;
+  }
+
+  State& state_;
+  grains::Occupancy& occupancy_;
+  const grains::FootprintTable& footprints_;
+  std::vector<std::uint32_t> waiting_;
+};
+
+}  // namespace
+
+std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state) {
+  const std::uint64_t coins =
+      random::draw(state.seed, state.step, 0, random::Purpose::direction_order);
+  std::array<Direction, lattice::kDirectionCount> order = {
+      Direction::down,     Direction::down_right, Direction::down_left,
+      Direction::up_right, Direction::up_left,    Direction::up};
+  if ((coins & 1U) != 0) {
+    std::swap(order[1], order[2]);
+  }
+  if ((coins & 2U) != 0) {
+    std::swap(order[3], order[4]);
+  }
+  return order;
+}
+
+void move_grains(State& state, grains::Occupancy& occupancy,
+                 const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
+                 std::vector<std::uint32_t>& moved) {
+  Mover mover(state, occupancy, footprints);
+  for (const Direction direction : order_of_directions(state.grains)) {
+    mover.move(direction, ids, moved);
+  }
+}
+
+}  // namespace clca::contact

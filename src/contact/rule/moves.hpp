@@ -1,0 +1,25 @@
+#pragma once
+// Moves of one step, site by site where there is room.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clca/contact/state.hpp"
+#include "clca/grains/footprint.hpp"
+
+namespace clca::contact {
+
+/// Of moves in a step: down first, up last; of a pair at the same angle the one that a coin names.
+std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
+    const grains::State& state);
+
+/// Moves each of the grains `ids` by a site in every direction in which its remainder asks for it
+/// and its way is free; one that follows another goes with it. Appends the ids of those that moved
+/// to `moved`, some more than once.
+void move_grains(State& state, grains::Occupancy& occupancy,
+                 const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
+                 std::vector<std::uint32_t>& moved);
+
+}  // namespace clca::contact

@@ -1,0 +1,51 @@
+#pragma once
+// One step of lattice contact dynamics, as the model is defined.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/contact/state.hpp"
+#include "clca/grains/footprint.hpp"
+#include "contact/rule/bodies.hpp"
+#include "contact/rule/contact_law.hpp"
+#include "contact/rule/normal_table.hpp"
+
+namespace clca::contact {
+
+/// What does not change in a run, in whole numbers. Ratios in 2^-16.
+struct Rule {
+  std::int32_t gravity = 0;      ///< per step
+  std::int32_t restitution = 0;
+  int sweeps = 2;
+  std::int32_t friction = 0;                   ///< between grains
+  std::int32_t side_friction = 0;              ///< of the sides of the box
+  std::vector<std::int32_t> wall_friction = {};  ///< by wall
+  Turning turning = {};
+  Bodies bodies;
+
+  std::int32_t friction_with(grains::Owner other) const {
+    if (grains::is_particle(other)) {
+      return friction;
+    }
+    return other <= kRightSide ? side_friction : wall_friction[grains::wall_number(other)];
+  }
+};
+
+/// Speed up to which a grain counts as resting: twice what gravity gives it in a step.
+inline std::int32_t slow_speed(const Rule& rule) {
+  return 2 * rule.gravity;
+}
+
+/// Whether the contacts of this step are put in order anew.
+inline bool sorts_contacts(const State& state) {
+  constexpr std::uint64_t kEvery = 8;
+  return state.changed || state.grains.step % kEvery == 0;
+}
+
+/// Carries out a step but for sources and outlets. Returns the ids of the grains that moved, some
+/// more than once.
+std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
+                                          const grains::FootprintTable& footprints,
+                                          const Rule& rule, NormalTable& normals);
+
+}  // namespace clca::contact

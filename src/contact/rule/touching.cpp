@@ -1,0 +1,122 @@
+#include "contact/rule/touching.hpp"
+
+#include <array>
+#include <map>
+
+#include "clca/grains/separation.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+using lattice::Axial;
+
+/// Who owns a place; of the border, which side it is of.
+grains::Owner body_at(const lattice::Lattice& lattice, const grains::Occupancy& occupancy,
+                      std::size_t place) {
+  const grains::Owner owner = occupancy.owner(place);
+  if (owner != grains::kBorder) {
+    return owner;
+  }
+  const lattice::Site site = lattice.site(place);
+  if (site.row < 0) {
+    return kFloor;
+  }
+  if (site.row >= lattice.rows()) {
+    return kCeiling;
+  }
+  return site.column < 0 ? kLeftSide : kRightSide;
+}
+
+/// Who blocks moves of a grain, and in which directions (bits).
+std::map<grains::Owner, unsigned> blocking(const grains::State& state,
+                                           const grains::Occupancy& occupancy,
+                                           const grains::FootprintTable& footprints,
+                                           std::uint32_t id) {
+  const grains::Particle& grain = state.particles[id];
+  const std::size_t place = state.lattice.index(grain.site());
+  const int column = state.lattice.wrapped(grain.column);
+  std::map<grains::Owner, unsigned> result;
+  for (const lattice::Direction direction : lattice::kDirections) {
+    for (const lattice::Offset lead : footprints.of(grain).lead[lattice::index_of(direction)]) {
+      const grains::Owner owner =
+          body_at(state.lattice, occupancy, state.lattice.at(place, column, lead));
+      if (owner != grains::kFree) {
+        result[owner] |= 1U << lattice::index_of(direction);
+      }
+    }
+  }
+  return result;
+}
+
+Axial sum(unsigned directions) {
+  Axial result;
+  for (const lattice::Direction direction : lattice::kDirections) {
+    if ((directions >> lattice::index_of(direction) & 1U) != 0) {
+      result = result + unit(direction);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool is_above(const grains::State& state, std::uint32_t one, std::uint32_t other) {
+  const auto key = [&](std::uint32_t id) {
+    const lattice::Site site = state.particles[id].site();
+    return std::pair(-lattice::doubled_height(site), state.lattice.wrapped(site.column));
+  };
+  return key(one) < key(other);
+}
+
+std::uint64_t order_key(const grains::State& state, std::uint32_t id) {
+  constexpr std::uint64_t kStripColumns = 128;
+  constexpr int kHeightBits = 31;
+  constexpr int kStripBits = 24;
+  const lattice::Site site = state.particles[id].site();
+  const auto column = static_cast<std::uint64_t>(state.lattice.wrapped(site.column));
+  const auto depth = static_cast<std::uint64_t>(2 * state.lattice.rows() -
+                                                lattice::doubled_height(site));
+  const std::uint64_t strip = column / kStripColumns;
+  const std::uint64_t strip_order = strip % 2 << (kStripBits - 1) | strip / 2;
+  return (strip_order << kHeightBits | depth) * kStripColumns | column % kStripColumns;
+}
+
+std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupancy& occupancy,
+                                const grains::FootprintTable& footprints, std::uint32_t id) {
+  std::vector<Touch> result;
+  for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
+    if (const Axial blocked = sum(directions); !grains::is_particle(owner) && blocked != Axial()) {
+      result.push_back(
+          {.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)});
+    }
+  }
+  return result;
+}
+
+std::vector<Touch> touches(const grains::State& state, const grains::Occupancy& occupancy,
+                           const grains::FootprintTable& footprints, NormalTable& normals) {
+  std::vector<Touch> result;
+  for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
+    const grains::Particle& grain = state.particles[id];
+    if (!grain.present) {
+      continue;
+    }
+    const std::vector<Touch> walls = wall_touches(state, occupancy, footprints, id);
+    result.insert(result.end(), walls.begin(), walls.end());
+    for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
+      const auto other = static_cast<std::uint32_t>(owner);
+      if (grains::is_particle(owner) && is_above(state, id, other)) {
+        const grains::Particle& below = state.particles[other];
+        const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
+        const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
+        if (normal != UnitVector()) {
+          result.push_back({.upper = id, .other = owner, .apart = apart, .normal = normal});
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace clca::contact
