@@ -1,0 +1,343 @@
+#include "clca/contact/contact_model.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "clca/fields/hash.hpp"
+#include "clca/grains/deposit.hpp"
+#include "clca/grains/outlet.hpp"
+#include "clca/grains/source.hpp"
+#include "clca/grains/wall.hpp"
+#include "contact/engine/engine.hpp"
+#include "contact/rule/step.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+constexpr std::uint64_t kQuietSteps = 60;  // in a row: settled
+
+Rule make_rule(const State& state, const Parameters& parameters, const Options& options) {
+  const auto friction = [](double value) { return fixed(value, kRatioBits); };
+  Rule rule = {.gravity = fixed(gravity(parameters), kFractionBits),
+               .restitution = fixed(parameters.restitution, kRatioBits),
+               .sweeps = parameters.sweeps,
+               .friction = friction(parameters.friction),
+               .side_friction = friction(parameters.wall_friction),
+               .wall_friction = std::vector<std::int32_t>(state.grains.walls.size(),
+                                                          friction(parameters.wall_friction)),
+               .turning = {.turns = parameters.rolling != Rolling::none,
+                           .resists_rolling = parameters.rolling == Rolling::resistance,
+                           .rolling_friction = friction(parameters.rolling_friction)},
+               .bodies = Bodies(state.grains.kinds, parameters.rolling)};
+  for (std::size_t wall = 0; wall < options.wall_friction.size(); ++wall) {
+    if (options.wall_friction[wall]) {
+      rule.wall_friction.at(wall) = friction(*options.wall_friction[wall]);
+    }
+  }
+  return rule;
+}
+
+State valid(State state, const Parameters& parameters) {
+  check_valid(state);
+  const bool sane = parameters.friction >= 0 && parameters.wall_friction >= 0 &&
+                    parameters.rolling_friction >= 0 && parameters.restitution >= 0 &&
+                    parameters.restitution < 1 && parameters.sweeps > 0;
+  if (!sane) {
+    throw std::invalid_argument("a parameter of the contact model is out of range");
+  }
+  if (parameters.rolling != Rolling::none) {
+    for (const grains::Kind& kind : state.grains.kinds) {
+      if (!is_hexagon(kind.shape)) {
+        throw std::invalid_argument("only hexagons turn: others need Rolling::none");
+      }
+    }
+  }
+  return state;
+}
+
+}  // namespace
+
+double gravity(const Parameters& parameters) {
+  constexpr double kMost = 0.25;
+  const double value =
+      parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
+  if (!(parameters.fall_height > 0 && value <= kMost && value * kSpacing >= 1)) {
+    throw std::invalid_argument("resolution and fall height do not give a time step");
+  }
+  return value;
+}
+
+Energy energy(const State& state, double gravity) {
+  constexpr double kUnit = kSpacing;
+  Energy sum;
+  for (std::size_t id = 0; id < state.motions.size(); ++id) {
+    const grains::Particle& grain = state.grains.particles[id];
+    if (!grain.present) {
+      continue;
+    }
+    const Motion& motion = state.motions[id];
+    const auto mass = static_cast<double>(state.grains.shape(grain).size());
+    const double x = motion.velocity.x / kUnit;
+    const double y = motion.velocity.y / kUnit;
+    const double spin = motion.spin / kUnit;
+    sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
+    sum.potential += mass * (grains::centre(state.grains, grain).y() + motion.remainder.y / kUnit);
+  }
+  return sum;
+}
+
+std::uint64_t hash(const State& state) {
+  return fields::hash(state);
+}
+
+void check_valid(const State& state) {
+  grains::check_valid(state.grains);
+  const auto fail = [](const char* reason) { throw std::invalid_argument(reason); };
+  for (const grains::Wall& wall : state.grains.walls) {
+    if (wall.motion) {
+      fail("the contact model knows no walls that move");
+    }
+  }
+  if (state.motions.size() != state.grains.particles.size()) {
+    fail("there is not one motion for each grain");
+  }
+  const auto in_range = [](std::int32_t value) { return value >= -kLargest && value <= kLargest; };
+  for (const Motion& motion : state.motions) {
+    if (!in_range(motion.velocity.x) || !in_range(motion.velocity.y) ||
+        !in_range(motion.remainder.x) || !in_range(motion.remainder.y) || !in_range(motion.spin)) {
+      fail("a motion is out of range");
+    }
+  }
+  std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
+  for (const Contact& contact : state.contacts) {
+    const auto grains = state.motions.size();
+    const bool with_grain = grains::is_particle(contact.other);
+    const bool there =
+        contact.upper < grains &&
+        (with_grain ? static_cast<std::size_t>(contact.other) < grains &&
+                          contact.upper != static_cast<std::uint32_t>(contact.other)
+                    : contact.other <= kRightSide ||
+                          (grains::is_wall(contact.other) &&
+                           grains::wall_number(contact.other) < state.grains.walls.size()));
+    if (!there) {
+      fail("a contact is not one of two bodies");
+    }
+    if (contact.normal < 0 || !in_range(contact.normal) || !in_range(contact.shear) ||
+        !in_range(contact.rolling)) {
+      fail("an impulse is out of range");
+    }
+    const auto upper = static_cast<grains::Owner>(contact.upper);
+    pairs.emplace_back(static_cast<std::uint32_t>(with_grain ? std::min(upper, contact.other)
+                                                             : upper),
+                       with_grain ? std::max(upper, contact.other) : contact.other);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) {
+    fail("two bodies have two contacts");
+  }
+}
+
+class ContactModel::Impl {
+ public:
+  Impl(State initial, const Parameters& parameters, const Options& options)
+      : state_(valid(std::move(initial), parameters)),
+        occupancy_(state_.grains),
+        footprints_(state_.grains, {}),
+        rule_(make_rule(state_, parameters, options)),
+        normals_(state_.grains.kinds) {
+    if (!options.reference) {
+      engine_.emplace(state_, occupancy_, footprints_, rule_);
+    }
+  }
+
+  const State& state() {
+    if (engine_ && !contacts_written_) {
+      engine_->write_contacts();
+      contacts_written_ = true;
+    }
+    return state_;
+  }
+  const grains::State& grains() const { return state_.grains; }
+  const grains::Occupancy& occupancy() const { return occupancy_; }
+
+  StepReport step() {
+    return whole([this] {
+      StepReport report;
+      const std::size_t before = state_.grains.particles.size();
+      const grains::SourceReport sources = run_sources(state_.grains, occupancy_);
+      report.emitted = state_.grains.particles.size() - before;
+      welcome();
+      std::vector<std::uint32_t> moved = move();
+      for (std::size_t id = before; id < state_.motions.size(); ++id) {
+        moved.push_back(static_cast<std::uint32_t>(id));
+      }
+      report.removed = remove_at_outlets(moved);
+      report.settled =
+          state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
+      report.moved = moved_;
+      contacts_written_ = false;
+      return report;
+    });
+  }
+
+  /// Carries out a change of grains or walls from outside.
+  template <class Change>
+  auto change(Change change) {
+    return whole([&] {
+      state();
+      auto result = change(state_.grains, occupancy_);
+      state_.motions.resize(state_.grains.particles.size());
+      std::vector<std::uint32_t> all(state_.motions.size());
+      std::iota(all.begin(), all.end(), 0U);
+      remove_at_outlets(all);
+      state_.changed = true;
+      state_.quiet_steps = 0;
+      if (engine_) {
+        engine_->reload();
+      }
+      return result;
+    });
+  }
+
+  void set_source(std::size_t source, bool open) { state_.grains.sources.at(source).open = open; }
+  void mark_origins() {
+    grains::State& grains = state_.grains;
+    std::transform(grains.particles.begin(), grains.particles.end(), grains.origins.begin(),
+                   [](const grains::Particle& particle) { return particle.site(); });
+  }
+
+ private:
+  template <class Change>
+  auto whole(Change change) {
+    if (half_changed_) {
+      throw std::logic_error("a contact model cannot go on after a change that failed");
+    }
+    half_changed_ = true;
+    auto result = change();
+    half_changed_ = false;
+    return result;
+  }
+
+  void welcome() {
+    const std::size_t first = state_.motions.size();
+    state_.motions.resize(state_.grains.particles.size());
+    if (engine_) {
+      engine_->add_grains(first);
+    }
+  }
+
+  /// Those that moved, once each.
+  std::vector<std::uint32_t> move() {
+    std::vector<std::uint32_t> moved;
+    if (engine_) {
+      engine_->step();
+      moved.assign(engine_->moved().begin(), engine_->moved().end());
+    } else {
+      moved = reference_step(state_, occupancy_, footprints_, rule_, normals_);
+    }
+    moved_ = moved.size();
+    return moved;
+  }
+
+  std::size_t remove_at_outlets(const std::vector<std::uint32_t>& ids) {
+    if (state_.grains.outlets.empty()) {
+      return 0;
+    }
+    std::size_t removed = 0;
+    for (const std::uint32_t id : ids) {
+      if (count_at_outlet(state_.grains, id)) {
+        take_away(id);
+        ++removed;
+      }
+    }
+    return removed;
+  }
+
+  void take_away(std::uint32_t id) {
+    grains::Particle& grain = state_.grains.particles[id];
+    const std::size_t place = state_.grains.lattice.index(grain.site());
+    const int column = state_.grains.lattice.wrapped(grain.column);
+    for (const lattice::Offset offset : footprints_.of(grain).body) {
+      occupancy_.release(state_.grains.lattice.at(place, column, offset));
+    }
+    grain.present = false;
+    grain.previous = grains::kRest;
+    state_.motions[id] = {};
+    if (engine_) {
+      engine_->remove_grain(id);
+    }
+  }
+
+  State state_;
+  grains::Occupancy occupancy_;
+  grains::FootprintTable footprints_;
+  Rule rule_;
+  NormalTable normals_;  // of the reference
+  std::optional<Engine> engine_;
+  std::size_t moved_ = 0;
+  bool contacts_written_ = true;
+  bool half_changed_ = false;
+};
+
+ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options)
+    : impl_(std::make_unique<Impl>(std::move(state), parameters, options)) {}
+ContactModel::~ContactModel() = default;
+ContactModel::ContactModel(ContactModel&&) noexcept = default;
+ContactModel& ContactModel::operator=(ContactModel&&) noexcept = default;
+
+const State& ContactModel::state() const {
+  return impl_->state();
+}
+const grains::State& ContactModel::grains() const {
+  return impl_->grains();
+}
+const grains::Occupancy& ContactModel::occupancy() const {
+  return impl_->occupancy();
+}
+StepReport ContactModel::step() {
+  return impl_->step();
+}
+
+grains::FillResult ContactModel::fill(const lattice::Rectangle& region,
+                                      std::span<const std::size_t> counts) {
+  grains::check_counts(grains(), counts);
+  lattice::check(region);
+  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+    return grains::fill_region(state, occupancy, region, counts);
+  });
+}
+
+grains::FillResult ContactModel::deposit(const lattice::Rectangle& region,
+                                         std::span<const std::size_t> counts) {
+  grains::check_counts(grains(), counts);
+  lattice::check(region);
+  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+    return grains::deposit_in(state, occupancy, region, counts);
+  });
+}
+
+void ContactModel::remove_wall(std::size_t wall) {
+  static_cast<void>(grains().walls.at(wall));
+  impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+    return grains::remove_wall(state, occupancy, wall);
+  });
+}
+
+bool ContactModel::insert_wall(std::size_t wall) {
+  static_cast<void>(grains().walls.at(wall));
+  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+    return grains::insert_wall(state, occupancy, wall);
+  });
+}
+
+void ContactModel::set_source(std::size_t source, bool open) {
+  impl_->set_source(source, open);
+}
+
+void ContactModel::mark_origins() {
+  impl_->mark_origins();
+}
+
+}  // namespace clca::contact
