@@ -72,18 +72,18 @@ double gravity(const Parameters& parameters) {
 Energy energy(const State& state, double gravity) {
   constexpr double kUnit = kSpacing;
   Energy sum;
-  for (std::size_t id = 0; id < state.motions.size(); ++id) {
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
     const grains::Particle& grain = state.grains.particles[id];
     if (!grain.present) {
       continue;
     }
-    const Motion& motion = state.motions[id];
+    const Velocity<std::int32_t>& velocity = state.velocities[id];
     const auto mass = static_cast<double>(state.grains.shape(grain).size());
-    const double x = motion.velocity.x / kUnit;
-    const double y = motion.velocity.y / kUnit;
-    const double spin = motion.spin / kUnit;
+    const double x = velocity.x / kUnit;
+    const double y = velocity.y / kUnit;
+    const double spin = velocity.spin / kUnit;
     sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
-    sum.potential += mass * (grains::centre(state.grains, grain).y() + motion.remainder.y / kUnit);
+    sum.potential += mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit);
   }
   return sum;
 }
@@ -100,19 +100,26 @@ void check_valid(const State& state) {
       fail("the contact model knows no walls that move");
     }
   }
-  if (state.motions.size() != state.grains.particles.size()) {
-    fail("there is not one motion for each grain");
+  const std::size_t grains = state.grains.particles.size();
+  if (state.velocities.size() != grains || state.remainders.size() != grains) {
+    fail("there is not one velocity for each grain");
   }
-  const auto in_range = [](std::int32_t value) { return value >= -kLargest && value <= kLargest; };
-  for (const Motion& motion : state.motions) {
-    if (!in_range(motion.velocity.x) || !in_range(motion.velocity.y) ||
-        !in_range(motion.remainder.x) || !in_range(motion.remainder.y) || !in_range(motion.spin)) {
-      fail("a motion is out of range");
+  const auto in_range = [](std::int32_t value, std::int32_t most) {
+    return value >= -most && value <= most;
+  };
+  for (const Velocity<std::int32_t>& velocity : state.velocities) {
+    if (!in_range(velocity.x, kFastest) || !in_range(velocity.y, kFastest) ||
+        !in_range(velocity.spin, kFastest)) {
+      fail("a velocity is out of range");
+    }
+  }
+  for (const Vector& remainder : state.remainders) {
+    if (!in_range(remainder.x, kFarthest) || !in_range(remainder.y, kFarthest)) {
+      fail("a remainder is out of range");
     }
   }
   std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
   for (const Contact& contact : state.contacts) {
-    const auto grains = state.motions.size();
     const bool with_grain = grains::is_particle(contact.other);
     const bool there =
         contact.upper < grains &&
@@ -124,8 +131,8 @@ void check_valid(const State& state) {
     if (!there) {
       fail("a contact is not one of two bodies");
     }
-    if (contact.normal < 0 || !in_range(contact.normal) || !in_range(contact.shear) ||
-        !in_range(contact.rolling)) {
+    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kStrongest) || !in_range(contact.impulse.shear, kStrongest) ||
+        !in_range(contact.impulse.rolling, kStrongest)) {
       fail("an impulse is out of range");
     }
     const auto upper = static_cast<grains::Owner>(contact.upper);

@@ -15,7 +15,12 @@ namespace clca::contact {
 inline constexpr int kFractionBits = 20;
 inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
 
-/// Cartesian, in 2^-20 lattice spacings (a step).
+// Bounds that no run of any use comes near, so that no product overflows.
+inline constexpr std::int32_t kFastest = 1 << 27;    ///< velocities and spins
+inline constexpr std::int32_t kFarthest = 1 << 28;   ///< remainders
+inline constexpr std::int32_t kStrongest = 1 << 29;  ///< impulses
+
+/// Cartesian, in 2^-20 lattice spacings.
 struct Vector {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -26,17 +31,18 @@ struct Vector {
   }
 };
 
-/// Of one grain.
-struct Motion {
-  Vector velocity;
-  Vector remainder;       ///< of its place, beyond its site
-  std::int32_t spin = 0;  ///< angular velocity times radius, anticlockwise: a velocity
+/// Of a grain, in 2^-20 lattice spacings a step.
+template <class Int>
+struct Velocity {
+  Int x = {};
+  Int y = {};
+  Int spin = {};  ///< angular velocity times radius, anticlockwise
 
-  bool operator==(const Motion&) const = default;
+  bool operator==(const Velocity&) const = default;
   static constexpr auto fields() {
     using fields::field;
-    return std::make_tuple(field("velocity", &Motion::velocity),
-                           field("remainder", &Motion::remainder), field("spin", &Motion::spin));
+    return std::make_tuple(field("x", &Velocity::x), field("y", &Velocity::y),
+                           field("spin", &Velocity::spin));
   }
 };
 
@@ -46,27 +52,40 @@ inline constexpr grains::Owner kCeiling = grains::kBorder + 1;
 inline constexpr grains::Owner kLeftSide = grains::kBorder + 2;
 inline constexpr grains::Owner kRightSide = grains::kBorder + 3;
 
-/// A grain and what it touches. Impulses in a step, of the lower body on the upper one: sites times
-/// 2^-20 lattice spacings a step, where a site is the unit of mass.
+/// What a body gives the upper one in a step: sites, as the unit of mass, times 2^-20 lattice
+/// spacings a step.
+template <class Int>
+struct Impulse {
+  Int normal = {};   ///< not negative
+  Int shear = {};    ///< along the normal turned anticlockwise
+  Int rolling = {};  ///< moment over the reduced radius
+
+  bool operator==(const Impulse&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("normal", &Impulse::normal), field("shear", &Impulse::shear),
+                           field("rolling", &Impulse::rolling));
+  }
+};
+
+/// A grain and what it touches.
 struct Contact {
   std::uint32_t upper = 0;  ///< the higher of two grains; of two at one height the left one
   grains::Owner other = 0;
-  std::int32_t normal = 0;   ///< not negative
-  std::int32_t shear = 0;    ///< along the normal turned anticlockwise
-  std::int32_t rolling = 0;  ///< moment over the reduced radius
+  Impulse<std::int32_t> impulse = {};
 
   bool operator==(const Contact&) const = default;
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("upper", &Contact::upper), field("other", &Contact::other),
-                           field("normal", &Contact::normal), field("shear", &Contact::shear),
-                           field("rolling", &Contact::rolling));
+                           field("impulse", &Contact::impulse));
   }
 };
 
 struct State {
   grains::State grains;
-  std::vector<Motion> motions = {};  ///< by id
+  std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
+  std::vector<Vector> remainders = {};                  ///< by id: where grains are, beyond their sites
   /// Of the last step, in the order in which they are swept.
   std::vector<Contact> contacts = {};
   /// Something other than the step itself has changed walls or grains: contacts are put in order
@@ -77,7 +96,8 @@ struct State {
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
     using fields::field;
-    return std::make_tuple(field("grains", &State::grains), field("motions", &State::motions),
+    return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
+                           field("remainders", &State::remainders),
                            field("contacts", &State::contacts), field("changed", &State::changed),
                            field("quiet_steps", &State::quiet_steps));
   }

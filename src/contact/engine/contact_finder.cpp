@@ -1,11 +1,9 @@
 #include "contact/engine/contact_finder.hpp"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <utility>
 
 #include "clca/grains/separation.hpp"
-#include "contact/rule/contact_list.hpp"
 
 namespace clca::contact {
 
@@ -47,12 +45,11 @@ ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy
 }
 
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
-  slots.clear();
-  slots.resize(state_.particles.size());
+  slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
-    Slot slot = make_slot({.upper = contact.upper, .other = contact.other});
-    slot.contact = contact;
-    slots.add(slot);
+    LaneContent loaded = content({.upper = contact.upper, .other = contact.other});
+    loaded.impulse = contact.impulse;
+    slots.add(loaded);
   }
 }
 
@@ -73,7 +70,7 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   const std::size_t first = slots.all().size();
   for (std::size_t i = 0; i < found_.size(); ++i) {
     if (i == 0 || found_[i].key(state_) != found_[i - 1].key(state_)) {
-      slots.add(make_slot(found_[i]));
+      slots.add(content(found_[i]));
     }
   }
   return first;
@@ -82,23 +79,21 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
 void ContactFinder::check_grains(std::uint32_t id, ContactSlots& slots) {
   const bool present = state_.particles[id].present;
   slots.for_each(id, [&](std::int32_t at) {
-    Slot& slot = slots.at(at);
+    const Slot& slot = slots.at(at);
     if (!present) {
       slots.remove(at);
-      return;
-    }
-    if (!grains::is_particle(slot.contact.other)) {
-      return;  // see check_walls
-    }
-    if (is_above(state_, static_cast<std::uint32_t>(slot.contact.other), slot.contact.upper)) {
-      slots.turn_over(at);
-    }
-    const std::uint32_t upper = slot.contact.upper;
-    const auto other = static_cast<std::uint32_t>(slot.contact.other);
-    slot.normal = normal(upper, other, apart(upper, other));
-    slot.pair = &rule_.bodies.pair(state_.particles[upper].kind, state_.particles[other].kind);
-    if (slot.normal == UnitVector()) {
-      slots.remove(at);
+    } else if (grains::is_particle(slot.other)) {  // else see check_walls
+      const Touch now = touch(slot.upper, static_cast<std::uint32_t>(slot.other));
+      if (now.normal == UnitVector()) {
+        slots.remove(at);
+        return;
+      }
+      LaneContent changed = content(now);
+      changed.impulse = slots.batches().impulse(slot.lane);
+      if (now.upper != slot.upper) {
+        changed.impulse.rolling *= -1;
+      }
+      slots.set(at, changed);
     }
   });
 }
@@ -117,22 +112,15 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
     }
     before = owner;
     at_wall = at_wall || is_fixed(owner);
-    if (!grains::is_particle(owner) || slots.touches(id, owner)) {
-      continue;
-    }
-    Touch touch = {.upper = id, .other = owner};
-    if (is_above(state_, static_cast<std::uint32_t>(owner), id)) {
-      touch = {.upper = static_cast<std::uint32_t>(owner), .other = static_cast<grains::Owner>(id)};
-    }
-    const auto other = static_cast<std::uint32_t>(touch.other);
-    touch.apart = apart(touch.upper, other);
-    touch.normal = normal(touch.upper, other, touch.apart);
-    if (touch.normal != UnitVector()) {
-      found_.push_back(touch);
+    if (grains::is_particle(owner) && !slots.touch(id, static_cast<std::uint32_t>(owner))) {
+      const Touch found = touch(id, static_cast<std::uint32_t>(owner));
+      if (found.normal != UnitVector()) {
+        found_.push_back(found);
+      }
     }
   }
   slots.for_each(id, [&](std::int32_t at) {
-    at_wall = at_wall || is_fixed(slots.at(at).contact.other);
+    at_wall = at_wall || is_fixed(slots.at(at).other);
   });
   if (at_wall) {
     check_walls(id, slots);
@@ -142,30 +130,28 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
   std::vector<Touch> walls = wall_touches(state_, occupancy_, footprints_, id);
   slots.for_each(id, [&](std::int32_t at) {
-    Slot& slot = slots.at(at);
-    if (!is_fixed(slot.contact.other)) {
+    const Slot& slot = slots.at(at);
+    if (!is_fixed(slot.other)) {
       return;
     }
-    const auto touch = std::find_if(walls.begin(), walls.end(), [&](const Touch& one) {
-      return one.other == slot.contact.other;
-    });
+    const auto touch = std::find_if(walls.begin(), walls.end(),
+                                    [&](const Touch& one) { return one.other == slot.other; });
     if (touch == walls.end()) {
       slots.remove(at);
     } else {
-      slot.normal = touch->normal;
+      LaneContent changed = content(*touch);
+      changed.impulse = slots.batches().impulse(slot.lane);
+      slots.set(at, changed);
       walls.erase(touch);
     }
   });
   found_.insert(found_.end(), walls.begin(), walls.end());
 }
 
-void ContactFinder::sort(ContactSlots& slots) {
-  struct Keyed {
-    std::uint32_t upper;
-    lattice::Axial apart;
-    const Slot* slot;
-  };
-  // The grains first: an order of few numbers, then the contacts of each.
+void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) {
+  std::sort(lanes.begin(), lanes.end());
+  std::vector<std::size_t> marked;  // of the sorted
+  // The grains first, then the contacts of each.
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
   for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
     if (state_.particles[id].present) {
@@ -174,52 +160,72 @@ void ContactFinder::sort(ContactSlots& slots) {
   }
   std::sort(order.begin(), order.end());
   sorted_.clear();
-  std::vector<Keyed> own;
+  std::vector<std::pair<Touch, std::int32_t>> own;  // with their lanes
   for (const auto& [key, id] : order) {
     own.clear();
-    slots.for_each(id, [&](std::int32_t at) {
+    slots.for_each(id, [&, id = id](std::int32_t at) {
       const Slot& slot = slots.at(at);
-      const Contact& contact = slot.contact;
-      if (contact.upper == id) {
-        own.push_back({id,
-                       grains::is_particle(contact.other)
-                           ? apart(id, static_cast<std::uint32_t>(contact.other))
-                           : lattice::Axial(),
-                       &slot});
+      if (slot.upper == id) {
+        Touch touch = {.upper = id,
+                       .other = slot.other,
+                       .apart = grains::is_particle(slot.other)
+                                    ? apart(id, static_cast<std::uint32_t>(slot.other))
+                                    : lattice::Axial(),
+                       .normal = slots.batches().normal(slot.lane)};
+        own.emplace_back(touch, slot.lane);
       }
     });
-    std::sort(own.begin(), own.end(), [](const Keyed& one, const Keyed& other) {
-      return std::pair(one.apart, one.slot->contact.other) <
-             std::pair(other.apart, other.slot->contact.other);
+    std::sort(own.begin(), own.end(), [](const auto& one, const auto& other) {
+      return std::tie(one.first.apart, one.first.other) <
+             std::tie(other.first.apart, other.first.other);
     });
-    for (const Keyed& one : own) {
-      sorted_.push_back(*one.slot);
+    for (const auto& [touch, lane] : own) {
+      if (std::binary_search(lanes.begin(), lanes.end(), lane)) {
+        marked.push_back(sorted_.size());
+      }
+      sorted_.push_back(content(touch));
+      sorted_.back().impulse = slots.batches().impulse(lane);
     }
   }
-  slots.clear();
-  for (const Slot& slot : sorted_) {
-    slots.add(slot);
+  slots.clear(state_.particles.size());
+  for (const LaneContent& one : sorted_) {
+    slots.add(one);
+  }
+  lanes.clear();
+  for (const std::size_t slot : marked) {
+    lanes.push_back(slots.all()[slot].lane);
   }
 }
 
-Slot ContactFinder::make_slot(const Touch& touch) const {
+LaneContent ContactFinder::content(const Touch& touch) const {
   const auto kind = [&](std::size_t id) { return state_.particles[id].kind; };
-  return {.contact = {.upper = touch.upper, .other = touch.other},
+  const bool on_wall = !grains::is_particle(touch.other);
+  const auto other = static_cast<std::size_t>(touch.other);
+  return {.upper = touch.upper,
+          .other = touch.other,
           .normal = touch.normal,
+          .impulse = {},
           .friction = rule_.friction_with(touch.other),
           .pair = &rule_.bodies.pair(kind(touch.upper),
-                                     grains::is_particle(touch.other)
-                                         ? std::optional(kind(static_cast<std::size_t>(touch.other)))
-                                         : std::nullopt)};
+                                     on_wall ? std::nullopt : std::optional(kind(other)))};
+}
+
+Touch ContactFinder::touch(std::uint32_t one, std::uint32_t other) {
+  if (is_above(state_, other, one)) {
+    std::swap(one, other);
+  }
+  const grains::Particle& upper = state_.particles[one];
+  const grains::Particle& lower = state_.particles[other];
+  const lattice::Axial apart = this->apart(one, other);
+  return {.upper = one,
+          .other = static_cast<grains::Owner>(other),
+          .apart = apart,
+          .normal = normals_.normal(upper.kind, lower.kind, apart)};
 }
 
 lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {
   return grains::nearest_vector(state_.lattice, state_.particles[upper].site(),
                                 state_.particles[other].site());
-}
-
-UnitVector ContactFinder::normal(std::uint32_t upper, std::uint32_t other, lattice::Axial apart) {
-  return normals_.normal(state_.particles[upper].kind, state_.particles[other].kind, apart);
 }
 
 }  // namespace clca::contact

@@ -20,22 +20,22 @@ class ContactFinder {
   ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
                 const grains::FootprintTable& footprints, const Rule& rule);
 
-  /// Fills empty slots from a list of contacts, which may have changed since; all grains count as
-  /// moved.
+  /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
   /// Brings contacts of `moved` grains in line; the new ones are behind the others. Returns the
   /// number of the first of them.
   std::size_t update(std::span<const std::uint32_t> moved, ContactSlots& slots);
-  /// Puts all in order anew and forgets the empty ones.
-  void sort(ContactSlots& slots);
+  /// Puts all in order anew and forgets the empty ones. `lanes`: of some contacts, which are moved
+  /// to others.
+  void sort(ContactSlots& slots, std::vector<std::int32_t>& lanes);
 
  private:
   void check_grains(std::uint32_t id, ContactSlots& slots);
   void look_around(std::uint32_t id, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
-  Slot make_slot(const Touch& touch) const;
+  LaneContent content(const Touch& touch) const;
+  Touch touch(std::uint32_t one, std::uint32_t other);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
-  UnitVector normal(std::uint32_t upper, std::uint32_t other, lattice::Axial apart);
 
   const grains::State& state_;
   const grains::Occupancy& occupancy_;
@@ -44,7 +44,7 @@ class ContactFinder {
   NormalTable normals_;
   std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
   std::vector<Touch> found_;
-  std::vector<Slot> sorted_;
+  std::vector<LaneContent> sorted_;
 };
 
 }  // namespace clca::contact

@@ -4,32 +4,39 @@
 
 namespace clca::contact {
 
-void ContactSlots::add(const Slot& slot) {
+void ContactSlots::clear(std::size_t grains) {
+  slots_.clear();
+  first_.assign(grains, -1);
+  batches_.clear(grains);
+}
+
+void ContactSlots::add(const LaneContent& content) {
   const auto at = static_cast<std::int32_t>(slots_.size());
-  slots_.push_back(slot);
-  Slot& added = slots_.back();
-  added.next_upper = std::exchange(first_[slot.contact.upper], at);
-  if (grains::is_particle(slot.contact.other)) {
-    added.next_other = std::exchange(first_[static_cast<std::size_t>(slot.contact.other)], at);
+  Slot slot = {.upper = content.upper, .other = content.other, .lane = batches_.add(content)};
+  slot.next_upper = std::exchange(first_[slot.upper], at);
+  if (grains::is_particle(slot.other)) {
+    slot.next_other = std::exchange(first_[static_cast<std::size_t>(slot.other)], at);
   }
+  slots_.push_back(slot);
 }
 
 void ContactSlots::remove(std::int32_t at) {
-  const Contact& contact = this->at(at).contact;
-  unlink(at, contact.upper);
-  if (grains::is_particle(contact.other)) {
-    unlink(at, static_cast<std::uint32_t>(contact.other));
+  Slot& slot = slots_[static_cast<std::size_t>(at)];
+  unlink(at, slot.upper);
+  if (grains::is_particle(slot.other)) {
+    unlink(at, static_cast<std::uint32_t>(slot.other));
   }
-  this->at(at).pair = nullptr;
+  batches_.remove(std::exchange(slot.lane, -1));
 }
 
-void ContactSlots::turn_over(std::int32_t at) {
-  Slot& slot = this->at(at);
-  const std::uint32_t upper = slot.contact.upper;
-  slot.contact.upper = static_cast<std::uint32_t>(slot.contact.other);
-  slot.contact.other = static_cast<grains::Owner>(upper);
-  slot.contact.rolling = -slot.contact.rolling;
-  std::swap(slot.next_upper, slot.next_other);
+void ContactSlots::set(std::int32_t at, const LaneContent& content) {
+  Slot& slot = slots_[static_cast<std::size_t>(at)];
+  if (slot.upper != content.upper) {
+    std::swap(slot.next_upper, slot.next_other);
+  }
+  slot.upper = content.upper;
+  slot.other = content.other;
+  batches_.set(slot.lane, content);
 }
 
 void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {

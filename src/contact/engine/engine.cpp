@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
-#include "contact/rule/contact_list.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
 
@@ -15,44 +15,60 @@ Engine::Engine(State& state, grains::Occupancy& occupancy,
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
+      batch_(fastest_functions()),
       finder_(state.grains, occupancy, footprints, rule) {
   reload();
 }
 
-void Engine::add_grains(std::size_t first) {
-  slots_.resize(state_.motions.size());
-  for (std::size_t id = first; id < state_.motions.size(); ++id) {
+void Engine::add_grains() {
+  const std::size_t before = bodies_.size() - 1;
+  const std::size_t now = state_.grains.particles.size();
+  if (now == before) {
+    return;
+  }
+  // The wall has another number then.
+  write_back();
+  state_.velocities.resize(now);
+  state_.remainders.resize(now);
+  std::vector<std::uint32_t> moved = std::move(moved_);
+  reload();
+  moved_ = std::move(moved);
+  for (std::size_t id = before; id < now; ++id) {
     moved_.push_back(static_cast<std::uint32_t>(id));
   }
 }
 
+void Engine::remove_grain(std::uint32_t id) {
+  bodies_[id] = {};
+  state_.remainders[id] = {};
+  moved_.push_back(id);
+}
+
 void Engine::reload() {
+  bodies_.assign(state_.velocities.size() + 1, {});
+  std::transform(state_.velocities.begin(), state_.velocities.end(), bodies_.begin(),
+                 [](const Velocity<std::int32_t>& velocity) { return Body{velocity}; });
   finder_.load(state_.contacts, slots_);
-  moved_.resize(state_.motions.size());
+  moved_.resize(state_.velocities.size());
   std::iota(moved_.begin(), moved_.end(), 0U);
 }
 
 void Engine::step() {
   update_contacts();
-  if (rule_.turning.turns) {
-    accelerate<true>();
-    sweep<true>();
-  } else {
-    accelerate<false>();
-    sweep<false>();
-  }
+  accelerate_all();
+  sweep_contacts();
   advance_and_move();
   ++state_.grains.step;
 }
 
 void Engine::update_contacts() {
-  first_new_ = finder_.update(moved_, slots_);
-  for (std::size_t slot = first_new_; slot < slots_.all().size(); ++slot) {
-    slots_.all()[slot].is_new = true;
+  const std::size_t first_new = finder_.update(moved_, slots_);
+  new_.clear();
+  for (const Slot& slot : slots_.all().subspan(first_new)) {
+    new_.push_back(slot.lane);
   }
   if (sorts_contacts(state_)) {
-    finder_.sort(slots_);
-    first_new_ = 0;
+    finder_.sort(slots_, new_);
   }
   state_.changed = false;
   for (const std::uint32_t id : moved_) {
@@ -60,47 +76,26 @@ void Engine::update_contacts() {
   }
 }
 
-template <bool kTurns>
-void Engine::accelerate() {
-  for (std::size_t id = 0; id < state_.motions.size(); ++id) {
+void Engine::accelerate_all() {
+  for (std::size_t id = 0; id < state_.grains.particles.size(); ++id) {
     if (state_.grains.particles[id].present) {
-      state_.motions[id].velocity = state_.motions[id].velocity - Vector{0, rule_.gravity};
-    }
-  }
-  std::vector<Slot>& slots = slots_.all();
-  for (const Slot& slot : slots) {
-    if (slot.pair != nullptr) {
-      apply(bodies(slot), slot.contact.normal, slot.contact.shear, slot.contact.rolling, kTurns);
-    }
-  }
-  for (std::size_t i = first_new_; i < slots.size(); ++i) {
-    Slot& slot = slots[i];
-    if (slot.is_new) {
-      slot.bounce = bounce(-separation_velocity(bodies(slot)), rule_.restitution);
+      accelerate(bodies_[id].velocity, rule_.gravity);
     }
   }
 }
 
-template <bool kTurns>
-void Engine::sweep() {
-  Turning turning = rule_.turning;
-  turning.turns = kTurns;
-  std::vector<Slot>& slots = slots_.all();
-  const auto solve_slot = [&](Slot& slot) {
-    if (slot.pair != nullptr) {
-      solve(slot.contact, bodies(slot), slot.bounce, slot.friction, turning);
-    }
-  };
-  for (int i = 0; i < rule_.sweeps; ++i) {
-    if (i % 2 == 0) {
-      std::for_each(slots.begin(), slots.end(), solve_slot);
-    } else {
-      std::for_each(slots.rbegin(), slots.rend(), solve_slot);
-    }
+void Engine::sweep_contacts() {
+  std::vector<Batch>& batches = slots_.batches().all();
+  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
+  for (const std::int32_t lane : new_) {
+    slots_.batches().bounce(lane) = bounce(
+        -separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
-  for (std::size_t i = first_new_; i < slots.size(); ++i) {
-    slots[i].is_new = false;
-    slots[i].bounce = 0;
+  for (int i = 0; i < rule_.sweeps; ++i) {
+    batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
+  }
+  for (const std::int32_t lane : new_) {
+    slots_.batches().bounce(lane) = 0;
   }
 }
 
@@ -110,31 +105,34 @@ void Engine::advance_and_move() {
   const std::int32_t slow = slow_speed(rule_);
   bool quiet = true;
   far_.clear();
-  for (std::uint32_t id = 0; id < state_.motions.size(); ++id) {
-    Motion& motion = state_.motions[id];
+  for (std::uint32_t id = 0; id < state_.grains.particles.size(); ++id) {
     if (!state_.grains.particles[id].present) {
       continue;
     }
-    quiet = advance(motion, slow) && quiet;
-    if (squared(motion.remainder) > kNear * kNear) {
+    quiet = advance(state_.remainders[id], bodies_[id].velocity, slow) && quiet;
+    if (squared(state_.remainders[id]) > kNear * kNear) {
       far_.push_back(id);
     }
   }
   moved_.clear();
-  move_grains(state_, occupancy_, footprints_, far_, moved_);
+  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, far_, moved_);
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
   for (const std::uint32_t id : far_) {
-    cut(state_.motions[id]);
+    cut(state_.remainders[id]);
   }
   state_.quiet_steps = quiet && moved_.empty() ? state_.quiet_steps + 1 : 0;
 }
 
-void Engine::write_contacts() {
+void Engine::write_back() {
+  std::transform(bodies_.begin(), bodies_.end() - 1, state_.velocities.begin(),
+                 [](const Body& body) { return body.velocity; });
   state_.contacts.clear();
   for (const Slot& slot : slots_.all()) {
-    if (slot.pair != nullptr) {
-      state_.contacts.push_back(slot.contact);
+    if (slot.lane >= 0) {
+      state_.contacts.push_back({.upper = slot.upper,
+                                 .other = slot.other,
+                                 .impulse = slots_.batches().impulse(slot.lane)});
     }
   }
 }

@@ -13,49 +13,40 @@ namespace clca::contact {
 
 class Engine {
  public:
-  /// All outlive the engine. Between steps others may change the state, and say so (see below).
+  /// All outlive the engine. While it is there, velocities and contacts of the state are as they were
+  /// at write_back() last.
   Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
          const Rule& rule);
 
-  /// Grains from `first` on are new.
-  void add_grains(std::size_t first);
+  /// There are new grains, which are at rest.
+  void add_grains();
   /// A grain has been taken away.
-  void remove_grain(std::uint32_t id) { moved_.push_back(id); }
-  /// Anything may have changed: all is looked at anew. Contacts are taken from the state.
+  void remove_grain(std::uint32_t id);
+  /// Takes velocities and contacts from the state, of which anything may have changed.
   void reload();
 
-  /// Carries out a step but for sources and outlets. The contacts of the state are as they were
-  /// until write_contacts().
+  /// Carries out a step but for sources and outlets.
   void step();
   /// Those that moved in the last step, once each.
   std::span<const std::uint32_t> moved() const { return moved_; }
-  /// Sets the contacts of the state to those of the last step.
-  void write_contacts();
+  /// Sets velocities and contacts of the state.
+  void write_back();
 
  private:
   void update_contacts();
-  template <bool kTurns>
-  void accelerate();
-  template <bool kTurns>
-  void sweep();
+  void accelerate_all();
+  void sweep_contacts();
   void advance_and_move();
-  Touching bodies(const Slot& slot) {
-    return {.upper = state_.motions[slot.contact.upper],
-            .other = grains::is_particle(slot.contact.other)
-                         ? state_.motions[static_cast<std::size_t>(slot.contact.other)]
-                         : wall_,
-            .normal = slot.normal,
-            .pair = *slot.pair};
-  }
 
   State& state_;
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
+  BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
-  std::size_t first_new_ = 0;  // slot
-  Motion wall_;
+  std::vector<Body> bodies_;        // by id; the last is the wall
+  std::vector<std::int32_t> new_;     // lanes of contacts that are new in this step
   std::vector<std::uint32_t> moved_;  // since contacts were last brought in line
   std::vector<std::uint32_t> far_;    // grains whose remainder may ask for a move
 };

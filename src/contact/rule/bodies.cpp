@@ -25,10 +25,6 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
   // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
   // moving.
-  Pair pair = {.mass = fixed(mass, kMassBits),
-               .shear_mass = fixed(rolling == Rolling::none ? mass : mass / 3, kMassBits),
-               .upper_inverse_mass = fixed(upper.inverse_mass, kUnitBits),
-               .other_inverse_mass = fixed(other.inverse_mass, kUnitBits)};
   const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
   const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
   const auto rolling_mass = [&](const Disc& disc) {
@@ -37,11 +33,17 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const auto turning = [&](const Disc& disc) {
     return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kUnitBits);
   };
-  pair.upper_rolling_mass = rolling_mass(upper);
-  pair.other_rolling_mass = rolling_mass(other);
-  pair.upper_turning = turning(upper);
-  pair.other_turning = turning(other);
-  return pair;
+  // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
+  // moving.
+  const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
+  return {.mass = fixed(mass, kMassBits),
+          .shear_mass = fixed(shear_mass, kMassBits),
+          .upper_inverse_mass = fixed(upper.inverse_mass, kUnitBits),
+          .other_inverse_mass = fixed(other.inverse_mass, kUnitBits),
+          .upper_rolling_mass = rolling_mass(upper),
+          .other_rolling_mass = rolling_mass(other),
+          .upper_turning = turning(upper),
+          .other_turning = turning(other)};
 }
 
 }  // namespace

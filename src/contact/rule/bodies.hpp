@@ -13,18 +13,20 @@ namespace clca::contact {
 
 /// Coefficients of two kinds that touch, or of a kind and a wall. Masses in 2^-10 sites, what is
 /// divided by a mass in 2^-30; all of a wall is 0.
-struct Pair {
-  std::int32_t mass = 0;        ///< reduced: of a change of relative velocity along the normal
-  std::int32_t shear_mass = 0;  ///< the same across it
-  std::int32_t upper_inverse_mass = 0;
-  std::int32_t other_inverse_mass = 0;
+template <class Int>
+struct Coefficients {
+  Int mass;        ///< reduced: of a change of relative velocity along the normal
+  Int shear_mass;  ///< the same across it
+  Int upper_inverse_mass;
+  Int other_inverse_mass;
   // Of a moment over the reduced radius: what it is for a spin that it stops, and how it changes
   // spins.
-  std::int32_t upper_rolling_mass = 0;
-  std::int32_t other_rolling_mass = 0;
-  std::int32_t upper_turning = 0;
-  std::int32_t other_turning = 0;
+  Int upper_rolling_mass;
+  Int other_rolling_mass;
+  Int upper_turning;
+  Int other_turning;
 };
+using Pair = Coefficients<std::int32_t>;
 
 class Bodies {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 // What passes between two bodies that touch: contact dynamics (Moreau 1994, Jean 1999), one contact
-// at a time.
+// at a time. `Int` is std::int32_t, or eight of them for as many contacts that share no grain.
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/bodies.hpp"
@@ -15,79 +15,98 @@ struct Turning {
   std::int32_t rolling_friction = 0;
 };
 
-/// The bodies of a contact. A wall is a body at rest whose inverse mass is 0.
+/// A contact where it is now, and the velocities of its bodies. A wall is a body at rest whose
+/// inverse mass is 0.
+template <class Int>
 struct Touching {
-  Motion& upper;
-  Motion& other;
-  UnitVector normal;  ///< towards the upper one
-  const Pair& pair;
+  Velocity<Int> upper;
+  Velocity<Int> other;
+  Int normal_x;  ///< towards the upper body, in 2^-30
+  Int normal_y;
+  Coefficients<Int> pair;
 };
 
-/// Changes the velocities of both bodies by impulses of a contact (see Contact).
-inline void apply(const Touching& bodies, std::int32_t normal, std::int32_t shear,
-                  std::int32_t rolling, bool turns) {
-  const Vector impulse = normal * bodies.normal + shear * bodies.normal.turned();
-  const auto push = [](Motion& motion, const Vector& by, std::int32_t inverse_mass) {
-    motion.velocity =
-        motion.velocity + Vector{narrow(scaled(std::int64_t{by.x} * inverse_mass, kUnitBits)),
-                                 narrow(scaled(std::int64_t{by.y} * inverse_mass, kUnitBits))};
+/// Velocity of the upper body away from the other one, along the normal.
+template <class Int>
+[[gnu::always_inline]] inline Int separation_velocity(const Touching<Int>& at) {
+  return lower(scaled(product(at.upper.x - at.other.x, at.normal_x) +
+                          product(at.upper.y - at.other.y, at.normal_y),
+                      kUnitBits));
+}
+
+/// The same along the rims of the bodies, across the normal turned anticlockwise.
+template <class Int>
+[[gnu::always_inline]] inline Int slip_velocity(const Touching<Int>& at) {
+  return lower(scaled(product(at.upper.y - at.other.y, at.normal_x) -
+                          product(at.upper.x - at.other.x, at.normal_y),
+                      kUnitBits)) -
+         at.upper.spin - at.other.spin;
+}
+
+/// Changes the velocities of both bodies by impulses.
+template <class Int>
+[[gnu::always_inline]] inline void apply(Touching<Int>& at, const Impulse<Int>& by, bool turns) {
+  const Int x = lower(
+      scaled(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits));
+  const Int y = lower(
+      scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
+  const auto pushed = [](Int velocity, Int impulse, Int inverse_mass) {
+    return clamped(velocity + lower(scaled(product(impulse, inverse_mass), kUnitBits)), -kFastest,
+                   kFastest);
   };
-  push(bodies.upper, impulse, bodies.pair.upper_inverse_mass);
-  push(bodies.other, Vector() - impulse, bodies.pair.other_inverse_mass);
+  at.upper.x = pushed(at.upper.x, x, at.pair.upper_inverse_mass);
+  at.upper.y = pushed(at.upper.y, y, at.pair.upper_inverse_mass);
+  at.other.x = pushed(at.other.x, -x, at.pair.other_inverse_mass);
+  at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
   if (turns) {
     // Both turn the same way by a force along the rim, in opposite ways by a moment.
-    const auto turn = [&](Motion& motion, std::int32_t inverse_mass, std::int64_t moment) {
-      motion.spin = narrow(motion.spin -
-                           scaled(2 * std::int64_t{shear} * inverse_mass - moment, kUnitBits));
+    const auto turned = [](Int spin, const auto& change) {
+      return clamped(spin + clamped(scaled(change, kUnitBits), -kFastest, kFastest), -kFastest,
+                     kFastest);
     };
-    const Pair& pair = bodies.pair;
-    turn(bodies.upper, pair.upper_inverse_mass, std::int64_t{rolling} * pair.upper_turning);
-    turn(bodies.other, pair.other_inverse_mass, -std::int64_t{rolling} * pair.other_turning);
+    const auto upper_force = product(by.shear, at.pair.upper_inverse_mass);
+    const auto other_force = product(by.shear, at.pair.other_inverse_mass);
+    at.upper.spin =
+        turned(at.upper.spin, product(by.rolling, at.pair.upper_turning) - upper_force - upper_force);
+    at.other.spin = turned(at.other.spin, -product(by.rolling, at.pair.other_turning) -
+                                              other_force - other_force);
   }
 }
 
-/// Velocity of the upper body away from the other one, along the normal.
-inline std::int32_t separation_velocity(const Touching& bodies) {
-  return along(bodies.upper.velocity - bodies.other.velocity, bodies.normal);
+/// Changes the impulses of a contact so that its bodies part with the velocity `bounce` along the
+/// normal and neither slide nor roll, as far as friction allows. `friction` in 2^-16.
+template <class Int>
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, Touching<Int>& at, Int bounce, Int friction,
+           const Turning& turning) {
+  const Impulse<Int> before = impulse;
+  impulse.normal = clamped(
+      wide(before.normal) - scaled(product(separation_velocity(at) - bounce, at.pair.mass), kMassBits),
+      0, kStrongest);
+
+  const auto bound = [&](const auto& wanted, const auto& most) {
+    const Int limit = clamped(scaled(most, kRatioBits), 0, kStrongest);
+    return clamped(clamped(wanted, -kStrongest, kStrongest), -limit, limit);
+  };
+  impulse.shear =
+      bound(wide(before.shear) - scaled(product(slip_velocity(at), at.pair.shear_mass), kMassBits),
+            product(impulse.normal, friction));
+  if (turning.resists_rolling) {
+    const auto stopped = product(at.upper.spin, at.pair.upper_rolling_mass) -
+                         product(at.other.spin, at.pair.other_rolling_mass);
+    impulse.rolling = bound(wide(before.rolling) - scaled(stopped, kMassBits),
+                            product(impulse.normal, all(turning.rolling_friction, Int())));
+  }
+
+  apply(at,
+        Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
+                     impulse.rolling - before.rolling},
+        turning.turns);
 }
 
 /// The velocity with which bodies part that come together with the velocity `closing`.
 inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
   constexpr std::int32_t kLeast = kSpacing / 32;  // below it large beds would not come to rest
-  return closing > kLeast ? narrow(scaled(std::int64_t{closing} * restitution, kRatioBits)) : 0;
-}
-
-/// Changes the impulses of a contact so that its bodies part with the velocity `bounce` along the
-/// normal and neither slide nor roll, as far as friction allows. `friction` in 2^-16.
-inline void solve(Contact& contact, const Touching& bodies, std::int32_t bounce,
-                  std::int32_t friction, const Turning& turning) {
-  const Pair& pair = bodies.pair;
-  const Vector velocity = bodies.upper.velocity - bodies.other.velocity;
-
-  const std::int64_t separation = std::int64_t{along(velocity, bodies.normal)} - bounce;
-  const std::int32_t normal =
-      narrow(std::max<std::int64_t>(0, contact.normal - scaled(separation * pair.mass, kMassBits)));
-
-  const std::int64_t slip = std::int64_t{along(velocity, bodies.normal.turned())} -
-                            bodies.upper.spin - bodies.other.spin;
-  const std::int64_t most_shear = scaled(std::int64_t{normal} * friction, kRatioBits);
-  const std::int32_t shear =
-      narrow(std::clamp(contact.shear - scaled(slip * pair.shear_mass, kMassBits), -most_shear,
-                        most_shear));
-
-  std::int32_t rolling = 0;
-  if (turning.resists_rolling) {
-    const std::int64_t stopped = std::int64_t{bodies.upper.spin} * pair.upper_rolling_mass -
-                                 std::int64_t{bodies.other.spin} * pair.other_rolling_mass;
-    const std::int64_t most = scaled(std::int64_t{normal} * turning.rolling_friction, kRatioBits);
-    rolling = narrow(std::clamp(contact.rolling - scaled(stopped, kMassBits), -most, most));
-  }
-
-  apply(bodies, normal - contact.normal, narrow(std::int64_t{shear} - contact.shear),
-        narrow(std::int64_t{rolling} - contact.rolling), turning.turns);
-  contact.normal = normal;
-  contact.shear = shear;
-  contact.rolling = rolling;
+  return closing > kLeast ? lower(scaled(product(closing, restitution), kRatioBits)) : 0;
 }
 
 }  // namespace clca::contact

@@ -53,9 +53,10 @@ std::vector<ActiveContact> next_contacts(const grains::State& state,
     known[static_cast<std::size_t>(touch - now.data())] = true;
     Placed kept = placed(*touch);
     kept.active.is_new = false;
-    kept.active.contact.normal = contact.normal;
-    kept.active.contact.shear = contact.shear;
-    kept.active.contact.rolling = turned ? -contact.rolling : contact.rolling;
+    kept.active.contact.impulse = contact.impulse;
+    if (turned) {
+      kept.active.contact.impulse.rolling *= -1;
+    }
     all.push_back(kept);
   }
   const auto first_new = static_cast<std::ptrdiff_t>(all.size());

@@ -20,8 +20,9 @@ int place_along(Direction direction, lattice::Site site) {
 
 class Mover {
  public:
-  Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints)
-      : state_(state), occupancy_(occupancy), footprints_(footprints) {}
+  Mover(grains::State& state, std::span<Vector> remainders, grains::Occupancy& occupancy,
+        const grains::FootprintTable& footprints)
+      : state_(state), remainders_(remainders), occupancy_(occupancy), footprints_(footprints) {}
 
   /// All moves in one direction: a grain follows one that moves out of its way. The result does not
   /// depend on the order of the grains.
@@ -29,7 +30,7 @@ class Mover {
             std::vector<std::uint32_t>& moved) {
     waiting_.clear();
     for (const std::uint32_t id : ids) {
-      if (wants(state_.motions[id], direction) && !try_move(id, direction, moved)) {
+      if (wants(remainders_[id], direction) && !try_move(id, direction, moved)) {
         waiting_.push_back(id);
       }
     }
@@ -38,8 +39,8 @@ class Mover {
     }
     // Those in front first: a whole row goes at once.
     std::sort(waiting_.begin(), waiting_.end(), [&](std::uint32_t one, std::uint32_t other) {
-      return place_along(direction, state_.grains.particles[one].site()) >
-             place_along(direction, state_.grains.particles[other].site());
+      return place_along(direction, state_.particles[one].site()) >
+             place_along(direction, state_.particles[other].site());
     });
     const auto goes = [&](std::uint32_t id) { return try_move(id, direction, moved); };
     while (std::erase_if(waiting_, goes) > 0) {
@@ -50,7 +51,7 @@ class Mover {
   template <class Visit>
   void for_each_place(const grains::Particle& grain, const std::vector<lattice::Offset>& offsets,
                       Visit visit) const {
-    const lattice::Lattice& lattice = state_.grains.lattice;
+    const lattice::Lattice& lattice = state_.lattice;
     const std::size_t place = lattice.index(grain.site());
     const int column = lattice.wrapped(grain.column);
     for (const lattice::Offset offset : offsets) {
@@ -59,7 +60,7 @@ class Mover {
   }
 
   bool try_move(std::uint32_t id, Direction direction, std::vector<std::uint32_t>& moved) {
-    grains::Particle& grain = state_.grains.particles[id];
+    grains::Particle& grain = state_.particles[id];
     const grains::Footprint& footprint = footprints_.of(grain);
     const auto at = lattice::index_of(direction);
     bool free = true;
@@ -77,12 +78,13 @@ class Mover {
     grain.column = target.column;
     grain.row = target.row;
     grain.previous = static_cast<grains::Move>(direction);
-    step_back(state_.motions[id], direction);
+    take(remainders_[id], kSpacing, direction);
     moved.push_back(id);
     return true;
   }
 
-  State& state_;
+  grains::State& state_;
+  std::span<Vector> remainders_;
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   std::vector<std::uint32_t> waiting_;
@@ -105,11 +107,11 @@ std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains
   return order;
 }
 
-void move_grains(State& state, grains::Occupancy& occupancy,
+void move_grains(grains::State& state, std::span<Vector> remainders, grains::Occupancy& occupancy,
                  const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
                  std::vector<std::uint32_t>& moved) {
-  Mover mover(state, occupancy, footprints);
-  for (const Direction direction : order_of_directions(state.grains)) {
+  Mover mover(state, remainders, occupancy, footprints);
+  for (const Direction direction : order_of_directions(state)) {
     mover.move(direction, ids, moved);
   }
 }

@@ -18,7 +18,7 @@ std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
 /// Moves each of the grains `ids` by a site in every direction in which its remainder asks for it
 /// and its way is free; one that follows another goes with it. Appends the ids of those that moved
 /// to `moved`, some more than once.
-void move_grains(State& state, grains::Occupancy& occupancy,
+void move_grains(grains::State& state, std::span<Vector> remainders, grains::Occupancy& occupancy,
                  const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
                  std::vector<std::uint32_t>& moved);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Arithmetic in whole numbers, so that every machine and compiler gives the same bits.
+// Arithmetic in whole numbers, so that every machine and compiler gives the same bits. What the law
+// of a contact needs is there for eight contacts at once, too (engine/lanes.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +14,36 @@ namespace clca::contact {
 inline constexpr int kUnitBits = 30;  ///< of components of unit vectors, and of inverse masses
 inline constexpr int kMassBits = 10;
 inline constexpr int kRatioBits = 16;  ///< of coefficients of friction and restitution
-inline constexpr std::int64_t kLargest = std::int64_t{1} << 30;
 
-/// Velocities, lengths and impulses stay where no product overflows.
-constexpr std::int32_t narrow(std::int64_t value) {
-  return static_cast<std::int32_t>(std::clamp(value, -kLargest, kLargest));
+/// Product of two numbers, and what is made of such products.
+inline std::int64_t product(std::int32_t one, std::int32_t other) {
+  return std::int64_t{one} * other;
 }
-
+inline std::int64_t wide(std::int32_t value) {
+  return value;
+}
+/// A number in every lane.
+inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
+  return value;
+}
 /// value / 2^bits, rounded.
-constexpr std::int64_t scaled(std::int64_t value, int bits) {
+inline std::int64_t scaled(std::int64_t value, int bits) {
   return (value + (std::int64_t{1} << (bits - 1))) >> bits;
+}
+/// The lower half of a number that has no upper one.
+inline std::int32_t lower(std::int64_t value) {
+  return static_cast<std::int32_t>(value);
+}
+inline std::int32_t clamped(std::int32_t value, std::int32_t low, std::int32_t high) {
+  return std::min(std::max(value, low), high);
+}
+inline std::int32_t clamped(std::int64_t value, std::int32_t low, std::int32_t high) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, low, high));
 }
 
 /// A number as a multiple of 2^-bits, at most 2^30 of them.
 inline std::int32_t fixed(double value, int bits) {
-  return static_cast<std::int32_t>(
-      std::llround(std::min(std::ldexp(value, bits), static_cast<double>(kLargest))));
+  return static_cast<std::int32_t>(std::llround(std::min(std::ldexp(value, bits), 0x1p30)));
 }
 
 /// Components in 2^-30.
@@ -36,7 +51,6 @@ struct UnitVector {
   std::int32_t x = 0;
   std::int32_t y = 0;
 
-  UnitVector turned() const { return {-y, x}; }  ///< anticlockwise by a right angle
   bool operator==(const UnitVector&) const = default;
 };
 
@@ -54,24 +68,13 @@ inline UnitVector unit_vector(lattice::Axial vector) {
   return {component(3 * x * x, x < 0), component(doubled_y * doubled_y, doubled_y < 0)};
 }
 
+/// Component of a vector along a unit vector.
 inline std::int32_t along(const Vector& vector, const UnitVector& unit) {
-  return narrow(scaled(std::int64_t{vector.x} * unit.x + std::int64_t{vector.y} * unit.y,
-                       kUnitBits));
-}
-
-inline Vector operator+(const Vector& one, const Vector& other) {
-  return {narrow(std::int64_t{one.x} + other.x), narrow(std::int64_t{one.y} + other.y)};
-}
-inline Vector operator-(const Vector& one, const Vector& other) {
-  return {narrow(std::int64_t{one.x} - other.x), narrow(std::int64_t{one.y} - other.y)};
-}
-inline Vector operator*(std::int32_t size, const UnitVector& unit) {
-  return {narrow(scaled(std::int64_t{size} * unit.x, kUnitBits)),
-          narrow(scaled(std::int64_t{size} * unit.y, kUnitBits))};
+  return lower(scaled(product(vector.x, unit.x) + product(vector.y, unit.y), kUnitBits));
 }
 
 inline std::int64_t squared(const Vector& vector) {
-  return std::int64_t{vector.x} * vector.x + std::int64_t{vector.y} * vector.y;
+  return product(vector.x, vector.x) + product(vector.y, vector.y);
 }
 
 }  // namespace clca::contact

@@ -20,42 +20,45 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
   return units[lattice::index_of(direction)];
 }
 
-/// Whether the speed is at most `slow`.
-inline bool is_slow(const Motion& motion, std::int32_t slow) {
-  return squared(motion.velocity) <= std::int64_t{slow} * slow;
+/// Gravity points down.
+inline void accelerate(Velocity<std::int32_t>& velocity, std::int32_t gravity) {
+  velocity.y = std::max(velocity.y - gravity, -kFastest);
 }
 
-/// Adds the velocity to the remainder. A slow grain forgets its remainder instead, bit by bit.
-/// Returns whether it is slow.
-inline bool advance(Motion& motion, std::int32_t slow) {
+/// Adds a velocity to a remainder. Where the speed is at most `slow`, the remainder is forgotten
+/// instead, bit by bit. Returns whether that is so.
+inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, std::int32_t slow) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
-  if (is_slow(motion, slow)) {
-    motion.remainder.x -= motion.remainder.x / kForgotten;
-    motion.remainder.y -= motion.remainder.y / kForgotten;
+  if (squared({velocity.x, velocity.y}) <= product(slow, slow)) {
+    remainder.x -= remainder.x / kForgotten;
+    remainder.y -= remainder.y / kForgotten;
     return true;
   }
-  motion.remainder = motion.remainder + motion.velocity;
+  remainder.x = clamped(remainder.x + velocity.x, -kFarthest, kFarthest);
+  remainder.y = clamped(remainder.y + velocity.y, -kFarthest, kFarthest);
   return false;
 }
 
-/// Whether a grain is to move by a site.
-inline bool wants(const Motion& motion, lattice::Direction direction) {
-  return along(motion.remainder, unit_of(direction)) > kSpacing / 2;
+/// Whether a grain with this remainder is to move by a site.
+inline bool wants(const Vector& remainder, lattice::Direction direction) {
+  return along(remainder, unit_of(direction)) > kSpacing / 2;
 }
 
-/// After that move.
-inline void step_back(Motion& motion, lattice::Direction direction) {
-  motion.remainder = motion.remainder - kSpacing * unit_of(direction);
+/// Takes a distance along a direction from a remainder.
+inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
+  const UnitVector& unit = unit_of(direction);
+  remainder.x -= lower(scaled(product(distance, unit.x), kUnitBits));
+  remainder.y -= lower(scaled(product(distance, unit.y), kUnitBits));
 }
 
 /// Cuts the remainder of a grain that has no room: at 3/4 of a site dense flow would keep its
 /// velocity and lose its way.
-inline void cut(Motion& motion) {
+inline void cut(Vector& remainder) {
   constexpr std::int32_t kMost = 2 * kSpacing;
   for (const lattice::Direction direction : lattice::kDirections) {
-    const std::int32_t excess = along(motion.remainder, unit_of(direction)) - kMost;
+    const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
     if (excess > 0) {
-      motion.remainder = motion.remainder - excess * unit_of(direction);
+      take(remainder, excess, direction);
     }
   }
 }

@@ -12,58 +12,62 @@ namespace clca::contact {
 namespace {
 
 
-void accelerate(State& state, std::int32_t gravity) {
-  for (std::size_t id = 0; id < state.motions.size(); ++id) {
-    if (state.grains.particles[id].present) {
-      state.motions[id].velocity = state.motions[id].velocity - Vector{0, gravity};
-    }
-  }
-}
-
-/// The bodies of contacts.
-class Pairs {
+/// Calls `visit` with a contact and its bodies, whose velocities it may change.
+class Contacts {
  public:
-  Pairs(State& state, const Bodies& bodies) : state_(state), bodies_(bodies) {}
+  Contacts(State& state, const Rule& rule) : state_(state), rule_(rule) {}
 
-  Touching operator()(const ActiveContact& active) {
+  template <class Visit>
+  void at(const ActiveContact& active, Visit visit) {
     const Contact& contact = active.contact;
     const bool on_wall = !grains::is_particle(contact.other);
     const auto other = static_cast<std::size_t>(contact.other);
     const auto& grains = state_.grains.particles;
-    return {.upper = state_.motions[contact.upper],
-            .other = on_wall ? wall_ : state_.motions[other],
-            .normal = active.normal,
-            .pair = bodies_.pair(grains[contact.upper].kind,
-                                 on_wall ? std::nullopt : std::optional(grains[other].kind))};
+    Velocity<std::int32_t> wall;
+    Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
+    Velocity<std::int32_t>& other_velocity = on_wall ? wall : state_.velocities[other];
+    Touching<std::int32_t> touching = {
+        .upper = upper_velocity,
+        .other = other_velocity,
+        .normal_x = active.normal.x,
+        .normal_y = active.normal.y,
+        .pair = rule_.bodies.pair(grains[contact.upper].kind,
+                                  on_wall ? std::nullopt : std::optional(grains[other].kind))};
+    visit(touching);
+    upper_velocity = touching.upper;
+    other_velocity = touching.other;
   }
 
  private:
   State& state_;
-  const Bodies& bodies_;
-  Motion wall_;
+  const Rule& rule_;
 };
 
 /// The velocities with which contacts are to part: those that are not new do not bounce.
-std::vector<std::int32_t> bounces(Pairs& pairs, const std::vector<ActiveContact>& contacts,
+std::vector<std::int32_t> bounces(Contacts& all, const std::vector<ActiveContact>& contacts,
                                   std::int32_t restitution) {
   std::vector<std::int32_t> result(contacts.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].is_new) {
-      result[i] = bounce(-separation_velocity(pairs(contacts[i])), restitution);
+      all.at(contacts[i], [&](const Touching<std::int32_t>& touching) {
+        result[i] = bounce(-separation_velocity(touching), restitution);
+      });
     }
   }
   return result;
 }
 
 /// Forwards and backwards in turn.
-void sweep(Pairs& pairs, std::vector<ActiveContact>& contacts,
+void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
            const std::vector<std::int32_t>& bounce, const Rule& rule) {
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
       Contact& contact = contacts[at].contact;
-      solve(contact, pairs(contacts[at]), bounce[at], rule.friction_with(contact.other),
-            rule.turning);
+      all.at(contacts[at], [&](Touching<std::int32_t>& touching) {
+        solve(contact.impulse, touching, bounce[at], rule.friction_with(contact.other),
+              rule.turning);
+      });
     }
   }
 }
@@ -78,13 +82,18 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
                     touches(state.grains, occupancy, footprints, normals), sorts_contacts(state));
   state.changed = false;
 
-  accelerate(state, rule.gravity);
-  Pairs pairs(state, rule.bodies);
-  for (const ActiveContact& active : contacts) {
-    const Contact& contact = active.contact;
-    apply(pairs(active), contact.normal, contact.shear, contact.rolling, rule.turning.turns);
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+    if (state.grains.particles[id].present) {
+      accelerate(state.velocities[id], rule.gravity);
+    }
   }
-  sweep(pairs, contacts, bounces(pairs, contacts, rule.restitution), rule);
+  Contacts all(state, rule);
+  for (const ActiveContact& active : contacts) {
+    all.at(active, [&](Touching<std::int32_t>& touching) {
+      apply(touching, active.contact.impulse, rule.turning.turns);
+    });
+  }
+  sweep(all, contacts, bounces(all, contacts, rule.restitution), rule);
   state.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
                  [](const ActiveContact& active) { return active.contact; });
@@ -92,17 +101,17 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   const std::int32_t slow = slow_speed(rule);
   bool quiet = true;
   std::vector<std::uint32_t> present;
-  for (std::uint32_t id = 0; id < state.motions.size(); ++id) {
+  for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
     state.grains.particles[id].previous = grains::kRest;
     if (state.grains.particles[id].present) {
-      quiet = advance(state.motions[id], slow) && quiet;
+      quiet = advance(state.remainders[id], state.velocities[id], slow) && quiet;
       present.push_back(id);
     }
   }
   std::vector<std::uint32_t> moved;
-  move_grains(state, occupancy, footprints, present, moved);
+  move_grains(state.grains, state.remainders, occupancy, footprints, present, moved);
   for (const std::uint32_t id : present) {
-    cut(state.motions[id]);
+    cut(state.remainders[id]);
   }
   state.quiet_steps = quiet && moved.empty() ? state.quiet_steps + 1 : 0;
   ++state.grains.step;

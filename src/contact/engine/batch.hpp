@@ -1,0 +1,49 @@
+#pragma once
+// Contacts by eight: those of a batch share no grain, so that they can be solved at once with the
+// result of one after the other.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "clca/contact/state.hpp"
+#include "contact/rule/contact_law.hpp"
+
+namespace clca::contact {
+
+inline constexpr std::size_t kLanes = 8;
+
+/// Eight contacts. An empty lane is a contact of the last body with itself, without any effect.
+struct alignas(32) Batch {
+  template <class T>
+  using PerLane = std::array<T, kLanes>;
+
+  PerLane<std::int32_t> upper;  ///< body
+  PerLane<std::int32_t> other;
+  PerLane<std::int32_t> normal_x;
+  PerLane<std::int32_t> normal_y;
+  Impulse<PerLane<std::int32_t>> impulse;
+  PerLane<std::int32_t> bounce;
+  PerLane<std::int32_t> friction;
+  Coefficients<PerLane<std::int32_t>> pair;
+};
+
+/// The velocity of a grain where it is loaded and stored at once.
+struct alignas(16) Body {
+  Velocity<std::int32_t> velocity;
+};
+
+/// How batches are carried out. `bodies`: grains by id, and behind them a wall.
+struct BatchFunctions {
+  /// Gives the bodies the impulses that the contacts remember.
+  void (*apply)(Batch* batches, std::size_t count, Body* bodies, bool turns);
+  /// Solves all contacts, forwards or backwards.
+  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const Turning& turning,
+                bool backwards);
+};
+/// One contact after the other.
+BatchFunctions plain_functions();
+/// Eight at once by AVX2; plain_functions() where the compiler or the processor has none.
+BatchFunctions fastest_functions();
+
+}  // namespace clca::contact

@@ -1,0 +1,99 @@
+#include "contact/engine/batches.hpp"
+
+#include <algorithm>
+
+namespace clca::contact {
+
+namespace {
+
+/// Calls `visit` with each list of a batch and the number of the content that goes there.
+template <class ABatch, class Visit>
+void for_each_coefficient(ABatch& batch, const Pair& pair, Visit visit) {
+  visit(batch.pair.mass, pair.mass);
+  visit(batch.pair.shear_mass, pair.shear_mass);
+  visit(batch.pair.upper_inverse_mass, pair.upper_inverse_mass);
+  visit(batch.pair.other_inverse_mass, pair.other_inverse_mass);
+  visit(batch.pair.upper_rolling_mass, pair.upper_rolling_mass);
+  visit(batch.pair.other_rolling_mass, pair.other_rolling_mass);
+  visit(batch.pair.upper_turning, pair.upper_turning);
+  visit(batch.pair.other_turning, pair.other_turning);
+}
+
+}  // namespace
+
+void Batches::clear(std::size_t grains) {
+  batches_.clear();
+  used_.clear();
+  next_batch_.assign(grains, 0);
+  first_open_ = 0;
+  wall_ = static_cast<std::int32_t>(grains);
+}
+
+std::int32_t Batches::add(const LaneContent& content) {
+  std::uint32_t& next_of_upper = next_batch_[content.upper];
+  std::uint32_t unused = 0;
+  std::uint32_t& next_of_other = grains::is_particle(content.other)
+                                     ? next_batch_[static_cast<std::size_t>(content.other)]
+                                     : unused;
+  std::size_t at = std::max<std::size_t>({next_of_upper, next_of_other, first_open_});
+  while (at < used_.size() && used_[at] == kLanes) {
+    ++at;
+  }
+  if (at >= batches_.size()) {
+    batches_.resize(at + 1);
+    used_.resize(at + 1, 0);
+    for (std::int32_t& body : batches_[at].upper) {
+      body = wall_;
+    }
+    batches_[at].other = batches_[at].upper;
+  }
+  const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
+  while (first_open_ < used_.size() && used_[first_open_] == kLanes) {
+    ++first_open_;
+  }
+  next_of_upper = next_of_other = static_cast<std::uint32_t>(at + 1);
+  set(lane, content);
+  return lane;
+}
+
+void Batches::set(std::int32_t lane, const LaneContent& content) {
+  Batch& batch = this->batch(lane);
+  const std::size_t i = in_batch(lane);
+  batch.upper[i] = static_cast<std::int32_t>(content.upper);
+  batch.other[i] = grains::is_particle(content.other) ? content.other : wall_;
+  batch.normal_x[i] = content.normal.x;
+  batch.normal_y[i] = content.normal.y;
+  batch.impulse.normal[i] = content.impulse.normal;
+  batch.impulse.shear[i] = content.impulse.shear;
+  batch.impulse.rolling[i] = content.impulse.rolling;
+  batch.friction[i] = content.friction;
+  for_each_coefficient(batch, *content.pair, [i](auto& all, std::int32_t value) { all[i] = value; });
+}
+
+void Batches::remove(std::int32_t lane) {
+  constexpr Pair kNone = {};
+  const auto wall = static_cast<std::uint32_t>(wall_);
+  set(lane, {.upper = wall, .other = wall_, .pair = &kNone});
+}
+
+Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {
+  const auto& impulse = batch(lane).impulse;
+  const std::size_t i = in_batch(lane);
+  return {impulse.normal[i], impulse.shear[i], impulse.rolling[i]};
+}
+
+Touching<std::int32_t> Batches::touching(std::int32_t lane,
+                                         const std::vector<Body>& bodies) const {
+  const Batch& batch = this->batch(lane);
+  const std::size_t i = in_batch(lane);
+  const auto velocity = [&](std::int32_t body) {
+    return bodies[static_cast<std::size_t>(body)].velocity;
+  };
+  return {.upper = velocity(batch.upper[i]),
+          .other = velocity(batch.other[i]),
+          .normal_x = batch.normal_x[i],
+          .normal_y = batch.normal_y[i],
+          .pair = {}};
+}
+
+}  // namespace clca::contact

@@ -1,0 +1,59 @@
+#pragma once
+// Contacts put into batches.
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/engine/batch.hpp"
+
+namespace clca::contact {
+
+/// All that a lane holds of a contact.
+struct LaneContent {
+  std::uint32_t upper = 0;
+  grains::Owner other = 0;
+  UnitVector normal;
+  Impulse<std::int32_t> impulse;
+  std::int32_t friction = 0;
+  const Pair* pair = nullptr;
+};
+
+/// Batches that give what a sweep over the contacts, in the order in which they were added, would
+/// give: each contact is in a later batch than those before it that it shares a grain with.
+class Batches {
+ public:
+  /// Forgets all contacts. Body `grains` is the wall.
+  void clear(std::size_t grains);
+  /// Adds a contact behind the others. Returns its lane, counted through all batches.
+  std::int32_t add(const LaneContent& content);
+  /// Changes what a lane holds; the grains stay the same two, maybe turned over.
+  void set(std::int32_t lane, const LaneContent& content);
+  /// Empties a lane.
+  void remove(std::int32_t lane);
+
+  Impulse<std::int32_t> impulse(std::int32_t lane) const;
+  UnitVector normal(std::int32_t lane) const {
+    return {batch(lane).normal_x[in_batch(lane)], batch(lane).normal_y[in_batch(lane)]};
+  }
+  /// Velocity with which the contact is to part.
+  std::int32_t& bounce(std::int32_t lane) { return batch(lane).bounce[in_batch(lane)]; }
+  /// The contact of a lane as it is now.
+  Touching<std::int32_t> touching(std::int32_t lane, const std::vector<Body>& bodies) const;
+
+  std::vector<Batch>& all() { return batches_; }
+
+ private:
+  static std::size_t in_batch(std::int32_t lane) { return static_cast<std::size_t>(lane) % kLanes; }
+  Batch& batch(std::int32_t lane) { return batches_[static_cast<std::size_t>(lane) / kLanes]; }
+  const Batch& batch(std::int32_t lane) const {
+    return batches_[static_cast<std::size_t>(lane) / kLanes];
+  }
+
+  std::vector<Batch> batches_;
+  std::vector<std::uint8_t> used_;         // lanes by batch
+  std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
+  std::size_t first_open_ = 0;             // all batches before it are full
+  std::int32_t wall_ = 0;
+};
+
+}  // namespace clca::contact
