@@ -16,12 +16,11 @@ inline automaton::Automaton rain(std::size_t particles, automaton::Ties ties, in
   const double scale = std::sqrt(static_cast<double>(particles) / 540);
   const double width = 87 * scale;
   const double height = 460 * scale;
-  automaton::State state{.lattice = lattice::Lattice::covering(300 * scale, height, false),
-                         .rules = {.ties = ties},
-                         .seed = 2001};
+  grains::State state{.lattice = lattice::Lattice::covering(300 * scale, height, false),
+                      .seed = 2001};
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   state.walls = {{.sites = lattice::sites_in(state.lattice, {width, 0, width + 1, height})}};
-  automaton::Automaton automaton(std::move(state), {.threads = threads});
+  automaton::Automaton automaton(std::move(state), {.ties = ties}, {.threads = threads});
   const std::vector<std::size_t> counts = {particles / 2, particles / 2};
   automaton.fill({0, 0, width, height}, counts);
   return automaton;

@@ -12,6 +12,7 @@
 namespace {
 
 namespace automaton = clca::automaton;
+namespace grains = clca::grains;
 namespace lattice = clca::lattice;
 namespace render = clca::render;
 
@@ -20,8 +21,8 @@ namespace render = clca::render;
 automaton::Automaton crowd(std::size_t particles, double share) {
   const double sites = 26.0 * static_cast<double>(particles) / share;
   const double height = std::sqrt(sites * lattice::kColumnPitch * 9 / 16);
-  automaton::State state{.lattice = lattice::Lattice::covering(height * 16 / 9, height, false),
-                         .seed = 2001};
+  grains::State state{.lattice = lattice::Lattice::covering(height * 16 / 9, height, false),
+                      .seed = 2001};
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   automaton::Automaton result(std::move(state));
   const std::vector<std::size_t> counts = {particles / 2, particles / 2};
@@ -92,8 +93,8 @@ void expose_displacement(benchmark::State& bench) {
   expose(bench, render::Drawing::lookup, render::color_by_displacement(100));
 }
 void expose_layers(benchmark::State& bench) {
-  const std::vector<automaton::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
-                                              {lattice::Shape::hexagon(2), 1}};
+  const std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
+                                           {lattice::Shape::hexagon(2), 1}};
   expose(bench, render::Drawing::lookup, render::color_by_layer(kinds, 8, {0, 2000}));
 }
 void develop_polygons(benchmark::State& bench) {

@@ -11,6 +11,7 @@
 namespace {
 
 namespace automaton = clca::automaton;
+namespace grains = clca::grains;
 namespace lattice = clca::lattice;
 
 constexpr std::uint64_t kMostSteps = 1'000'000;
@@ -55,14 +56,12 @@ automaton::Automaton bed_to_shake(std::size_t particles) {
   const double scale = std::sqrt(static_cast<double>(particles) / 420);
   const double width = 52 * scale;
   const double height = 260 * scale;
-  automaton::State state{.lattice = lattice::Lattice::covering(width, height, false),
-                         .rules = {.scatter = 1},
-                         .seed = 5};
+  grains::State state{.lattice = lattice::Lattice::covering(width, height, false), .seed = 5};
   state.kinds = {{lattice::Shape::hexagon(1), 0}};
   state.walls = {
       {.sites = lattice::sites_in(state.lattice, {0, 0, width, 1}),
-       .motion = automaton::Motion{lattice::Direction::up, automaton::Shake{10, std::nullopt}}}};
-  automaton::Automaton bed(std::move(state));
+       .motion = grains::Motion{lattice::Direction::up, grains::Shake{10, std::nullopt}}}};
+  automaton::Automaton bed(std::move(state), {.scatter = 1});
   bed.fill({0, 1, width, height}, std::vector<std::size_t>{particles});
   clca::bench::run_steps(bed, kMostSteps);
   return bed;
@@ -87,8 +86,7 @@ automaton::Automaton bed_to_push(std::size_t particles) {
   const double scale = std::sqrt(static_cast<double>(particles) / 990);
   const double width = 140 * scale;
   const double height = 240 * scale;
-  automaton::State state{.lattice = lattice::Lattice::covering(3 * width, height, false),
-                         .seed = 5};
+  grains::State state{.lattice = lattice::Lattice::covering(3 * width, height, false), .seed = 5};
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   const auto sites = [&](const lattice::Rectangle& box) {
     return lattice::sites_in(state.lattice, box);
@@ -99,8 +97,8 @@ automaton::Automaton bed_to_push(std::size_t particles) {
   state.walls[plate] = {
       .sites = sites({66.5 * scale, 110 * scale, 73.5 * scale, height}),
       .present = false,
-      .motion = automaton::Motion{lattice::Direction::down, automaton::Drive{4, distance}},
-      .passive = automaton::Passive::overlap};
+      .motion = grains::Motion{lattice::Direction::down, grains::Drive{4, distance}},
+      .passive = grains::Passive::overlap};
   automaton::Automaton bed(std::move(state));
   bed.fill({0, 0, width, height}, std::vector<std::size_t>{particles / 2, particles / 2});
   clca::bench::run_steps(bed, kMostSteps);

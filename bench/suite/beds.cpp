@@ -14,7 +14,7 @@ namespace clca::bench {
 
 namespace {
 
-using automaton::State;
+using grains::State;
 
 // The sites of a cell, which holds a particle of either kind with a free row to the next cell.
 constexpr int kCellColumns = 6;

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::bench {
 
@@ -11,15 +11,15 @@ namespace clca::bench {
 inline constexpr int kFallingSteps = 32;
 
 /// A rain in a box about as high as wide.
-automaton::State rain(std::size_t particles);
+grains::State rain(std::size_t particles);
 
 /// A rain low above the floor, as high for any number of particles: it comes to rest in about as
 /// many steps, too.
-automaton::State low_rain(std::size_t particles);
+grains::State low_rain(std::size_t particles);
 
 /// The wall-removal test at any size: a bed at rest, as wide as high, behind wall 0, which has
 /// more than twice as much room on its other side. At 540 particles that of
 /// scenes/wall-removal.yaml.
-automaton::State walled_bed(std::size_t particles);
+grains::State walled_bed(std::size_t particles);
 
 }  // namespace clca::bench

@@ -80,7 +80,7 @@ std::string name(Case a_case) {
   return "idle";
 }
 
-automaton::State start(Case a_case, std::size_t particles) {
+grains::State start(Case a_case, std::size_t particles) {
   switch (a_case) {
     case Case::falling:
       return rain(particles);
@@ -93,11 +93,10 @@ automaton::State start(Case a_case, std::size_t particles) {
   return walled_bed(particles);
 }
 
-Run run(Case a_case, automaton::State start, const Variant& variant, std::uint64_t most_steps,
+Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
-  start.rules.ties = variant.ties;
   Automaton automaton(
-      std::move(start),
+      std::move(start), {.ties = variant.ties},
       {.threads = variant.threads, .sleeping = variant.sleeping, .profile = variant.profile});
   std::optional<Traffic> traffic;
   if (sampled) {
@@ -119,7 +118,7 @@ Run run(Case a_case, automaton::State start, const Variant& variant, std::uint64
   }
   run_moving(automaton, a_case == Case::falling ? kFallingSteps : most_steps,
              traffic ? &*traffic : nullptr, run);
-  run.hash = automaton::hash(automaton.state());
+  run.hash = grains::hash(automaton.state());
   return run;
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::array kCases = {Case::falling, Case::settling, Case::colla
 
 std::string name(Case a_case);
 /// A state from which it starts.
-automaton::State start(Case a_case, std::size_t particles);
+grains::State start(Case a_case, std::size_t particles);
 
 struct Variant {
   automaton::Ties ties = automaton::Ties::particle;
@@ -53,7 +53,7 @@ struct Run {
 
 /// Runs to rest, at most `most_steps`. With `sampled` some steps are looked at for their traffic,
 /// while the clock stands still.
-Run run(Case a_case, automaton::State start, const Variant& variant, std::uint64_t most_steps,
+Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled);
 
 }  // namespace clca::bench

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clca/automaton/lazy_array.hpp"
+#include "clca/grains/lazy_array.hpp"
 #include "clca/random/draw.hpp"
 #include "stopwatch.hpp"
 
@@ -35,7 +35,7 @@ double best_of(double seconds, Round round) {
   return best;
 }
 
-using automaton::LazyArray;
+using grains::LazyArray;
 
 CopyRate measured_copy(std::size_t bytes, int threads, double seconds) {
   const std::size_t share = bytes / 2 / static_cast<std::size_t>(threads);

@@ -66,7 +66,7 @@ const Work& Measurement::work() const {
       ->all;
 }
 
-std::vector<Measurement> measure(Case a_case, const automaton::State& start, const Effort& effort) {
+std::vector<Measurement> measure(Case a_case, const grains::State& start, const Effort& effort) {
   const std::size_t particles = start.particles.size();
   const std::uint64_t most_steps = std::max(kLeastSteps, effort.most_updates / particles);
   std::vector<Measurement> result;

@@ -37,6 +37,6 @@ struct Measurement {
 };
 
 /// Throws std::runtime_error when variants with the same ties come to different states.
-std::vector<Measurement> measure(Case a_case, const automaton::State& start, const Effort& effort);
+std::vector<Measurement> measure(Case a_case, const grains::State& start, const Effort& effort);
 
 }  // namespace clca::bench

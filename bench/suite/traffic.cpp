@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-#include "clca/automaton/site_bits.hpp"
+#include "clca/grains/site_bits.hpp"
 #include "machine.hpp"
 
 namespace clca::bench {
 
 namespace {
 
-using automaton::Particle;
-using automaton::State;
+using grains::Particle;
+using grains::State;
 
-constexpr std::size_t kOwnersInALine = kLine / sizeof(automaton::Owner);
+constexpr std::size_t kOwnersInALine = kLine / sizeof(grains::Owner);
 // A byte has eight sites of a row; the bytes of rows follow each other.
-constexpr std::size_t kLineColumns = automaton::kWindow;
+constexpr std::size_t kLineColumns = grains::kWindow;
 constexpr std::size_t kLineRows = kLine;
 
 std::size_t lines_of(std::size_t bytes) {
@@ -39,7 +39,7 @@ std::size_t take(std::vector<bool>& lines) {
 }  // namespace
 
 Traffic::Traffic(const State& state)
-    : footprints_(state),
+    : footprints_(state, {}),
       bit_lines_high_(static_cast<std::size_t>(state.lattice.rows()) / kLineRows + 2),
       owners_(state.lattice.memory_size() / kOwnersInALine + 1),
       bits_((static_cast<std::size_t>(state.lattice.columns()) / kLineColumns + 2) *
@@ -48,7 +48,7 @@ Traffic::Traffic(const State& state)
 
 void Traffic::mark(const State& state, const Particle& particle) {
   const Particle from = before(particle);
-  const automaton::Footprint& footprint = footprints_.of(from);
+  const grains::Footprint& footprint = footprints_.of(from);
   const std::size_t reference = state.lattice.index(from.site());
   const int column = state.lattice.wrapped(from.column);
   for (const lattice::Offset offset : footprint.lead[particle.previous]) {
@@ -70,7 +70,7 @@ void Traffic::mark_bits(const State& state, std::size_t place) {
 std::size_t Traffic::lines(const State& state) {
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     const Particle& particle = state.particles[id];
-    if (particle.present && particle.previous != automaton::kRest) {
+    if (particle.present && particle.previous != grains::kRest) {
       particles_[id * sizeof(Particle) / kLine] = true;
       mark(state, particle);
     }

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/footprint.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::bench {
 
@@ -13,17 +13,17 @@ namespace clca::bench {
 /// particles share it.
 class Traffic {
  public:
-  explicit Traffic(const automaton::State& state);
+  explicit Traffic(const grains::State& state);
 
   /// Of the step that has led to `state`: lines of the particles that moved, of the bits (see
   /// SiteBits) of the sites that they entered or left, and of the owners of those they entered.
-  std::size_t lines(const automaton::State& state);
+  std::size_t lines(const grains::State& state);
 
  private:
-  void mark(const automaton::State& state, const automaton::Particle& particle);
-  void mark_bits(const automaton::State& state, std::size_t place);
+  void mark(const grains::State& state, const grains::Particle& particle);
+  void mark_bits(const grains::State& state, std::size_t place);
 
-  automaton::FootprintTable footprints_;
+  grains::FootprintTable footprints_;
   std::size_t bit_lines_high_;  // of eight columns
   std::vector<bool> owners_;    // by line
   std::vector<bool> bits_;

@@ -7,6 +7,7 @@
 #include <exception>
 
 namespace automaton = clca::automaton;
+namespace grains = clca::grains;
 namespace lattice = clca::lattice;
 
 namespace {
@@ -15,8 +16,8 @@ constexpr double kWidth = 60;    // lattice spacings
 constexpr double kHeight = 120;  // lattice spacings
 constexpr std::array<std::size_t, 2> kCounts = {100, 100};
 
-automaton::State empty_box() {
-  automaton::State state{.lattice = lattice::Lattice::covering(kWidth, kHeight, false)};
+grains::State empty_box() {
+  grains::State state{.lattice = lattice::Lattice::covering(kWidth, kHeight, false)};
   state.seed = 2001;
   state.kinds = {{.shape = lattice::Shape::hexagon(1), .species = 0},
                  {.shape = lattice::Shape::hexagon(2), .species = 1}};
@@ -35,10 +36,10 @@ int main() try {
   while (!box.step().settled) {
   }
 
-  const automaton::State& state = box.state();
+  const grains::State& state = box.state();
   std::printf("%zu particles settled after %llu steps, state hash %016llx\n",
-              automaton::present_count(state), static_cast<unsigned long long>(state.step),
-              static_cast<unsigned long long>(automaton::hash(state)));
+              grains::present_count(state), static_cast<unsigned long long>(state.step),
+              static_cast<unsigned long long>(grains::hash(state)));
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

@@ -4,41 +4,34 @@
 #include <stdexcept>
 #include <utility>
 
-#include "automaton/deposit.hpp"
-#include "automaton/fill.hpp"
-#include "automaton/source.hpp"
 #include "automaton/stepper.hpp"
 #include "automaton/wall_mover.hpp"
 #include "automaton/wall_presence.hpp"
+#include "clca/grains/deposit.hpp"
+#include "clca/grains/outlet.hpp"
+#include "clca/grains/source.hpp"
 
 namespace clca::automaton {
 
 namespace {
 
-State valid(State state, const Options& options) {
+grains::State valid(grains::State state, const Rules& rules, const Options& options) {
   if (options.threads < 1) {
     throw std::invalid_argument("the number of threads must be positive");
   }
+  check_rules(rules);
   check_valid(state);
   return state;
-}
-
-void check_counts(const State& state, std::span<const std::size_t> counts) {
-  std::size_t species = 0;
-  for (const Kind& kind : state.kinds) {
-    species = std::max<std::size_t>(species, kind.species + 1U);
-  }
-  if (counts.size() != species) {
-    throw std::invalid_argument("a fill needs one count for each species");
-  }
 }
 
 }  // namespace
 
 class Automaton::Impl {
  public:
-  Impl(State initial, Options options)
-      : world(valid(std::move(initial), options)), stepper(world, options), walls(world.state) {}
+  Impl(grains::State initial, const Rules& rules, Options options)
+      : world(valid(std::move(initial), rules, options), rules),
+        stepper(world, options),
+        walls(world.state) {}
 
   /// Carries out a change; nothing more is changed after one that has failed halfway.
   template <class Change>
@@ -54,10 +47,10 @@ class Automaton::Impl {
 
   StepReport step() {
     StepReport report;
-    State& state = world.state;
+    grains::State& state = world.state;
     walls.advance(world, report);
     const std::size_t before = state.particles.size();
-    const SourceReport sources = run_sources(state, world.occupancy);
+    const grains::SourceReport sources = run_sources(state, world.occupancy);
     report.emitted = state.particles.size() - before;
     world.welcome_from(before);
     report.moved = stepper.advance();
@@ -81,10 +74,10 @@ class Automaton::Impl {
 
   /// `place` puts the particles into a region: fill_region or deposit_in.
   template <class Place>
-  FillResult fill(Place place, const lattice::Rectangle& region,
-                  std::span<const std::size_t> counts) {
+  grains::FillResult fill(Place place, const lattice::Rectangle& region,
+                          std::span<const std::size_t> counts) {
     const std::size_t before = world.state.particles.size();
-    FillResult result = place(world.state, world.occupancy, region, counts);
+    grains::FillResult result = place(world.state, world.occupancy, region, counts);
     world.welcome_from(before);
     for (std::size_t id = before; id < world.state.particles.size(); ++id) {
       discharge(static_cast<std::uint32_t>(id));
@@ -101,54 +94,48 @@ class Automaton::Impl {
 
   /// Removes the particle if it lies wholly inside an outlet.
   bool discharge(std::uint32_t id) {
-    State& state = world.state;
-    const Particle& particle = state.particles[id];
-    if (!particle.present) {
+    if (!count_at_outlet(world.state, id)) {
       return false;
     }
-    const auto outlet =
-        std::find_if(state.outlets.begin(), state.outlets.end(),
-                     [&](const Outlet& o) { return lies_inside(state, particle, o.region); });
-    if (outlet == state.outlets.end()) {
-      return false;
-    }
-    ++outlet->particles;
-    outlet->sites += state.shape(particle).size();
     world.take_away(id);
     return true;
   }
 };
 
-Automaton::Automaton(State state, Options options)
-    : impl_(std::make_unique<Impl>(std::move(state), options)) {}
+Automaton::Automaton(grains::State state, Rules rules, Options options)
+    : impl_(std::make_unique<Impl>(std::move(state), rules, options)) {}
 Automaton::~Automaton() = default;
 Automaton::Automaton(Automaton&&) noexcept = default;
 Automaton& Automaton::operator=(Automaton&&) noexcept = default;
 
-const State& Automaton::state() const {
+const grains::State& Automaton::state() const {
   return impl_->world.state;
 }
-const Occupancy& Automaton::occupancy() const {
+const Rules& Automaton::rules() const {
+  return impl_->world.rules;
+}
+const grains::Occupancy& Automaton::occupancy() const {
   return impl_->world.occupancy;
 }
 StepReport Automaton::step() {
   return impl_->whole([&] { return impl_->step(); });
 }
 
-FillResult Automaton::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
+grains::FillResult Automaton::fill(const lattice::Rectangle& region,
+                                   std::span<const std::size_t> counts) {
   check_counts(state(), counts);
   lattice::check(region);
-  return impl_->whole([&] { return impl_->fill(fill_region, region, counts); });
+  return impl_->whole([&] { return impl_->fill(grains::fill_region, region, counts); });
 }
 
-FillResult Automaton::deposit(const lattice::Rectangle& region,
-                              std::span<const std::size_t> counts) {
+grains::FillResult Automaton::deposit(const lattice::Rectangle& region,
+                                      std::span<const std::size_t> counts) {
   check_counts(state(), counts);
   lattice::check(region);
-  if (state().rules.gravity != lattice::Direction::down) {
+  if (rules().gravity != lattice::Direction::down) {
     throw std::invalid_argument("particles are deposited along a gravity that points down");
   }
-  return impl_->whole([&] { return impl_->fill(deposit_in, region, counts); });
+  return impl_->whole([&] { return impl_->fill(grains::deposit_in, region, counts); });
 }
 
 void Automaton::remove_wall(std::size_t wall) {
@@ -165,7 +152,7 @@ bool Automaton::insert_wall(std::size_t wall) {
 }
 
 void Automaton::set_motion(std::size_t wall, bool active) {
-  Wall& moving = impl_->world.state.walls.at(wall);
+  grains::Wall& moving = impl_->world.state.walls.at(wall);
   if (!moving.motion) {
     throw std::invalid_argument("a wall without motion cannot be set in motion");
   }
@@ -177,9 +164,9 @@ void Automaton::set_source(std::size_t source, bool open) {
 }
 
 void Automaton::mark_origins() {
-  State& state = impl_->world.state;
+  grains::State& state = impl_->world.state;
   std::transform(state.particles.begin(), state.particles.end(), state.origins.begin(),
-                 [](const Particle& particle) { return particle.site(); });
+                 [](const grains::Particle& particle) { return particle.site(); });
 }
 
 }  // namespace clca::automaton

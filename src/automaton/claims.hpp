@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "clca/automaton/site_bits.hpp"
+#include "clca/grains/site_bits.hpp"
 
 namespace clca::automaton {
 
@@ -11,12 +11,12 @@ namespace clca::automaton {
 /// claims does not matter. Windows and places as for SiteBits.
 class Claims {
  public:
-  using Corner = SiteBits::Corner;
+  using Corner = grains::SiteBits::Corner;
 
   explicit Claims(const lattice::Lattice& lattice)
       : wanted_(lattice), contested_(lattice), open_(lattice) {}
 
-  static double bytes_for(double places) { return 3 * SiteBits::bytes_for(places); }
+  static double bytes_for(double places) { return 3 * grains::SiteBits::bytes_for(places); }
 
   void add(Corner at, std::uint64_t window) {
     if (const std::uint64_t both = wanted_.window(at) & window; both != 0) {
@@ -68,9 +68,9 @@ class Claims {
   void close_shared(std::size_t place) { open_.clear_shared(place); }
 
  private:
-  SiteBits wanted_;
-  SiteBits contested_;
-  SiteBits open_;
+  grains::SiteBits wanted_;
+  grains::SiteBits contested_;
+  grains::SiteBits open_;
 };
 
 }  // namespace clca::automaton

@@ -23,16 +23,16 @@ void Stepper::move_engaged(Lane& lane) {
 }
 
 Mover Stepper::engaged_mover(std::uint32_t id) const {
-  const Particle& particle = world_.state.particles[id];
+  const grains::Particle& particle = world_.state.particles[id];
   Mover mover = {.site = site_of(particle),
                  .id = id,
                  .kind = particle.kind,
                  .previous = particle.previous,
                  .access = access(site_of(particle), 0),
                  .standing = Standing::engaged};
-  const Footprint& footprint = world_.footprints.of(particle);
+  const grains::Footprint& footprint = world_.footprints.of(particle);
   if (footprint.one_window && mover.access != Access::seam) {
-    const SiteBits::Corner at = world_.occupancy.corner(footprint.corner_from(mover.site));
+    const grains::SiteBits::Corner at = world_.occupancy.corner(footprint.corner_from(mover.site));
     mover.byte = static_cast<std::uint32_t>(at.byte);
     mover.taken = world_.occupancy.window(at);
   }
@@ -42,10 +42,10 @@ Mover Stepper::engaged_mover(std::uint32_t id) const {
 void Stepper::decide_engaged() {
   pushed_.clear();
   freed_.clear();
-  State& state = world_.state;
+  grains::State& state = world_.state;
   for (const std::uint32_t id : PushBook::engaged_particles(state)) {
-    Particle& particle = state.particles[id];
-    quiet_ = quiet_ && particle.previous == kRest;
+    grains::Particle& particle = state.particles[id];
+    quiet_ = quiet_ && particle.previous == grains::kRest;
     Mover mover = engaged_mover(id);
     if (!PushBook::onto(state, id).empty()) {
       mover.move = passive_.provisional(id);
@@ -59,11 +59,11 @@ void Stepper::decide_engaged() {
   }
   for (std::vector<Mover>* movers : {&pushed_, &freed_}) {
     for (const Mover& mover : *movers) {
-      if (mover.move == kRest) {
-        state.particles[mover.id].previous = kRest;
+      if (mover.move == grains::kRest) {
+        state.particles[mover.id].previous = grains::kRest;
       }
     }
-    std::erase_if(*movers, [](const Mover& mover) { return mover.move == kRest; });
+    std::erase_if(*movers, [](const Mover& mover) { return mover.move == grains::kRest; });
   }
 }
 
@@ -78,7 +78,7 @@ void Stepper::move_pushed() {
     if (passive_.move(mover->id, static_cast<lattice::Direction>(mover->move))) {
       moved.push_back(*mover);
     } else {
-      world_.state.particles[mover->id].previous = kRest;
+      world_.state.particles[mover->id].previous = grains::kRest;
     }
   }
   pushed_ = std::move(moved);
@@ -86,15 +86,15 @@ void Stepper::move_pushed() {
 
 // Who has been pushed onto meanwhile still has its turn, but overlaps now.
 void Stepper::yield_to_pushed(Bag<Mover>& movers) {
-  State& state = world_.state;
+  grains::State& state = world_.state;
   movers.erase_if([&](const Mover& mover) {
-    const Particle& particle = state.particles[mover.id];
+    const grains::Particle& particle = state.particles[mover.id];
     if (world_.pushes.engaged(mover.id)) {
       freed_.push_back(mover);
       return true;
     }
     if (!world_.is_free(particle, static_cast<lattice::Direction>(mover.move))) {
-      state.particles[mover.id].previous = kRest;
+      state.particles[mover.id].previous = grains::kRest;
       return true;
     }
     return false;

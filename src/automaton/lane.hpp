@@ -11,9 +11,9 @@
 #include "automaton/bag.hpp"
 #include "automaton/strips.hpp"
 #include "automaton/turns.hpp"
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/site_bits.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/footprint.hpp"
+#include "clca/grains/site_bits.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::automaton {
 
@@ -31,7 +31,7 @@ struct Candidate {
   lattice::Site site;  ///< the reference site, wrapped
   std::uint32_t id = 0;
   std::uint16_t kind = 0;
-  Move previous = kRest;
+  grains::Move previous = grains::kRest;
 };
 
 /// Of a mover on the sites that it wants.
@@ -49,17 +49,18 @@ struct Mover {
   std::uint32_t byte = 0;  ///< SiteBits::Corner of the window
   std::uint16_t kind = 0;
   std::uint16_t contested = 0;  ///< so many of its lead sites others want as well
-  Move move = kRest;  ///< that it wants; in the end, of one that has lost against others, none
-  Move previous = kRest;
+  grains::Move move =
+      grains::kRest;  ///< that it wants; in the end, of one that has lost against others, none
+  grains::Move previous = grains::kRest;
   Access access = Access::alone;
   Standing standing = Standing::usual;
 };
 static_assert(sizeof(Mover) == kCacheLine / 2);
 
 /// Of its window.
-inline SiteBits::Corner corner(const Mover& mover, const Footprint& footprint) {
+inline grains::SiteBits::Corner corner(const Mover& mover, const grains::Footprint& footprint) {
   return {.byte = mover.byte,
-          .column = SiteBits::column_in_block(footprint.corner_from(mover.site))};
+          .column = grains::SiteBits::column_in_block(footprint.corner_from(mover.site))};
 }
 
 /// What a move adds to column and row, by the parity of the column and by Move.
@@ -73,7 +74,7 @@ inline constexpr auto kSteps = [] {
   }
   return steps;
 }();
-inline lattice::Site step_of(lattice::Site site, Move move) {
+inline lattice::Site step_of(lattice::Site site, grains::Move move) {
   return kSteps[static_cast<std::size_t>(site.column & 1)][move];
 }
 

@@ -16,7 +16,7 @@ std::uint16_t count(std::uint64_t sites) {
 template <class Window, class Single>
 [[gnu::always_inline]] inline void for_each_lead(const World& world, const Mover& mover,
                                                  Window window, Single single) {
-  const Footprint& footprint = world.footprints.of(mover.kind, mover.site.column);
+  const grains::Footprint& footprint = world.footprints.of(mover.kind, mover.site.column);
   if (mover.access == Access::seam) {
     const std::size_t place = world.state.lattice.index(mover.site);
     for (const lattice::Offset offset : footprint.lead[mover.move]) {
@@ -25,7 +25,7 @@ template <class Window, class Single>
   } else if (footprint.one_window) {
     window(corner(mover, footprint), footprint.windows[mover.move].lead);
   } else {
-    for (const Patch& lead : footprint.lead_patches[mover.move]) {
+    for (const grains::Patch& lead : footprint.lead_patches[mover.move]) {
       window(world.occupancy.corner(lead.corner(mover.site)), lead.sites);
     }
   }
@@ -41,7 +41,7 @@ void Stepper::claim(Lane& lane) {
     lane.claimed.include(mover.site.row);
     for_each_lead(
         world_, mover,
-        [&](SiteBits::Corner at, std::uint64_t sites) {
+        [&](grains::SiteBits::Corner at, std::uint64_t sites) {
           mover.access == Access::alone ? claims_.add(at, sites) : claims_.add_shared(at, sites);
         },
         [&](std::size_t place) { claims_.add_shared(place); });
@@ -51,7 +51,7 @@ void Stepper::claim(Lane& lane) {
 void Stepper::contest(Mover& mover) {
   for_each_lead(
       world_, mover,
-      [&](SiteBits::Corner at, std::uint64_t sites) {
+      [&](grains::SiteBits::Corner at, std::uint64_t sites) {
         if (const std::uint64_t both = claims_.wanted(at) & sites; both != 0) {
           mover.contested += count(both);
           mover.access == Access::alone ? claims_.contest(at, both)
@@ -82,7 +82,7 @@ void Stepper::contest_falling(Lane& lane) {
 void Stepper::forget_claim(const Mover& mover) {
   for_each_lead(
       world_, mover,
-      [&](SiteBits::Corner at, std::uint64_t) {
+      [&](grains::SiteBits::Corner at, std::uint64_t) {
         mover.access == Access::alone ? claims_.forget(at) : claims_.forget_shared(at);
       },
       [&](std::size_t place) { claims_.forget_shared(place); });
@@ -92,7 +92,7 @@ std::uint16_t Stepper::contested_lead(const Mover& mover) const {
   std::uint16_t result = 0;
   for_each_lead(
       world_, mover,
-      [&](SiteBits::Corner at, std::uint64_t sites) {
+      [&](grains::SiteBits::Corner at, std::uint64_t sites) {
         result = static_cast<std::uint16_t>(result + count(claims_.contested(at) & sites));
       },
       [&](std::size_t place) {
@@ -106,7 +106,8 @@ void Stepper::give_turn(Mover& mover) {
   if (contested_lead(mover) == mover.contested) {
     mover.standing = Standing::won;
     for_each_lead(
-        world_, mover, [&](SiteBits::Corner at, std::uint64_t sites) { claims_.win(at, sites); },
+        world_, mover,
+        [&](grains::SiteBits::Corner at, std::uint64_t sites) { claims_.win(at, sites); },
         [&](std::size_t place) { claims_.win(place); });
   }
 }
@@ -118,7 +119,9 @@ bool Stepper::is_open(const Mover& mover, bool any_open) const {
   }
   for_each_lead(
       world_, mover,
-      [&](SiteBits::Corner at, std::uint64_t sites) { open = open || claims_.open(at, sites); },
+      [&](grains::SiteBits::Corner at, std::uint64_t sites) {
+        open = open || claims_.open(at, sites);
+      },
       [](std::size_t) {});
   return open;
 }
@@ -126,7 +129,7 @@ bool Stepper::is_open(const Mover& mover, bool any_open) const {
 void Stepper::leave_open(const Mover& mover) {
   for_each_lead(
       world_, mover,
-      [&](SiteBits::Corner at, std::uint64_t sites) {
+      [&](grains::SiteBits::Corner at, std::uint64_t sites) {
         mover.access == Access::alone ? claims_.leave_open(at, sites)
                                       : claims_.leave_open_shared(at, sites);
       },
@@ -165,18 +168,19 @@ void Stepper::end_contests(Lane& lane) {
     const Access access = mover->access;
     for_each_lead(
         world_, *mover,
-        [&](SiteBits::Corner at, std::uint64_t) {
+        [&](grains::SiteBits::Corner at, std::uint64_t) {
           access == Access::alone ? claims_.end_contest(at) : claims_.end_contest_shared(at);
         },
         [&](std::size_t place) { claims_.end_contest_shared(place); });
   }
   for (const auto& [key, mover] : lane.open) {
     for_each_lead(
-        world_, *mover, [&](SiteBits::Corner at, std::uint64_t) { claims_.close_shared(at); },
+        world_, *mover,
+        [&](grains::SiteBits::Corner at, std::uint64_t) { claims_.close_shared(at); },
         [&](std::size_t place) { claims_.close_shared(place); });
   }
   for (const auto& [key, mover] : lane.turns) {
-    mover->move = mover->standing == Standing::won ? mover->move : kRest;
+    mover->move = mover->standing == Standing::won ? mover->move : grains::kRest;
   }
 }
 

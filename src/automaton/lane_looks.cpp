@@ -28,15 +28,15 @@ bool Stepper::lead_is_free(const Mover& mover, lattice::Direction to) const {
   if (mover.access == Access::seam) {
     return world_.is_free(world_.state.particles[mover.id], to);
   }
-  const Occupancy& occupancy = world_.occupancy;
-  const Footprint& footprint = world_.footprints.of(mover.kind, mover.site.column);
+  const grains::Occupancy& occupancy = world_.occupancy;
+  const grains::Footprint& footprint = world_.footprints.of(mover.kind, mover.site.column);
   if (footprint.one_window) {
-    const SiteBits::Corner at = occupancy.corner(footprint.corner_from(mover.site));
+    const grains::SiteBits::Corner at = occupancy.corner(footprint.corner_from(mover.site));
     return (occupancy.window(at) & footprint.windows[index_of(to)].lead) == 0;
   }
   const auto& lead = footprint.lead_patches[index_of(to)];
-  return std::none_of(lead.begin(), lead.end(), [&](const Patch& patch) {
-    const SiteBits::Corner at = occupancy.corner(patch.corner(mover.site));
+  return std::none_of(lead.begin(), lead.end(), [&](const grains::Patch& patch) {
+    const grains::SiteBits::Corner at = occupancy.corner(patch.corner(mover.site));
     return (occupancy.window(at) & patch.sites) != 0;
   });
 }
@@ -57,7 +57,7 @@ Access Stepper::access(lattice::Site site, std::size_t strip) const {
   return lanes_[strip].inner.contains(site) ? Access::alone : Access::shared;
 }
 
-Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
+grains::Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   const Mover mover = {
       .site = candidate.site, .id = candidate.id, .kind = candidate.kind, .access = access};
   return rule_.provisional(candidate.id, candidate.previous, world_.state.step,
@@ -68,10 +68,10 @@ Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   ++lane.looked_at;
   const std::size_t strip = in_parallel_ ? strips_.of(candidate.site) : 0;
   const Access access = this->access(candidate.site, strip);
-  const Footprint& footprint = world_.footprints.of(candidate.kind, candidate.site.column);
-  SiteBits::Corner at;
+  const grains::Footprint& footprint = world_.footprints.of(candidate.kind, candidate.site.column);
+  grains::SiteBits::Corner at;
   std::uint64_t taken = 0;
-  Move move = kRest;
+  grains::Move move = grains::kRest;
   if (footprint.one_window && access != Access::seam) {
     at = world_.occupancy.corner(footprint.corner_from(candidate.site));
     taken = world_.occupancy.window(at);
@@ -81,11 +81,11 @@ Move Stepper::provisional_by_parts(Candidate candidate, Access access) const {
   } else {
     move = provisional_by_parts(candidate, access);
   }
-  if (move == kRest) {
-    world_.state.particles[candidate.id].previous = kRest;
+  if (move == grains::kRest) {
+    world_.state.particles[candidate.id].previous = grains::kRest;
     return;
   }
-  const bool falls = move == static_cast<Move>(world_.state.rules.gravity);
+  const bool falls = move == static_cast<grains::Move>(world_.rules.gravity);
   if (notes_load_) {
     lane.load.note(candidate.site, falls ? 1 : kSlopingLoad);
   }
@@ -153,14 +153,14 @@ void Stepper::look_at(Lane& lane, Lane& whose) {
 
 // Kind after kind: what a processor guesses of the way through the lists of sites is right then.
 void Stepper::look_at_listed(Lane& lane, const Lane& whose, std::span<const std::uint32_t> ids) {
-  const State& state = world_.state;
+  const grains::State& state = world_.state;
   for (const std::uint32_t id : ids) {
     const bool engaged = !state.pushes.empty() && world_.pushes.engaged(id);
     lane.of_kind[state.particles[id].kind].add_if(state.particles[id].present && !engaged, id);
   }
   for (Bag<std::uint32_t>& alike : lane.of_kind) {
     for (const std::uint32_t id : alike) {
-      const Particle& particle = state.particles[id];
+      const grains::Particle& particle = state.particles[id];
       const lattice::Site site = site_of(particle);
       // Who looks at it may already change the rest.
       if (whose.strip == 0 || !dealt_elsewhere(whose, id, site)) {

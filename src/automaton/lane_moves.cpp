@@ -16,57 +16,60 @@ std::size_t place_of(const lattice::Lattice& lattice, const Mover& mover, lattic
 }
 
 void wake(const World& world, Lane& lane, std::size_t place) {
-  const Owner owner = world.occupancy.owner_shared(place);
-  if (is_particle(owner)) {
+  const grains::Owner owner = world.occupancy.owner_shared(place);
+  if (grains::is_particle(owner)) {
     lane.waking.insert(static_cast<std::uint32_t>(owner));
   }
 }
 
-void wake_in_window(Lane& lane, const Mover& mover, const Footprint& footprint) {
+void wake_in_window(Lane& lane, const Mover& mover, const grains::Footprint& footprint) {
   const std::uint64_t sites = mover.taken & footprint.windows[mover.move].wake;
   lane.to_wake.add_if(sites != 0, {footprint.corner_from(mover.site), sites});
 }
 
-void wake_by_sites(const World& world, Lane& lane, const Mover& mover, const Footprint& footprint) {
+void wake_by_sites(const World& world, Lane& lane, const Mover& mover,
+                   const grains::Footprint& footprint) {
   for (const lattice::Offset offset : footprint.wake[mover.move]) {
     wake(world, lane, place_of(world.state.lattice, mover, offset));
   }
 }
 
-[[gnu::always_inline]] inline void flip(Occupancy& occupancy, const Mover& mover,
-                                        SiteBits::Corner at, std::uint64_t sites) {
+[[gnu::always_inline]] inline void flip(grains::Occupancy& occupancy, const Mover& mover,
+                                        grains::SiteBits::Corner at, std::uint64_t sites) {
   mover.access == Access::alone ? occupancy.flip(at, sites) : occupancy.flip_shared(at, sites);
 }
 
-void carry_inside(World& world, Lane& lane, const Mover& mover, const Footprint& footprint) {
-  Occupancy& occupancy = world.occupancy;
+void carry_inside(World& world, Lane& lane, const Mover& mover,
+                  const grains::Footprint& footprint) {
+  grains::Occupancy& occupancy = world.occupancy;
   if (footprint.one_window) {
     flip(occupancy, mover, corner(mover, footprint), footprint.windows[mover.move].swapped);
     wake_in_window(lane, mover, footprint);
   } else {
     wake_by_sites(world, lane, mover, footprint);
-    for (const Patch& swapped : footprint.swapped_patches[mover.move]) {
+    for (const grains::Patch& swapped : footprint.swapped_patches[mover.move]) {
       flip(occupancy, mover, occupancy.corner(swapped.corner(mover.site)), swapped.sites);
     }
   }
   const std::size_t place = world.state.lattice.index(mover.site);
-  for (const Exchanges& exchanges : footprint.exchanges[mover.move]) {
-    occupancy.exchange_owners_shared(place, exchanges, static_cast<Owner>(mover.id));
+  for (const grains::Exchanges& exchanges : footprint.exchanges[mover.move]) {
+    occupancy.exchange_owners_shared(place, exchanges, static_cast<grains::Owner>(mover.id));
   }
 }
 
-void carry_across_seam(World& world, Lane& lane, const Mover& mover, const Footprint& footprint) {
+void carry_across_seam(World& world, Lane& lane, const Mover& mover,
+                       const grains::Footprint& footprint) {
   const lattice::Lattice& lattice = world.state.lattice;
-  Occupancy& occupancy = world.occupancy;
+  grains::Occupancy& occupancy = world.occupancy;
   wake_by_sites(world, lane, mover, footprint);
   for (const lattice::Offset offset : footprint.lead[mover.move]) {
     const std::size_t place = place_of(lattice, mover, offset);
-    occupancy.set_owner_shared(place, static_cast<Owner>(mover.id));
+    occupancy.set_owner_shared(place, static_cast<grains::Owner>(mover.id));
     occupancy.set_taken_shared(place);
   }
   for (const lattice::Offset offset : footprint.trail[mover.move]) {
     const std::size_t place = place_of(lattice, mover, offset);
-    occupancy.set_owner_shared(place, kFree);
+    occupancy.set_owner_shared(place, grains::kFree);
     occupancy.set_free_shared(place);
   }
 }
@@ -111,7 +114,7 @@ void Stepper::carry_or_rest(Lane& lane, const Mover& mover) {
   if (mover.standing == Standing::won) {
     carry(lane, mover);
   } else {
-    world_.state.particles[mover.id].previous = kRest;
+    world_.state.particles[mover.id].previous = grains::kRest;
   }
 }
 
@@ -127,13 +130,13 @@ void Stepper::end_turns(Lane& lane) {
 // matter which of the other moves of this step have been carried out already; and as no site that
 // was taken when the step began gets another owner in it, nobody reads a wrong one.
 void Stepper::carry(Lane& lane, const Mover& mover) {
-  const Footprint& footprint = world_.footprints.of(mover.kind, mover.site.column);
+  const grains::Footprint& footprint = world_.footprints.of(mover.kind, mover.site.column);
   if (mover.access == Access::seam) {
     carry_across_seam(world_, lane, mover, footprint);
   } else {
     carry_inside(world_, lane, mover, footprint);
   }
-  Particle& particle = world_.state.particles[mover.id];
+  grains::Particle& particle = world_.state.particles[mover.id];
   const lattice::Site step = step_of(mover.site, mover.move);
   if (world_.state.lattice.periodic()) {
     particle.column += step.column;
@@ -156,7 +159,8 @@ void Stepper::wake_neighbours(Lane& lane) {
   while (sites != 0) {
     const int bit = std::countr_zero(sites);
     wake(world_, lane,
-         lattice.index({from->corner.column + bit % kWindow, from->corner.row + bit / kWindow}));
+         lattice.index({from->corner.column + bit % grains::kWindow,
+                        from->corner.row + bit / grains::kWindow}));
     sites &= sites - 1;
     const std::uint64_t none = sites == 0 ? 1 : 0;
     from += none;

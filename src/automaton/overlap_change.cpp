@@ -6,8 +6,8 @@ namespace clca::automaton {
 
 std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
                                            lattice::Direction direction) {
-  const State& state = world.state;
-  const Particle& here = state.particles[id];
+  const grains::State& state = world.state;
+  const grains::Particle& here = state.particles[id];
   const std::vector<Overlap> before = world.overlaps(id, here);
   const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
   std::vector<OverlapChange> result;
@@ -25,8 +25,8 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
     change->sites_after = one.sites;
   }
   for (OverlapChange& change : result) {
-    if (is_particle(change.owner)) {
-      const Particle& other = state.particles[static_cast<std::size_t>(change.owner)];
+    if (grains::is_particle(change.owner)) {
+      const grains::Particle& other = state.particles[static_cast<std::size_t>(change.owner)];
       change.depth_before = world.separation.depth(here, other);
       change.depth_after = world.separation.depth(here, other, unit(direction));
     }
@@ -34,7 +34,7 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
   return result;
 }
 
-const OverlapChange* find(const std::vector<OverlapChange>& changes, Owner owner) {
+const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Owner owner) {
   const auto found =
       std::find_if(changes.begin(), changes.end(),
                    [owner](const OverlapChange& change) { return change.owner == owner; });
@@ -45,13 +45,13 @@ int shared_sites(const World& world, std::uint32_t id) {
   int sum = 0;
   world.for_each_place(world.state.particles[id], [&](std::size_t place) {
     // A wall is the first owner of a place, so this is one only if both are particles.
-    const bool two = world.occupancy.second_owner(place) != kFree;
-    sum += two && is_particle(world.occupancy.owner(place)) ? 1 : 0;
+    const bool two = world.occupancy.second_owner(place) != grains::kFree;
+    sum += two && grains::is_particle(world.occupancy.owner(place)) ? 1 : 0;
   });
   return sum;
 }
 
-bool can_leave(const World& world, const Particle& particle, Owner owner,
+bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
                std::span<const lattice::Direction> directions) {
   return std::any_of(directions.begin(), directions.end(), [&](lattice::Direction direction) {
     bool clear = true;

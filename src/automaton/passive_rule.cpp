@@ -41,7 +41,7 @@ int gravity_bonus(const Rules& rules, Direction direction) {
 
 }  // namespace
 
-Move PassiveRule::provisional(std::uint32_t id) {
+grains::Move PassiveRule::provisional(std::uint32_t id) {
   std::vector<Direction> best;
   int least = 0;
   for (const Direction direction : lattice::kDirections) {
@@ -56,11 +56,11 @@ Move PassiveRule::provisional(std::uint32_t id) {
     best.push_back(direction);
   }
   if (best.empty()) {
-    return kRest;
+    return grains::kRest;
   }
   const std::uint64_t bits =
       random::draw(world_.state.seed, world_.state.step, id, random::Purpose::passive);
-  return static_cast<Move>(best[random::below(bits, best.size())]);
+  return static_cast<grains::Move>(best[random::below(bits, best.size())]);
 }
 
 bool PassiveRule::move(std::uint32_t id, Direction direction) {
@@ -68,7 +68,7 @@ bool PassiveRule::move(std::uint32_t id, Direction direction) {
   if (!judgement) {
     return false;
   }
-  const Push push = cause(id, direction, judgement->changes);
+  const grains::Push push = cause(id, direction, judgement->changes);
   world_.shift(id, direction);
   record(id, push, judgement->changes);
   return true;
@@ -87,11 +87,11 @@ std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direc
   if (!grown || (*grown > 0 && relief->turns > 1) || !bears(id, judgement.changes)) {
     return std::nullopt;
   }
-  const State& state = world_.state;
-  const bool keeps_on = state.particles[id].previous == static_cast<Move>(direction);
+  const grains::State& state = world_.state;
+  const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
   const int price = relief->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
   judgement.score = kPerGrownDepth * *grown + price - kPerVote * relief->votes -
-                    (keeps_on ? kKeepsOn : 0) - gravity_bonus(state.rules, direction);
+                    (keeps_on ? kKeepsOn : 0) - gravity_bonus(world_.rules, direction);
   return judgement;
 }
 
@@ -100,7 +100,7 @@ std::optional<PassiveRule::Relief> PassiveRule::relief_of(
   Relief relief;
   bool all_shrink = true;
   bool any_shrinks = false;
-  for (const Push& push : PushBook::onto(world_.state, id)) {
+  for (const grains::Push& push : PushBook::onto(world_.state, id)) {
     const OverlapChange* change = find(changes, push.pusher);
     if (change == nullptr || change->after() > change->before()) {
       return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<PassiveRule::Relief> PassiveRule::relief_of(
 
 bool PassiveRule::follows_pushes(std::uint32_t id, Direction direction) const {
   const auto pushes = PushBook::onto(world_.state, id);
-  return std::all_of(pushes.begin(), pushes.end(), [&](const Push& push) {
+  return std::all_of(pushes.begin(), pushes.end(), [&](const grains::Push& push) {
     return lattice::turns_between(push.direction, direction) <= 2;
   });
 }
@@ -137,26 +137,27 @@ std::optional<int> PassiveRule::grown_depth(const std::vector<OverlapChange>& ch
 }
 
 bool PassiveRule::has_room(std::uint32_t id, Direction direction) const {
-  const State& state = world_.state;
-  const Particle& here = state.particles[id];
+  const grains::State& state = world_.state;
+  const grains::Particle& here = state.particles[id];
   bool room = true;
   world_.for_each_place(
       here, world_.footprints.of(here).lead[index_of(direction)], [&](std::size_t place) {
-        const Owner owner = world_.occupancy.owner(place);
+        const grains::Owner owner = world_.occupancy.owner(place);
         const bool closed =
-            owner == kBorder || (is_wall(owner) && !state.walls[wall_number(owner)].lets_overlap());
-        room = room && !closed && world_.occupancy.second_owner(place) == kFree;
+            owner == grains::kBorder ||
+            (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
+        room = room && !closed && world_.occupancy.second_owner(place) == grains::kFree;
       });
   return room;
 }
 
 bool PassiveRule::spares_walls(std::uint32_t id, Direction direction,
                                const std::vector<OverlapChange>& changes) const {
-  const Particle there = moved(world_.state.particles[id], direction);
+  const grains::Particle there = moved(world_.state.particles[id], direction);
   int before = 0;
   int after = 0;
   for (const OverlapChange& change : changes) {
-    if (is_particle(change.owner)) {
+    if (grains::is_particle(change.owner)) {
       continue;
     }
     before += change.sites_before;
@@ -175,7 +176,7 @@ bool PassiveRule::bears(std::uint32_t id, const std::vector<OverlapChange>& chan
   bool grows = false;
   int own = 0;
   for (const OverlapChange& change : changes) {
-    if (!is_particle(change.owner)) {
+    if (!grains::is_particle(change.owner)) {
       continue;
     }
     own += change.sites_after;
@@ -186,29 +187,30 @@ bool PassiveRule::bears(std::uint32_t id, const std::vector<OverlapChange>& chan
       return false;
     }
   }
-  return !grows || own <= bearable(shape_of(static_cast<Owner>(id)));
+  return !grows || own <= bearable(shape_of(static_cast<grains::Owner>(id)));
 }
 
 // Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
-Push PassiveRule::cause(std::uint32_t id, Direction direction,
-                        const std::vector<OverlapChange>& changes) const {
-  const auto sites = [&](const Push& push) {
+grains::Push PassiveRule::cause(std::uint32_t id, Direction direction,
+                                const std::vector<OverlapChange>& changes) const {
+  const auto sites = [&](const grains::Push& push) {
     const OverlapChange* change = find(changes, push.pusher);
     return change == nullptr ? 0 : change->sites_before;
   };
   const auto causes = PushBook::onto(world_.state, id);
-  return *std::min_element(causes.begin(), causes.end(), [&](const Push& a, const Push& b) {
-    return std::pair(lattice::turns_between(a.direction, direction), -sites(a)) <
-           std::pair(lattice::turns_between(b.direction, direction), -sites(b));
-  });
+  return *std::min_element(
+      causes.begin(), causes.end(), [&](const grains::Push& a, const grains::Push& b) {
+        return std::pair(lattice::turns_between(a.direction, direction), -sites(a)) <
+               std::pair(lattice::turns_between(b.direction, direction), -sites(b));
+      });
 }
 
-void PassiveRule::record(std::uint32_t id, const Push& cause,
+void PassiveRule::record(std::uint32_t id, const grains::Push& cause,
                          const std::vector<OverlapChange>& changes) {
   for (const OverlapChange& change : changes) {
     if (change.deepens()) {
       world_.pushes.record(world_.state, {.pushed = static_cast<std::uint32_t>(change.owner),
-                                          .pusher = static_cast<Owner>(id),
+                                          .pusher = static_cast<grains::Owner>(id),
                                           .source = cause.source,
                                           .direction = cause.direction});
     }

@@ -19,7 +19,7 @@ class PassiveRule {
   explicit PassiveRule(World& world) : world_(world) {}
 
   /// The best direction of a particle onto which others were pushed; kRest: it is jammed.
-  Move provisional(std::uint32_t id);
+  grains::Move provisional(std::uint32_t id);
   /// Moves the particle that way and records whom it pushes, if that is still allowed at its turn.
   bool move(std::uint32_t id, lattice::Direction direction);
 
@@ -49,12 +49,13 @@ class PassiveRule {
   std::optional<int> grown_depth(const std::vector<OverlapChange>& changes) const;
   /// Whether the particle and those into which it would get further bear so many overlapped sites.
   bool bears(std::uint32_t id, const std::vector<OverlapChange>& changes) const;
-  const lattice::Shape& shape_of(Owner owner) const {
+  const lattice::Shape& shape_of(grains::Owner owner) const {
     return world_.state.shape(world_.state.particles[static_cast<std::size_t>(owner)]);
   }
-  void record(std::uint32_t id, const Push& cause, const std::vector<OverlapChange>& changes);
-  Push cause(std::uint32_t id, lattice::Direction direction,
-             const std::vector<OverlapChange>& changes) const;
+  void record(std::uint32_t id, const grains::Push& cause,
+              const std::vector<OverlapChange>& changes);
+  grains::Push cause(std::uint32_t id, lattice::Direction direction,
+                     const std::vector<OverlapChange>& changes) const;
 
   World& world_;
 };

@@ -7,29 +7,26 @@ namespace clca::automaton {
 
 namespace {
 
-std::pair<std::uint32_t, Owner> place_of(const Push& push) {
-  return {push.pushed, push.pusher};
-}
-
-auto lower_bound(const std::vector<Push>& pushes, std::uint32_t pushed, Owner pusher) {
+auto lower_bound(const std::vector<grains::Push>& pushes, std::uint32_t pushed,
+                 grains::Owner pusher) {
   return std::lower_bound(
       pushes.begin(), pushes.end(), std::pair(pushed, pusher),
-      [](const Push& push, const auto& place) { return place_of(push) < place; });
+      [](const grains::Push& push, const auto& key) { return push.key() < key; });
 }
 
 }  // namespace
 
-PushBook::PushBook(const State& state) : parts_(state.particles.size(), 0) {
-  for (const Push& push : state.pushes) {
+PushBook::PushBook(const grains::State& state) : parts_(state.particles.size(), 0) {
+  for (const grains::Push& push : state.pushes) {
     count(push, 1);
   }
 }
 
-std::vector<std::uint32_t> PushBook::engaged_particles(const State& state) {
+std::vector<std::uint32_t> PushBook::engaged_particles(const grains::State& state) {
   std::vector<std::uint32_t> ids;
-  for (const Push& push : state.pushes) {
+  for (const grains::Push& push : state.pushes) {
     ids.push_back(push.pushed);
-    if (is_particle(push.pusher)) {
+    if (grains::is_particle(push.pusher)) {
       ids.push_back(static_cast<std::uint32_t>(push.pusher));
     }
   }
@@ -38,24 +35,18 @@ std::vector<std::uint32_t> PushBook::engaged_particles(const State& state) {
   return ids;
 }
 
-std::span<const Push> PushBook::onto(const State& state, std::uint32_t id) {
-  constexpr Owner kLowest = std::numeric_limits<Owner>::min();
+std::span<const grains::Push> PushBook::onto(const grains::State& state, std::uint32_t id) {
+  constexpr grains::Owner kLowest = std::numeric_limits<grains::Owner>::min();
   const auto first = lower_bound(state.pushes, id, kLowest);
-  const auto last =
-      std::find_if(first, state.pushes.end(), [id](const Push& push) { return push.pushed != id; });
+  const auto last = std::find_if(first, state.pushes.end(),
+                                 [id](const grains::Push& push) { return push.pushed != id; });
   return {first, last};
 }
 
-const Push* PushBook::find(const State& state, std::uint32_t id, Owner pusher) {
-  const auto found = lower_bound(state.pushes, id, pusher);
-  const bool there = found != state.pushes.end() && place_of(*found) == std::pair(id, pusher);
-  return there ? &*found : nullptr;
-}
-
-void PushBook::record(State& state, const Push& push) {
+void PushBook::record(grains::State& state, const grains::Push& push) {
   const auto place = state.pushes.begin() +
                      (lower_bound(state.pushes, push.pushed, push.pusher) - state.pushes.cbegin());
-  if (place != state.pushes.end() && place_of(*place) == place_of(push)) {
+  if (place != state.pushes.end() && place->key() == push.key()) {
     *place = push;
     return;
   }
@@ -63,14 +54,14 @@ void PushBook::record(State& state, const Push& push) {
   count(push, 1);
 }
 
-void PushBook::forget(State& state, std::uint32_t id, Owner other) {
-  if (!erase(state, id, other) && is_particle(other)) {
-    erase(state, static_cast<std::uint32_t>(other), static_cast<Owner>(id));
+void PushBook::forget(grains::State& state, std::uint32_t id, grains::Owner other) {
+  if (!erase(state, id, other) && grains::is_particle(other)) {
+    erase(state, static_cast<std::uint32_t>(other), static_cast<grains::Owner>(id));
   }
 }
 
-bool PushBook::erase(State& state, std::uint32_t pushed, Owner pusher) {
-  const Push* push = find(state, pushed, pusher);
+bool PushBook::erase(grains::State& state, std::uint32_t pushed, grains::Owner pusher) {
+  const grains::Push* push = find_push(state, pushed, pusher);
   if (push == nullptr) {
     return false;
   }
@@ -79,9 +70,9 @@ bool PushBook::erase(State& state, std::uint32_t pushed, Owner pusher) {
   return true;
 }
 
-void PushBook::count(const Push& push, int change) {
+void PushBook::count(const grains::Push& push, int change) {
   parts_[push.pushed] += static_cast<std::uint32_t>(change);
-  if (is_particle(push.pusher)) {
+  if (grains::is_particle(push.pusher)) {
     parts_[static_cast<std::size_t>(push.pusher)] += static_cast<std::uint32_t>(change);
   }
 }

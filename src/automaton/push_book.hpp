@@ -4,33 +4,31 @@
 #include <span>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::automaton {
 
 /// Every pair that overlaps has one push in State::pushes, and there are no others.
 class PushBook {
  public:
-  explicit PushBook(const State& state);
+  explicit PushBook(const grains::State& state);
 
   /// True when the particle overlaps with something.
   bool engaged(std::uint32_t id) const { return parts_[id] > 0; }
   /// All engaged particles, ascending.
-  static std::vector<std::uint32_t> engaged_particles(const State& state);
+  static std::vector<std::uint32_t> engaged_particles(const grains::State& state);
   /// The pushes onto `id`.
-  static std::span<const Push> onto(const State& state, std::uint32_t id);
-  /// The push by which `pusher` came onto `id`; null where there is none.
-  static const Push* find(const State& state, std::uint32_t id, Owner pusher);
+  static std::span<const grains::Push> onto(const grains::State& state, std::uint32_t id);
 
   void grow(std::size_t particles) { parts_.resize(particles, 0); }
   /// Enters a push, or renews the one of the same pair.
-  void record(State& state, const Push& push);
+  void record(grains::State& state, const grains::Push& push);
   /// Forgets the push between the particle and `other`, whoever pushed.
-  void forget(State& state, std::uint32_t id, Owner other);
+  void forget(grains::State& state, std::uint32_t id, grains::Owner other);
 
  private:
-  void count(const Push& push, int change);
-  bool erase(State& state, std::uint32_t pushed, Owner pusher);
+  void count(const grains::Push& push, int change);
+  bool erase(grains::State& state, std::uint32_t pushed, grains::Owner pusher);
 
   std::vector<std::uint32_t> parts_;  // pushes in which a particle takes part, by id
 };

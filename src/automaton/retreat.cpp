@@ -27,14 +27,15 @@ bool is_free(World& world, std::uint32_t id, lattice::Direction direction) {
                       [](const OverlapChange& change) { return change.after() > change.before(); });
 }
 
-std::optional<Move> retreat(World& world, std::uint32_t id) {
-  const State& state = world.state;
-  std::vector<Push> resting;
+std::optional<grains::Move> retreat(World& world, std::uint32_t id) {
+  const grains::State& state = world.state;
+  std::vector<grains::Push> resting;
   for (const Overlap& one : world.overlaps(id, state.particles[id])) {
     const auto other = static_cast<std::uint32_t>(one.owner);
-    const Push* push =
-        is_particle(one.owner) ? PushBook::find(state, other, static_cast<Owner>(id)) : nullptr;
-    if (push != nullptr && state.particles[other].previous == kRest) {
+    const grains::Push* push = grains::is_particle(one.owner)
+                                   ? find_push(state, other, static_cast<grains::Owner>(id))
+                                   : nullptr;
+    if (push != nullptr && state.particles[other].previous == grains::kRest) {
       resting.push_back(*push);
     }
   }
@@ -45,22 +46,22 @@ std::optional<Move> retreat(World& world, std::uint32_t id) {
       (random::draw(state.seed, state.step, id, random::Purpose::passive) & 1U) != 0;
   for (const lattice::Direction direction :
        around(opposite(resting.front().direction), right_first)) {
-    const bool back = std::all_of(resting.begin(), resting.end(), [&](const Push& push) {
+    const bool back = std::all_of(resting.begin(), resting.end(), [&](const grains::Push& push) {
       return lattice::turns_between(opposite(push.direction), direction) <= 1;
     });
     if (!back || !is_free(world, id, direction)) {
       continue;
     }
     const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
-    const bool shrinks = std::all_of(resting.begin(), resting.end(), [&](const Push& push) {
-      const OverlapChange* change = find(all, static_cast<Owner>(push.pushed));
+    const bool shrinks = std::all_of(resting.begin(), resting.end(), [&](const grains::Push& push) {
+      const OverlapChange* change = find(all, static_cast<grains::Owner>(push.pushed));
       return change != nullptr && change->sites_after < change->sites_before;
     });
     if (shrinks) {
-      return static_cast<Move>(direction);
+      return static_cast<grains::Move>(direction);
     }
   }
-  return kRest;
+  return grains::kRest;
 }
 
 }  // namespace clca::automaton

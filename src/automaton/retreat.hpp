@@ -13,6 +13,6 @@ bool is_free(World& world, std::uint32_t id, lattice::Direction direction);
 /// Where a particle goes that has pushed others, some of which rest: back from all of those,
 /// within 60 degrees, into free sites; kRest when it cannot. None: no such partner rests, it may go
 /// as it likes.
-std::optional<Move> retreat(World& world, std::uint32_t id);
+std::optional<grains::Move> retreat(World& world, std::uint32_t id);
 
 }  // namespace clca::automaton

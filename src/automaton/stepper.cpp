@@ -9,9 +9,9 @@ namespace clca::automaton {
 
 namespace {
 
-int tallest(const State& state) {
+int tallest(const grains::State& state) {
   int most = 0;
-  for (const Kind& kind : state.kinds) {
+  for (const grains::Kind& kind : state.kinds) {
     for (const lattice::Axial part : kind.shape.sites()) {
       most = std::max(most, length(part) + 1);
     }
@@ -31,8 +31,8 @@ void clear(std::vector<Movers>& all) {
 Stepper::Stepper(World& world, const Options& options)
     : world_(world),
       options_(options),
-      rule_(world.state.rules, world.state.seed),
-      order_(world.state.rules, world.state.seed),
+      rule_(world.rules, world.state.seed),
+      order_(world.rules, world.state.seed),
       passive_(world),
       claims_(world.state.lattice),
       strips_(world.state.lattice, world.footprints, static_cast<std::size_t>(options.threads)),
@@ -109,7 +109,7 @@ void Stepper::wake_all() {
 
 // Those woken by something else than moves; each goes where its strip was in the step before.
 void Stepper::take_woken() {
-  const State& state = world_.state;
+  const grains::State& state = world_.state;
   for (Lane& lane : busy()) {
     lane.awake.resize(state.particles.size());
     lane.waking.resize(state.particles.size());

@@ -39,7 +39,7 @@ class Stepper {
       for (const Movers& movers : lane.movers) {
         for (const Bag<Mover>* list : {&movers.falling, &movers.sloping}) {
           for (const Mover& mover : *list) {
-            if (mover.move != kRest) {
+            if (mover.move != grains::kRest) {
               visit(mover.id);
             }
           }
@@ -89,7 +89,7 @@ class Stepper {
   void look(Lane& lane);
   void look_at(Lane& lane, Lane& whose);
   void look_at_listed(Lane& lane, const Lane& whose, std::span<const std::uint32_t> ids);
-  lattice::Site site_of(const Particle& particle) const {
+  lattice::Site site_of(const grains::Particle& particle) const {
     return {world_.state.lattice.wrapped(particle.column), particle.row};
   }
   /// One that moved, or lost, in the last step.
@@ -97,7 +97,7 @@ class Stepper {
   bool dealt_elsewhere(const Lane& whose, std::uint32_t id, lattice::Site at) const;
   Access access(lattice::Site site, std::size_t strip) const;
   void decide(Lane& lane, const Candidate& candidate);
-  Move provisional_by_parts(Candidate candidate, Access access) const;
+  grains::Move provisional_by_parts(Candidate candidate, Access access) const;
   /// As things stand now, for one that has not moved yet.
   bool lead_is_free(const Mover& mover, lattice::Direction to) const;
 

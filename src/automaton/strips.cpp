@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clca/automaton/site_bits.hpp"
+#include "clca/grains/site_bits.hpp"
 
 namespace clca::automaton {
 
@@ -14,18 +14,18 @@ namespace {
 /// Takes in a window whose lower left corner lies there, seen from a reference site.
 void include(Reach& reach, lattice::Site corner) {
   reach.left = std::max(reach.left, -corner.column);
-  reach.right = std::max(reach.right, corner.column + kWindow - 1);
+  reach.right = std::max(reach.right, corner.column + grains::kWindow - 1);
   reach.down = std::max(reach.down, -corner.row);
-  reach.up = std::max(reach.up, corner.row + kWindow - 1);
+  reach.up = std::max(reach.up, corner.row + grains::kWindow - 1);
 }
 
-Reach reach_of(const FootprintTable& footprints) {
+Reach reach_of(const grains::FootprintTable& footprints) {
   Reach reach;
-  for (const Footprint& footprint : footprints.all()) {
+  for (const grains::Footprint& footprint : footprints.all()) {
     include(reach, footprint.corner);
     for (const auto* patches : {&footprint.lead_patches, &footprint.swapped_patches}) {
-      for (const std::vector<Patch>& of_move : *patches) {
-        for (const Patch& patch : of_move) {
+      for (const std::vector<grains::Patch>& of_move : *patches) {
+        for (const grains::Patch& patch : of_move) {
           include(reach, patch.corner({}));
         }
       }
@@ -75,13 +75,14 @@ std::uint64_t load_at(const std::vector<int>& cuts, const std::vector<std::uint6
 
 }  // namespace
 
-Strips::Strips(const lattice::Lattice& lattice, const FootprintTable& footprints, std::size_t count)
+Strips::Strips(const lattice::Lattice& lattice, const grains::FootprintTable& footprints,
+               std::size_t count)
     : reach_(reach_of(footprints)) {
   // Others reach over a cut as far as one's own, and from there to the end of a word of bits.
   extents_ = {{{.length = lattice.columns(),
-                .apart = reach_.left + reach_.right + 2 * kWindow,
+                .apart = reach_.left + reach_.right + 2 * grains::kWindow,
                 .wraps = lattice.periodic()},
-               {.length = lattice.rows(), .apart = reach_.down + reach_.up + kWindow}}};
+               {.length = lattice.rows(), .apart = reach_.down + reach_.up + grains::kWindow}}};
   for (std::size_t strip = 1; strip < count; ++strip) {
     const auto columns = static_cast<std::size_t>(lattice.columns());
     cuts_.push_back(static_cast<int>(columns * strip / count));

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "clca/automaton/footprint.hpp"
+#include "clca/grains/footprint.hpp"
 
 namespace clca::automaton {
 
@@ -47,7 +47,8 @@ struct Reach {
 /// or across the rows: where there is less to do at the cuts, as threads hinder each other there.
 class Strips {
  public:
-  Strips(const lattice::Lattice& lattice, const FootprintTable& footprints, std::size_t count);
+  Strips(const lattice::Lattice& lattice, const grains::FootprintTable& footprints,
+         std::size_t count);
 
   /// Which strip the particles of a (wrapped) site belong to.
   std::size_t of(lattice::Site site) const {

@@ -14,7 +14,8 @@ UpdateOrder::UpdateOrder(const Rules& rules, std::uint64_t seed) : rules_(rules)
   }
 }
 
-UpdateKey UpdateOrder::key(std::uint32_t id, Move previous, Move move, std::uint64_t step) const {
+UpdateKey UpdateOrder::key(std::uint32_t id, grains::Move previous, grains::Move move,
+                           std::uint64_t step) const {
   const std::uint64_t rank = class_rank(previous, move);
   const std::uint64_t tie = rules_.ties == Ties::particle
                                 ? random::draw(seed_, step, id, random::Purpose::tie)
@@ -22,19 +23,20 @@ UpdateKey UpdateOrder::key(std::uint32_t id, Move previous, Move move, std::uint
   return {rank, tie, id};
 }
 
-std::uint64_t UpdateOrder::class_rank(Move previous, Move move) const {
+std::uint64_t UpdateOrder::class_rank(grains::Move previous, grains::Move move) const {
   for (std::uint64_t rank = 0; rank < rules_.update_priority.size(); ++rank) {
     const UpdateClass wanted = rules_.update_priority[rank];
-    if ((wanted == UpdateClass::rest && previous == kRest) ||
+    if ((wanted == UpdateClass::rest && previous == grains::kRest) ||
         (wanted == UpdateClass::inertia && previous == move) ||
-        (wanted == UpdateClass::gravity && move == static_cast<Move>(rules_.gravity))) {
+        (wanted == UpdateClass::gravity && move == static_cast<grains::Move>(rules_.gravity))) {
       return rank;
     }
   }
   return rules_.update_priority.size();
 }
 
-std::uint64_t UpdateOrder::direction_tie(Move move, std::uint64_t rank, std::uint64_t step) const {
+std::uint64_t UpdateOrder::direction_tie(grains::Move move, std::uint64_t rank,
+                                         std::uint64_t step) const {
   const std::uint64_t place = place_[move];
   const bool has_twin = place != 0 && place != lattice::kDirectionCount - 1;
   if (!has_twin) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/automaton/rules.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::automaton {
 
@@ -28,12 +28,13 @@ class UpdateOrder {
   UpdateOrder(const Rules& rules, std::uint64_t seed);
 
   /// The key of particle `id` that did `previous` in the last step and now wants to do `move`.
-  UpdateKey key(std::uint32_t id, Move previous, Move move, std::uint64_t step) const;
+  UpdateKey key(std::uint32_t id, grains::Move previous, grains::Move move,
+                std::uint64_t step) const;
 
  private:
-  std::uint64_t class_rank(Move previous, Move move) const;
+  std::uint64_t class_rank(grains::Move previous, grains::Move move) const;
   /// Gravity first; of a pair at the same angle the one that a coin per step and class names.
-  std::uint64_t direction_tie(Move move, std::uint64_t rank, std::uint64_t step) const;
+  std::uint64_t direction_tie(grains::Move move, std::uint64_t rank, std::uint64_t step) const;
 
   Rules rules_;
   std::array<std::uint64_t, lattice::kDirectionCount> place_{};  // from gravity on

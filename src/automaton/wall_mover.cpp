@@ -10,7 +10,7 @@ namespace {
 /// direction: those that it covers no more afterwards, as seen before the step.
 class Outline {
  public:
-  Outline(const lattice::Lattice& lattice, const Wall& wall) : lattice_(lattice) {
+  Outline(const lattice::Lattice& lattice, const grains::Wall& wall) : lattice_(lattice) {
     for (const lattice::Site site : wall.sites) {
       sites_.push_back(canonical(site));
     }
@@ -60,7 +60,7 @@ std::vector<std::size_t> places(const lattice::Lattice& lattice,
 
 }  // namespace
 
-WallMover::WallMover(const State& state) : edges_(state.walls.size()) {
+WallMover::WallMover(const grains::State& state) : edges_(state.walls.size()) {
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (!state.walls[wall].motion) {
       continue;
@@ -76,7 +76,7 @@ WallMover::WallMover(const State& state) : edges_(state.walls.size()) {
 void WallMover::advance(World& world, StepReport& report) {
   world.carried.clear();
   for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
-    Wall& wall = world.state.walls[number];
+    grains::Wall& wall = world.state.walls[number];
     if (!wall.motion || !wall.present || !wall.travel.active) {
       continue;
     }
@@ -84,7 +84,7 @@ void WallMover::advance(World& world, StepReport& report) {
     bool done = false;
     if (wished != 0) {
       const WallStep step = step_of(world.state, number, wished);
-      done = wall.passive == Passive::rigid ? push_along(world, step) : enter(world, step);
+      done = wall.passive == grains::Passive::rigid ? push_along(world, step) : enter(world, step);
       ++(done ? report.walls_moved : report.walls_stalled);
     }
     take_step(*wall.motion, wall.travel, wished, done, world.state.step);
@@ -92,16 +92,16 @@ void WallMover::advance(World& world, StepReport& report) {
 }
 
 void WallMover::end_step(World& world, bool particles_moved) {
-  for (Wall& wall : world.state.walls) {
+  for (grains::Wall& wall : world.state.walls) {
     if (wall.motion && wall.present && wall.travel.active) {
-      automaton::end_step(*wall.motion, wall.travel, particles_moved);
+      grains::end_step(*wall.motion, wall.travel, particles_moved);
     }
   }
 }
 
 bool WallMover::is_still(World& world) const {
   for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
-    const Wall& wall = world.state.walls[number];
+    const grains::Wall& wall = world.state.walls[number];
     if (!wall.motion || !wall.present || !wall.travel.active ||
         is_over(*wall.motion, wall.travel)) {
       continue;
@@ -115,8 +115,8 @@ bool WallMover::is_still(World& world) const {
   return true;
 }
 
-WallStep WallMover::step_of(const State& state, std::size_t number, int wished) const {
-  const Wall& wall = state.walls[number];
+WallStep WallMover::step_of(const grains::State& state, std::size_t number, int wished) const {
+  const grains::Wall& wall = state.walls[number];
   const lattice::Direction forward = wall.motion->direction;
   const lattice::Axial shift = wall.shift();
   const Edge& sides = edge(number, wished > 0);

@@ -13,7 +13,7 @@ namespace clca::automaton {
 
 class WallMover {
  public:
-  explicit WallMover(const State& state);
+  explicit WallMover(const grains::State& state);
 
   /// Lets every active wall take the step it wants, if it can, in the order of their numbers.
   void advance(World& world, StepReport& report);
@@ -32,7 +32,7 @@ class WallMover {
   /// Along the motion and against it.
   using Edges = std::array<Edge, 2>;
 
-  WallStep step_of(const State& state, std::size_t number, int wished) const;
+  WallStep step_of(const grains::State& state, std::size_t number, int wished) const;
   const Edge& edge(std::size_t wall, bool forward) const { return edges_[wall][forward ? 0 : 1]; }
 
   std::vector<Edges> edges_;  // by wall; empty for those without motion

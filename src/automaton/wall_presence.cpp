@@ -6,7 +6,7 @@ namespace clca::automaton {
 
 namespace {
 
-std::vector<std::size_t> places_now(const State& state, const Wall& wall) {
+std::vector<std::size_t> places_now(const grains::State& state, const grains::Wall& wall) {
   std::vector<std::size_t> places;
   for (const lattice::Site site : sites_now(state.lattice, wall)) {
     places.push_back(state.lattice.index(site));
@@ -23,15 +23,15 @@ void leave_to_others(World& world, std::vector<std::size_t>& vacated) {
     }
     for (const std::size_t place : places_now(world.state, world.state.walls[other])) {
       if (std::binary_search(vacated.begin(), vacated.end(), place)) {
-        world.occupancy.take(place, wall_code(other));
+        world.occupancy.take(place, grains::wall_code(other));
       }
     }
   }
 }
 
-void forget_pushes(World& world, Owner code) {
-  const std::vector<Push> pushes = world.state.pushes;
-  for (const Push& push : pushes) {
+void forget_pushes(World& world, grains::Owner code) {
+  const std::vector<grains::Push> pushes = world.state.pushes;
+  for (const grains::Push& push : pushes) {
     if (push.pusher == code) {
       world.pushes.forget(world.state, push.pushed, code);
       world.awake.insert(push.pushed);
@@ -42,8 +42,8 @@ void forget_pushes(World& world, Owner code) {
 }  // namespace
 
 void remove_wall(World& world, std::size_t number) {
-  Wall& wall = world.state.walls.at(number);
-  const Owner code = wall_code(number);
+  grains::Wall& wall = world.state.walls.at(number);
+  const grains::Owner code = grains::wall_code(number);
   wall.present = false;
   world.changed = true;
   std::vector<std::size_t> vacated;
@@ -62,17 +62,19 @@ void remove_wall(World& world, std::size_t number) {
 }
 
 bool insert_wall(World& world, std::size_t number) {
-  Wall& wall = world.state.walls.at(number);
+  grains::Wall& wall = world.state.walls.at(number);
   if (wall.present) {
     return true;
   }
   const std::vector<std::size_t> places = places_now(world.state, wall);
-  const auto moves = [&](Owner owner) {
-    return is_wall(owner) && world.state.walls[wall_number(owner)].motion.has_value();
+  const auto moves = [&](grains::Owner owner) {
+    return grains::is_wall(owner) &&
+           world.state.walls[grains::wall_number(owner)].motion.has_value();
   };
   const bool barred = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
-    const Owner owner = world.occupancy.owner(place);
-    return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
+    const grains::Owner owner = world.occupancy.owner(place);
+    return grains::is_particle(owner) || moves(owner) ||
+           (owner != grains::kFree && wall.motion.has_value());
   });
   if (barred) {
     return false;
@@ -80,7 +82,7 @@ bool insert_wall(World& world, std::size_t number) {
   wall.present = true;
   world.changed = true;
   for (const std::size_t place : places) {
-    world.occupancy.take(place, wall_code(number));
+    world.occupancy.take(place, grains::wall_code(number));
   }
   return true;
 }

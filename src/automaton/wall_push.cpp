@@ -21,8 +21,8 @@ class Train {
       take(place);
     }
     for (std::size_t i = 0; i < ids_.size() && !barred_; ++i) {
-      const Particle& particle = world_.state.particles[ids_[i]];
-      const Footprint& footprint = world_.footprints.of(particle);
+      const grains::Particle& particle = world_.state.particles[ids_[i]];
+      const grains::Footprint& footprint = world_.footprints.of(particle);
       const auto visit = [&](std::size_t place) { take(place); };
       world_.for_each_place(particle, footprint.lead[index_of(step_.direction)], visit);
       if (world_.pushes.engaged(ids_[i])) {  // whoever overlaps with it
@@ -39,15 +39,15 @@ class Train {
     take_owner(world_.occupancy.owner(place));
     take_owner(world_.occupancy.second_owner(place));
   }
-  void take_owner(Owner owner) {
-    if (is_particle(owner)) {
+  void take_owner(grains::Owner owner) {
+    if (grains::is_particle(owner)) {
       const auto id = static_cast<std::uint32_t>(owner);
       if (!aboard_[id]) {
         aboard_[id] = true;
         ids_.push_back(id);
       }
     } else {
-      barred_ = barred_ || (owner != kFree && owner != wall_code(step_.wall));
+      barred_ = barred_ || (owner != grains::kFree && owner != grains::wall_code(step_.wall));
     }
   }
 
@@ -60,7 +60,7 @@ class Train {
 
 void leave(World& world, const WallStep& step) {
   for (const std::size_t place : step.leaves) {
-    world.occupancy.remove(place, wall_code(step.wall));
+    world.occupancy.remove(place, grains::wall_code(step.wall));
   }
 }
 
@@ -74,24 +74,25 @@ void wake_behind(World& world, const WallStep& step) {
 
 bool may_enter(const World& world, const WallStep& step) {
   return std::all_of(step.enters.begin(), step.enters.end(), [&](std::size_t place) {
-    const Owner owner = world.occupancy.owner(place);
-    return owner == kFree || (is_particle(owner) && world.occupancy.second_owner(place) == kFree);
+    const grains::Owner owner = world.occupancy.owner(place);
+    return owner == grains::kFree ||
+           (grains::is_particle(owner) && world.occupancy.second_owner(place) == grains::kFree);
   });
 }
 
 void stand_ahead(World& world, const WallStep& step) {
   leave(world, step);
   for (const std::size_t place : step.enters) {
-    world.occupancy.add(place, wall_code(step.wall));
+    world.occupancy.add(place, grains::wall_code(step.wall));
   }
 }
 
 void stand_back(World& world, const WallStep& step) {
   for (const std::size_t place : step.enters) {
-    world.occupancy.remove(place, wall_code(step.wall));
+    world.occupancy.remove(place, grains::wall_code(step.wall));
   }
   for (const std::size_t place : step.leaves) {
-    world.occupancy.add(place, wall_code(step.wall));
+    world.occupancy.add(place, grains::wall_code(step.wall));
   }
 }
 
@@ -99,8 +100,8 @@ void stand_back(World& world, const WallStep& step) {
 std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
   std::vector<std::uint32_t> ids;
   for (const std::size_t place : step.enters) {
-    const Owner other = world.occupancy.second_owner(place);  // a wall comes first
-    if (is_particle(other)) {
+    const grains::Owner other = world.occupancy.second_owner(place);  // a wall comes first
+    if (grains::is_particle(other)) {
       ids.push_back(static_cast<std::uint32_t>(other));
     }
   }
@@ -113,25 +114,25 @@ std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
 bool is_shallow(const World& world, const WallStep& step, const std::vector<std::uint32_t>& ids) {
   const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
   return std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
-    return can_leave(world, world.state.particles[id], wall_code(step.wall), ways);
+    return can_leave(world, world.state.particles[id], grains::wall_code(step.wall), ways);
   });
 }
 
 /// Forgets the wall's pushes on particles that it has left behind.
 void forget_behind(World& world, const WallStep& step) {
   std::vector<std::uint32_t> pushed;
-  for (const Push& push : world.state.pushes) {
-    if (push.pusher == wall_code(step.wall)) {
+  for (const grains::Push& push : world.state.pushes) {
+    if (push.pusher == grains::wall_code(step.wall)) {
       pushed.push_back(push.pushed);
     }
   }
   for (const std::uint32_t id : pushed) {
     const std::vector<Overlap> overlaps = world.overlaps(id, world.state.particles[id]);
     const bool lasts = std::any_of(overlaps.begin(), overlaps.end(), [&](const Overlap& one) {
-      return one.owner == wall_code(step.wall);
+      return one.owner == grains::wall_code(step.wall);
     });
     if (!lasts) {
-      world.pushes.forget(world.state, id, wall_code(step.wall));
+      world.pushes.forget(world.state, id, grains::wall_code(step.wall));
       world.awake.insert(id);
     }
   }
@@ -147,7 +148,7 @@ bool push_along(World& world, const WallStep& step) {
   leave(world, step);
   world.shift_together(train.ids(), step.direction);
   for (const std::size_t place : step.enters) {
-    world.occupancy.add(place, wall_code(step.wall));
+    world.occupancy.add(place, grains::wall_code(step.wall));
   }
   wake_behind(world, step);
   world.changed = true;
@@ -166,7 +167,7 @@ bool enter(World& world, const WallStep& step) {
   }
   for (const std::uint32_t id : ids) {
     world.pushes.record(world.state, {.pushed = id,
-                                      .pusher = wall_code(step.wall),
+                                      .pusher = grains::wall_code(step.wall),
                                       .source = static_cast<std::uint32_t>(step.wall),
                                       .direction = step.direction});
   }

@@ -11,10 +11,11 @@ constexpr std::size_t kNeighbours = 8;  // more seldom share sites with one part
 
 }  // namespace
 
-World::World(State initial)
+World::World(grains::State initial, const Rules& given_rules)
     : state(std::move(initial)),
+      rules(given_rules),
       occupancy(state),
-      footprints(state),
+      footprints(state, candidate_directions(rules)),
       pushes(state),
       separation(state) {
   state.origins.resize(state.particles.size());
@@ -30,18 +31,18 @@ void World::welcome_from(std::size_t first) {
   }
 }
 
-bool World::is_free(const Particle& particle, lattice::Direction direction) const {
+bool World::is_free(const grains::Particle& particle, lattice::Direction direction) const {
   bool free = true;
   for_each_place(particle, footprints.of(particle).lead[index_of(direction)],
                  [&](std::size_t place) { free = free && !occupancy.taken(place); });
   return free;
 }
 
-std::vector<Overlap> World::overlaps(std::uint32_t id, const Particle& at) const {
+std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& at) const {
   std::vector<Overlap> result;
   result.reserve(kNeighbours);
-  const auto count = [&](Owner owner) {
-    if (owner == kFree || owner == static_cast<Owner>(id)) {
+  const auto count = [&](grains::Owner owner) {
+    if (owner == grains::kFree || owner == static_cast<grains::Owner>(id)) {
       return;
     }
     const auto found = std::find_if(result.begin(), result.end(),
@@ -60,11 +61,11 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const Particle& at) const
 }
 
 void World::shift(std::uint32_t id, lattice::Direction direction) {
-  Particle& particle = state.particles[id];
-  const auto owner = static_cast<Owner>(id);
+  grains::Particle& particle = state.particles[id];
+  const auto owner = static_cast<grains::Owner>(id);
   const bool engaged = pushes.engaged(id);
   const std::vector<Overlap> before = engaged ? overlaps(id, particle) : std::vector<Overlap>();
-  const Footprint& footprint = footprints.of(particle);
+  const grains::Footprint& footprint = footprints.of(particle);
   for_each_place(particle, footprint.trail[index_of(direction)], [&](std::size_t place) {
     if (occupancy.remove(place, owner)) {
       wake_upstream(place);
@@ -73,7 +74,7 @@ void World::shift(std::uint32_t id, lattice::Direction direction) {
   for_each_place(particle, footprint.lead[index_of(direction)],
                  [&](std::size_t place) { occupancy.add(place, owner); });
   particle = moved(particle, direction);
-  particle.previous = static_cast<Move>(direction);
+  particle.previous = static_cast<grains::Move>(direction);
   awake.insert(id);
   forget_ended(id, before);
 }
@@ -90,7 +91,7 @@ void World::forget_ended(std::uint32_t id, const std::vector<Overlap>& before) {
       continue;
     }
     pushes.forget(state, id, one.owner);
-    if (is_particle(one.owner)) {
+    if (grains::is_particle(one.owner)) {
       awake.insert(static_cast<std::uint32_t>(one.owner));
     }
   }
@@ -100,16 +101,17 @@ void World::shift_together(std::span<const std::uint32_t> ids, lattice::Directio
   const std::size_t d = index_of(direction);
   std::vector<std::size_t> left;
   for (const std::uint32_t id : ids) {
-    const Particle& particle = state.particles[id];
+    const grains::Particle& particle = state.particles[id];
     for_each_place(particle, footprints.of(particle).trail[d], [&](std::size_t place) {
-      occupancy.remove(place, static_cast<Owner>(id));
+      occupancy.remove(place, static_cast<grains::Owner>(id));
       left.push_back(place);
     });
   }
   for (const std::uint32_t id : ids) {
-    Particle& particle = state.particles[id];
-    for_each_place(particle, footprints.of(particle).lead[d],
-                   [&](std::size_t place) { occupancy.add(place, static_cast<Owner>(id)); });
+    grains::Particle& particle = state.particles[id];
+    for_each_place(particle, footprints.of(particle).lead[d], [&](std::size_t place) {
+      occupancy.add(place, static_cast<grains::Owner>(id));
+    });
     particle = moved(particle, direction);
     awake.insert(id);
   }
@@ -123,31 +125,31 @@ void World::shift_together(std::span<const std::uint32_t> ids, lattice::Directio
 
 void World::take_away(std::uint32_t id) {
   changed = true;
-  Particle& particle = state.particles[id];
+  grains::Particle& particle = state.particles[id];
   for (const Overlap& one : overlaps(id, particle)) {
     pushes.forget(state, id, one.owner);
-    if (is_particle(one.owner)) {
+    if (grains::is_particle(one.owner)) {
       awake.insert(static_cast<std::uint32_t>(one.owner));
     }
   }
   for_each_place(particle, [&](std::size_t place) {
-    if (occupancy.remove(place, static_cast<Owner>(id))) {
+    if (occupancy.remove(place, static_cast<grains::Owner>(id))) {
       wake_upstream(place);
     }
   });
   particle.present = false;
-  particle.previous = kRest;
+  particle.previous = grains::kRest;
 }
 
 void World::wake_upstream(std::size_t place) {
   const lattice::Site site = state.lattice.site(place);
-  for (const lattice::Direction direction : candidate_directions(state.rules)) {
+  for (const lattice::Direction direction : candidate_directions(rules)) {
     const lattice::Site from = site + lattice::unit(opposite(direction));
     if (!state.lattice.contains(from)) {
       continue;
     }
-    const Owner owner = occupancy.owner(state.lattice.index(from));
-    if (is_particle(owner)) {
+    const grains::Owner owner = occupancy.owner(state.lattice.index(from));
+    if (grains::is_particle(owner)) {
       awake.insert(static_cast<std::uint32_t>(owner));
     }
   }

@@ -6,16 +6,17 @@
 
 #include "automaton/awake_set.hpp"
 #include "automaton/push_book.hpp"
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/separation.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/automaton/rules.hpp"
+#include "clca/grains/footprint.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/separation.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::automaton {
 
 /// Somebody who shares sites with a particle.
 struct Overlap {
-  Owner owner = 0;
+  grains::Owner owner = 0;
   int sites = 0;
 
   bool operator==(const Overlap&) const = default;
@@ -24,18 +25,18 @@ struct Overlap {
 class World {
  public:
   /// Throws std::invalid_argument when the state is not valid (see Occupancy).
-  explicit World(State initial);
+  World(grains::State initial, const Rules& given_rules);
 
   /// Makes room for particles that are new from id `first` on and wakes them.
   void welcome_from(std::size_t first);
 
   /// The places in memory of the particle's sites.
   template <class Visit>
-  void for_each_place(const Particle& particle, Visit visit) const {
+  void for_each_place(const grains::Particle& particle, Visit visit) const {
     for_each_place(particle, footprints.of(particle).body, visit);
   }
   template <class Visit>
-  void for_each_place(const Particle& particle, const std::vector<lattice::Offset>& offsets,
+  void for_each_place(const grains::Particle& particle, const std::vector<lattice::Offset>& offsets,
                       Visit visit) const {
     const std::size_t place = state.lattice.index(particle.site());
     const int column = state.lattice.wrapped(particle.column);
@@ -45,9 +46,9 @@ class World {
   }
 
   /// Whether all lead sites are free.
-  bool is_free(const Particle& particle, lattice::Direction direction) const;
+  bool is_free(const grains::Particle& particle, lattice::Direction direction) const;
   /// Who would share sites with particle `id` if it stood where `at` says; in order of the sites.
-  std::vector<Overlap> overlaps(std::uint32_t id, const Particle& at) const;
+  std::vector<Overlap> overlaps(std::uint32_t id, const grains::Particle& at) const;
 
   /// Moves a particle, whoever shares its sites, forgets the pushes that have ended and wakes
   /// those concerned. Its `previous` becomes the direction.
@@ -60,12 +61,13 @@ class World {
   /// Wakes those who may gain a free direction now that the place is free.
   void wake_upstream(std::size_t place);
 
-  State state;
-  Occupancy occupancy;
-  FootprintTable footprints;
+  grains::State state;
+  Rules rules;
+  grains::Occupancy occupancy;
+  grains::FootprintTable footprints;
   AwakeSet awake;
   PushBook pushes;
-  Separation separation;
+  grains::Separation separation;
   /// Something but the particles' own moves has changed since the last step.
   bool changed = true;
   std::vector<std::uint32_t> carried;  ///< particles that walls have taken along in this step
@@ -75,7 +77,7 @@ class World {
 };
 
 /// The particle one step further.
-inline Particle moved(Particle particle, lattice::Direction direction) {
+inline grains::Particle moved(grains::Particle particle, lattice::Direction direction) {
   const lattice::Site target = particle.site() + unit(direction);
   particle.column = target.column;
   particle.row = target.row;

@@ -21,8 +21,7 @@ std::string_view ending(Format format) {
 }
 
 std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
-                               const scene::Scene& scene,
-                               const std::vector<automaton::Kind>& kinds) {
+                               const scene::Scene& scene, const std::vector<grains::Kind>& kinds) {
   switch (format) {
     case Format::vtp:
       return std::make_unique<VtpWriter>(file, scene, kinds);

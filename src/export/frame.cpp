@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 #include "clca/measure/contacts.hpp"
 #include "clca/render/body.hpp"
 
@@ -12,24 +12,24 @@ namespace clca::exports {
 
 namespace {
 
-std::vector<double> forces(const automaton::State& state) {
+std::vector<double> forces(const grains::State& state) {
   std::vector<double> none(state.particles.size(), 0.0);
   if (state.pushes.empty()) {
     return none;
   }
-  const automaton::Occupancy occupancy(state);
+  const grains::Occupancy occupancy(state);
   return measure::force_indices(state.particles.size(), measure::contacts(state, occupancy));
 }
 
-Eigen::Vector2d velocity(automaton::Move move) {
-  if (move == automaton::kRest) {
+Eigen::Vector2d velocity(grains::Move move) {
+  if (move == grains::kRest) {
     return Eigen::Vector2d::Zero();
   }
   return lattice::position(lattice::unit(static_cast<lattice::Direction>(move)));
 }
 
 /// The first orientation of the species that looks like the kind, in degrees.
-int degrees_of(const scene::Species& species, const automaton::Kind& kind) {
+int degrees_of(const scene::Species& species, const grains::Kind& kind) {
   const auto found =
       std::find_if(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
         constexpr int kDegreesPerTurn = 60;
@@ -49,16 +49,16 @@ std::vector<Eigen::Vector2d> outline_of(const lattice::Shape& shape) {
 
 }  // namespace
 
-std::vector<Body> bodies(const automaton::State& state) {
+std::vector<Body> bodies(const grains::State& state) {
   const std::vector<double> force = forces(state);
   std::vector<Body> result;
-  result.reserve(automaton::present_count(state));
+  result.reserve(grains::present_count(state));
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    const automaton::Particle& particle = state.particles[id];
+    const grains::Particle& particle = state.particles[id];
     if (!particle.present) {
       continue;
     }
-    Eigen::Vector2d centre = automaton::centre(state, particle);
+    Eigen::Vector2d centre = grains::centre(state, particle);
     const int image = state.lattice.image(centre.x());
     centre.x() -= image * state.lattice.size().x();
     result.push_back({.centre = centre,
@@ -73,13 +73,13 @@ std::vector<Body> bodies(const automaton::State& state) {
 }
 
 std::vector<KindLook> kind_looks(const scene::Scene& scene,
-                                 const std::vector<automaton::Kind>& kinds) {
+                                 const std::vector<grains::Kind>& kinds) {
   std::vector<KindLook> looks;
-  for (const automaton::Kind& kind : kinds) {
+  for (const grains::Kind& kind : kinds) {
     const scene::Species& species = scene.species[kind.species];
     const auto same_species =
         std::count_if(kinds.begin(), kinds.end(),
-                      [&](const automaton::Kind& other) { return other.species == kind.species; });
+                      [&](const grains::Kind& other) { return other.species == kind.species; });
     looks.push_back({.name = same_species > 1
                                  ? fmt::format("{}@{}", species.name, degrees_of(species, kind))
                                  : species.name,

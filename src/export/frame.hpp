@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::exports {
@@ -23,7 +23,7 @@ struct Body {
 };
 
 /// By id.
-std::vector<Body> bodies(const automaton::State& state);
+std::vector<Body> bodies(const grains::State& state);
 
 /// What the particles of a kind have in common.
 struct KindLook {
@@ -32,7 +32,6 @@ struct KindLook {
   std::vector<Eigen::Vector2d> outline;  ///< corners from the centre of mass, anticlockwise
 };
 
-std::vector<KindLook> kind_looks(const scene::Scene& scene,
-                                 const std::vector<automaton::Kind>& kinds);
+std::vector<KindLook> kind_looks(const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::exports

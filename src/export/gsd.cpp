@@ -74,10 +74,10 @@ Bytes column(const std::vector<Body>& all, Append append_to) {
 }  // namespace
 
 GsdWriter::GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
-                     const std::vector<automaton::Kind>& kinds)
+                     const std::vector<grains::Kind>& kinds)
     : file_(file.create(), chunk_names()), kinds_(kind_looks(scene, kinds)) {}
 
-void GsdWriter::add(const automaton::State& state) {
+void GsdWriter::add(const grains::State& state) {
   const std::vector<Body> all = bodies(state);
   file_.write(chunk(Chunk::step, GsdType::uint64, 1), bytes_of(state.step));
   file_.write(chunk(Chunk::count, GsdType::uint32, 1),

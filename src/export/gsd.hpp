@@ -10,9 +10,9 @@ namespace clca::exports {
 class GsdWriter : public Writer {
  public:
   GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
-            const std::vector<automaton::Kind>& kinds);
+            const std::vector<grains::Kind>& kinds);
 
-  void add(const automaton::State& state) override;
+  void add(const grains::State& state) override;
   void finish() override { file_.finish(); }
 
  private:

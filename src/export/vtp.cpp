@@ -21,9 +21,9 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
   return names;
 }
 
-std::vector<std::optional<lattice::Axial>> places_of(const std::vector<automaton::Wall>& walls) {
+std::vector<std::optional<lattice::Axial>> places_of(const std::vector<grains::Wall>& walls) {
   std::vector<std::optional<lattice::Axial>> places;
-  for (const automaton::Wall& wall : walls) {
+  for (const grains::Wall& wall : walls) {
     places.push_back(wall.present ? std::optional(wall.shift()) : std::nullopt);
   }
   return places;
@@ -76,7 +76,7 @@ std::string escaped(const std::string& text) {
 }  // namespace
 
 VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
-                     const std::vector<automaton::Kind>& kinds)
+                     const std::vector<grains::Kind>& kinds)
     : collection_(std::move(collection)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
@@ -99,7 +99,7 @@ void VtpWriter::count_frame(std::uint64_t step) {
   step_ = step;
 }
 
-void VtpWriter::add(const automaton::State& state) {
+void VtpWriter::add(const grains::State& state) {
   count_frame(state.step);
   const std::string file = beside("", state.step);
   write_particles(file, state);
@@ -116,7 +116,7 @@ void VtpWriter::add(const automaton::State& state) {
   collect(state.step, 1, "walls", wall_file_);
 }
 
-void VtpWriter::write_particles(const std::string& file, const automaton::State& state) const {
+void VtpWriter::write_particles(const std::string& file, const grains::State& state) const {
   VtpFile polygons;
   Bytes id;
   Bytes species;
@@ -145,15 +145,15 @@ void VtpWriter::write_particles(const std::string& file, const automaton::State&
   polygons.write(collection_.folder.create(file));
 }
 
-void VtpWriter::write_walls(const std::string& file, const automaton::State& state) const {
+void VtpWriter::write_walls(const std::string& file, const grains::State& state) const {
   VtpFile polygons;
   Bytes number;
   for (std::size_t i = 0; i < state.walls.size(); ++i) {
-    const automaton::Wall& wall = state.walls[i];
+    const grains::Wall& wall = state.walls[i];
     if (!wall.present) {
       continue;
     }
-    const auto sites = from_origin(automaton::sites_now(state.lattice, wall));
+    const auto sites = from_origin(grains::sites_now(state.lattice, wall));
     for (const render::Trapezoid& piece : render::trapezoids(sites)) {
       add_polygon(polygons, piece);
       append(number, static_cast<std::uint32_t>(i));

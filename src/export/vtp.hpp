@@ -14,9 +14,9 @@ namespace clca::exports {
 class VtpWriter : public Writer {
  public:
   VtpWriter(store::OutputFile collection, const scene::Scene& scene,
-            const std::vector<automaton::Kind>& kinds);
+            const std::vector<grains::Kind>& kinds);
 
-  void add(const automaton::State& state) override;
+  void add(const grains::State& state) override;
   void finish() override;
 
  private:
@@ -28,8 +28,8 @@ class VtpWriter : public Writer {
   /// Of this frame: its step, and a little more for a second one, as no two can be at one time.
   double time(std::uint64_t step) const;
   void count_frame(std::uint64_t step);
-  void write_particles(const std::string& file, const automaton::State& state) const;
-  void write_walls(const std::string& file, const automaton::State& state) const;
+  void write_particles(const std::string& file, const grains::State& state) const;
+  void write_walls(const std::string& file, const grains::State& state) const;
   void collect(std::uint64_t step, int part, const std::string& name, const std::string& file);
 
   store::OutputFile collection_;

@@ -26,7 +26,7 @@ void append_vector(Text& text, const Eigen::Vector2d& vector) {
 }
 
 /// The line that says what follows. A box of one layer, half of it on either side of the plane.
-void append_comment(Text& text, const automaton::State& state) {
+void append_comment(Text& text, const grains::State& state) {
   const Eigen::Vector2d corner = lattice::Lattice::corner();
   const Eigen::Vector2d size = state.lattice.size();
   fmt::format_to(std::back_inserter(text),
@@ -40,14 +40,14 @@ void append_comment(Text& text, const automaton::State& state) {
 }  // namespace
 
 XyzWriter::XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
-                     const std::vector<automaton::Kind>& kinds)
+                     const std::vector<grains::Kind>& kinds)
     : file_(file.create()) {
-  for (const automaton::Kind& kind : kinds) {
+  for (const grains::Kind& kind : kinds) {
     species_.push_back(scene.species[kind.species].name);
   }
 }
 
-void XyzWriter::add(const automaton::State& state) {
+void XyzWriter::add(const grains::State& state) {
   const std::vector<Body> all = bodies(state);
   Text text;
   fmt::format_to(std::back_inserter(text), "{}\n", all.size());

@@ -3,13 +3,13 @@
 
 #include <stdexcept>
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::measure {
 
 /// Throws std::invalid_argument for that of another box.
-inline void check_occupancy(const automaton::State& state, const automaton::Occupancy& occupancy) {
+inline void check_occupancy(const grains::State& state, const grains::Occupancy& occupancy) {
   if (occupancy.places() != state.lattice.memory_size()) {
     throw std::invalid_argument("the occupancy is that of another box");
   }

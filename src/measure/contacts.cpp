@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
-#include "clca/automaton/separation.hpp"
+#include "clca/grains/separation.hpp"
 #include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
 
 namespace {
 
-using automaton::Occupancy;
-using automaton::Owner;
-using automaton::Particle;
-using automaton::Push;
-using automaton::State;
+using grains::Occupancy;
+using grains::Owner;
+using grains::Particle;
+using grains::Push;
+using grains::State;
 
 /// `sites` and `place` of what two share.
 Contact shared_by(const State& state, const Occupancy& occupancy, std::uint32_t first,
@@ -49,27 +48,18 @@ int depth_of(const State& state, const Occupancy& occupancy, const Contact& cont
   const bool one_move =
       std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
                   [&](lattice::Direction d) { return frees(state, occupancy, contact, d); });
-  if (one_move || !automaton::is_particle(contact.second)) {
+  if (one_move || !grains::is_particle(contact.second)) {
     return one_move ? 1 : 2;
   }
-  return automaton::Separation(state).depth(
-      state.particles[contact.first], state.particles[static_cast<std::size_t>(contact.second)]);
-}
-
-const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher) {
-  const auto key = [](const Push& push) { return std::tuple(push.pushed, push.pusher); };
-  const auto wanted = std::tuple(pushed, pusher);
-  const auto found =
-      std::lower_bound(state.pushes.begin(), state.pushes.end(), wanted,
-                       [&](const Push& push, const auto& value) { return key(push) < value; });
-  return found != state.pushes.end() && key(*found) == wanted ? &*found : nullptr;
+  return grains::Separation(state).depth(state.particles[contact.first],
+                                         state.particles[static_cast<std::size_t>(contact.second)]);
 }
 
 }  // namespace
 
 const Push* push_between(const State& state, const Contact& contact) {
   const Push* push = find_push(state, contact.first, contact.second);
-  if (push == nullptr && automaton::is_particle(contact.second)) {
+  if (push == nullptr && grains::is_particle(contact.second)) {
     push = find_push(state, static_cast<std::uint32_t>(contact.second),
                      static_cast<Owner>(contact.first));
   }
@@ -82,7 +72,7 @@ std::vector<Contact> contacts(const State& state, const Occupancy& occupancy) {
   std::vector<Contact> result;
   result.reserve(state.pushes.size());
   for (const Push& push : state.pushes) {
-    const bool by_particle = automaton::is_particle(push.pusher);
+    const bool by_particle = grains::is_particle(push.pusher);
     const auto pusher = static_cast<std::uint32_t>(push.pusher);
     const bool swapped = by_particle && pusher < push.pushed;
     Contact contact = shared_by(state, occupancy, swapped ? pusher : push.pushed,
@@ -101,13 +91,13 @@ std::vector<double> force_indices(std::size_t particle_count,
                                   const std::vector<Contact>& contacts) {
   std::vector<double> indices(particle_count, 0.0);
   for (const Contact& contact : contacts) {
-    const bool second_is_there = !automaton::is_particle(contact.second) ||
+    const bool second_is_there = !grains::is_particle(contact.second) ||
                                  static_cast<std::size_t>(contact.second) < particle_count;
     if (contact.first >= particle_count || !second_is_there) {
       throw std::invalid_argument("a contact is of a particle that is not there");
     }
     indices[contact.first] += contact.sites;
-    if (automaton::is_particle(contact.second)) {
+    if (grains::is_particle(contact.second)) {
       indices[static_cast<std::size_t>(contact.second)] += contact.sites;
     }
   }

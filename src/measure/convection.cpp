@@ -23,11 +23,11 @@ double cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 Convection::Convection(const lattice::Lattice& lattice, double cell)
     : grid_(lattice, cell), cells_(grid_.size()) {}
 
-bool Convection::precedes(const automaton::State& now) const {
+bool Convection::precedes(const grains::State& now) const {
   return cells_.size() == grid_.size() && (!begin_ || begin_->snapshot.precedes(now));
 }
 
-void Convection::begin_cycle(const automaton::State& state) {
+void Convection::begin_cycle(const grains::State& state) {
   begin_.emplace(Begin{Snapshot(state), kInfinity, -kInfinity});
   for_each_site(state, [&](lattice::Site site) {
     begin_->left = std::min(begin_->left, lattice::kColumnPitch * (site.column - 0.5));
@@ -35,7 +35,7 @@ void Convection::begin_cycle(const automaton::State& state) {
   });
 }
 
-void Convection::end_cycle(const automaton::State& state) {
+void Convection::end_cycle(const grains::State& state) {
   if (!begin_) {
     throw std::logic_error("a cycle ends that has not begun");
   }

@@ -9,7 +9,7 @@ namespace clca::measure {
 
 namespace {
 
-void check_origins(const automaton::State& state) {
+void check_origins(const grains::State& state) {
   if (state.origins.size() != state.particles.size()) {
     throw std::invalid_argument("not every particle has an origin");
   }
@@ -19,7 +19,7 @@ void check_origins(const automaton::State& state) {
 class ColumnCounts {
  public:
   /// `at_origin`: where they were when the stage began.
-  ColumnCounts(const automaton::State& state, bool at_origin) {
+  ColumnCounts(const grains::State& state, bool at_origin) {
     check_origins(state);
     int low = std::numeric_limits<int>::max();
     int high = std::numeric_limits<int>::min();
@@ -50,9 +50,9 @@ class ColumnCounts {
 
  private:
   template <class Visit>
-  static void for_each_column(const automaton::State& state, bool at_origin, Visit visit) {
+  static void for_each_column(const grains::State& state, bool at_origin, Visit visit) {
     for (std::size_t id = 0; id < state.particles.size(); ++id) {
-      const automaton::Particle& particle = state.particles[id];
+      const grains::Particle& particle = state.particles[id];
       const int reference = at_origin ? state.origins[id].column : particle.column;
       if (particle.present) {
         for (const lattice::Axial part : state.shape(particle).sites()) {
@@ -67,14 +67,14 @@ class ColumnCounts {
   std::vector<std::size_t> counts_;
 };
 
-double displacement(const automaton::State& state, std::size_t id) {
-  const automaton::Particle& particle = state.particles[id];
+double displacement(const grains::State& state, std::size_t id) {
+  const grains::Particle& particle = state.particles[id];
   return particle.present ? lattice::position(particle.site() - state.origins[id]).norm() : 0;
 }
 
 }  // namespace
 
-std::vector<double> displacements(const automaton::State& state) {
+std::vector<double> displacements(const grains::State& state) {
   check_origins(state);
   std::vector<double> result(state.particles.size(), 0.0);
   for (std::size_t id = 0; id < result.size(); ++id) {
@@ -83,7 +83,7 @@ std::vector<double> displacements(const automaton::State& state) {
   return result;
 }
 
-double moved_share(const automaton::State& state, double distance) {
+double moved_share(const grains::State& state, double distance) {
   check_origins(state);
   if (std::isnan(distance)) {
     throw std::invalid_argument("a distance must be a number");
@@ -92,19 +92,19 @@ double moved_share(const automaton::State& state, double distance) {
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     far += displacement(state, id) > distance ? 1U : 0U;
   }
-  const std::size_t present = automaton::present_count(state);
+  const std::size_t present = grains::present_count(state);
   return present > 0 ? static_cast<double>(far) / static_cast<double>(present) : 0;
 }
 
-double smallest_diameter(const automaton::State& state) {
+double smallest_diameter(const grains::State& state) {
   double smallest = INFINITY;
-  for (const automaton::Kind& kind : state.kinds) {
+  for (const grains::Kind& kind : state.kinds) {
     smallest = std::min(smallest, kind.shape.diameter());
   }
   return smallest;
 }
 
-std::optional<Runout> runout(const automaton::State& state) {
+std::optional<Runout> runout(const grains::State& state) {
   const ColumnCounts before(state, true);
   const ColumnCounts after(state, false);
   if (after.sites() == 0) {

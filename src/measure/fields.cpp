@@ -6,7 +6,7 @@ namespace clca::measure {
 
 namespace {
 
-using automaton::State;
+using grains::State;
 
 /// Share of the sites of each cell that particles take, walls or not.
 std::vector<double> packing_of(const State& state, const Grid& grid) {

@@ -14,10 +14,10 @@ namespace clca::measure {
 
 namespace {
 
-using automaton::Occupancy;
-using automaton::Push;
-using automaton::State;
-using automaton::Wall;
+using grains::Occupancy;
+using grains::Push;
+using grains::State;
+using grains::Wall;
 using lattice::Direction;
 using lattice::Site;
 
@@ -94,7 +94,7 @@ class Cone {
 /// Shared sites of a contact of two particles that lie in the cone.
 std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy, const Contact& contact,
                             const Cone& cone) {
-  const automaton::Particle& particle = state.particles[contact.first];
+  const grains::Particle& particle = state.particles[contact.first];
   std::uint64_t inside = 0;
   for (const lattice::Axial part : state.shape(particle).sites()) {
     const Site site = particle.site() + part;
@@ -112,8 +112,7 @@ std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
   std::uint64_t inside = 0;
   int all = 0;
   for (const Contact& contact : contacts) {
-    const Push* push =
-        automaton::is_particle(contact.second) ? push_between(state, contact) : nullptr;
+    const Push* push = grains::is_particle(contact.second) ? push_between(state, contact) : nullptr;
     if (push == nullptr) {
       continue;
     }
@@ -134,8 +133,8 @@ std::size_t jammed_count(const State& state, std::optional<std::size_t> source) 
   std::size_t count = 0;
   std::optional<std::uint32_t> last;  // pushes are in the order of `pushed`
   for (const Push& push : state.pushes) {
-    const automaton::Particle& pushed = state.particles[push.pushed];
-    const bool jams = pushed.present && pushed.previous == automaton::kRest;
+    const grains::Particle& pushed = state.particles[push.pushed];
+    const bool jams = pushed.present && pushed.previous == grains::kRest;
     if (jams && push.pushed != last && (!source || push.source == *source)) {
       ++count;
       last = push.pushed;
@@ -145,7 +144,7 @@ std::size_t jammed_count(const State& state, std::optional<std::size_t> source) 
 }
 
 WallForce wall_force(const State& state, std::size_t number, const std::vector<Contact>& contacts) {
-  const automaton::Travel& travel = state.walls[number].travel;
+  const grains::Travel& travel = state.walls[number].travel;
   WallForce force{.wall = number,
                   .travel = travel.offset,
                   .stalled_since = travel.stalled_since,
@@ -153,7 +152,7 @@ WallForce wall_force(const State& state, std::size_t number, const std::vector<C
                   .jammed = jammed_count(state, number)};
   for (const Contact& contact : contacts) {
     const auto sites = static_cast<std::uint64_t>(contact.sites);
-    if (contact.second == automaton::wall_code(number)) {
+    if (contact.second == grains::wall_code(number)) {
       ++force.particles;
       force.sites += sites;
     }

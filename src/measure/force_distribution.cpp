@@ -110,13 +110,13 @@ void ForceAverage::add(const std::vector<Contact>& contacts) {
   }
 }
 
-bool ForceAverage::precedes(const automaton::State& now) const {
+bool ForceAverage::precedes(const grains::State& now) const {
   return std::all_of(sums_.begin(), sums_.end(), [&](const auto& one) {
     const auto [first, second] = one.first;
     const bool known =
-        automaton::is_particle(second)
+        grains::is_particle(second)
             ? static_cast<std::size_t>(second) < now.particles.size()
-            : automaton::is_wall(second) && automaton::wall_number(second) < now.walls.size();
+            : grains::is_wall(second) && grains::wall_number(second) < now.walls.size();
     return known && first < now.particles.size();
   });
 }

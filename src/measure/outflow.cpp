@@ -7,35 +7,34 @@
 
 namespace clca::measure {
 
-Discharge discharge(const automaton::State& state) {
+Discharge discharge(const grains::State& state) {
   Discharge total;
-  for (const automaton::Outlet& outlet : state.outlets) {
+  for (const grains::Outlet& outlet : state.outlets) {
     total.particles += outlet.particles;
     total.sites += outlet.sites;
   }
   return total;
 }
 
-bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy) {
+bool blocked(const grains::State& state, const grains::Occupancy& occupancy) {
   check_occupancy(state, occupancy);
   const lattice::Lattice& lattice = state.lattice;
   bool hanging = false;
-  for (const automaton::Outlet& outlet : state.outlets) {
+  for (const grains::Outlet& outlet : state.outlets) {
     for (int column = 0; column < lattice.columns(); ++column) {
       lattice::Site site = {column, 0};
       if (lattice::position(site).x() < outlet.region.left ||
           lattice::position(site).x() >= outlet.region.right) {
         continue;
       }
-      while (site.row < lattice.rows() &&
-             (lattice::position(site).y() < outlet.region.bottom ||
-              occupancy.owner(lattice.index(site)) == automaton::kFree)) {
+      while (site.row < lattice.rows() && (lattice::position(site).y() < outlet.region.bottom ||
+                                           occupancy.owner(lattice.index(site)) == grains::kFree)) {
         ++site.row;
       }
       if (site.row == lattice.rows()) {
         return false;
       }
-      hanging = hanging || automaton::is_particle(occupancy.owner(lattice.index(site)));
+      hanging = hanging || grains::is_particle(occupancy.owner(lattice.index(site)));
     }
   }
   return hanging;
@@ -70,7 +69,7 @@ double Outflow::sites_per_step() const {
              : 0;
 }
 
-bool Outflow::precedes(const automaton::State& now) const {
+bool Outflow::precedes(const grains::State& now) const {
   const Discharge total = discharge(now);
   const bool in_order =
       std::adjacent_find(events_.begin(), events_.end(), [](const Event& one, const Event& next) {

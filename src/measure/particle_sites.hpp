@@ -1,15 +1,15 @@
 #pragma once
 // The sites of all particles.
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::measure {
 
 /// Calls visit(site) for every site of every present particle, in the box also where it is
 /// periodic. A site that two particles share comes twice.
 template <typename Visit>
-void for_each_site(const automaton::State& state, const Visit& visit) {
-  for (const automaton::Particle& particle : state.particles) {
+void for_each_site(const grains::State& state, const Visit& visit) {
+  for (const grains::Particle& particle : state.particles) {
     if (!particle.present) {
       continue;
     }

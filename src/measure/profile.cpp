@@ -23,7 +23,7 @@ struct Span {
   bool empty() const { return high < 0; }
 };
 
-std::vector<Span> column_spans(const automaton::State& state) {
+std::vector<Span> column_spans(const grains::State& state) {
   std::vector<Span> spans(static_cast<std::size_t>(state.lattice.columns()));
   for_each_site(state, [&](lattice::Site site) {
     Span& span = spans[static_cast<std::size_t>(site.column)];
@@ -34,11 +34,11 @@ std::vector<Span> column_spans(const automaton::State& state) {
 }
 
 /// The sites of the walls, each once where walls overlap.
-std::vector<lattice::Site> wall_sites(const automaton::State& state) {
+std::vector<lattice::Site> wall_sites(const grains::State& state) {
   std::vector<lattice::Site> sites;
-  for (const automaton::Wall& wall : state.walls) {
+  for (const grains::Wall& wall : state.walls) {
     if (wall.present) {
-      const std::vector<lattice::Site> covered = automaton::sites_now(state.lattice, wall);
+      const std::vector<lattice::Site> covered = grains::sites_now(state.lattice, wall);
       sites.insert(sites.end(), covered.begin(), covered.end());
     }
   }
@@ -91,7 +91,7 @@ std::optional<double> falling_flank(const std::vector<double>& profile) {
 
 }  // namespace
 
-std::vector<double> surface_profile(const automaton::State& state) {
+std::vector<double> surface_profile(const grains::State& state) {
   const std::vector<Span> spans = column_spans(state);
   std::vector<double> profile(spans.size(), 0.0);
   for (std::size_t column = 0; column < spans.size(); ++column) {
@@ -125,7 +125,7 @@ ReposeAngle repose_angle(const std::vector<double>& profile) {
   return {.left = falling_flank(mirrored), .right = falling_flank(profile)};
 }
 
-std::optional<double> packing_fraction(const automaton::State& state) {
+std::optional<double> packing_fraction(const grains::State& state) {
   const std::vector<Span> spans = column_spans(state);
   std::vector<int> floor(spans.size(), -1);  // row of the highest wall site under the bed
   std::vector<int> walled(spans.size(), 0);  // wall sites within the bed

@@ -15,8 +15,8 @@ namespace clca::measure {
 
 namespace {
 
-using automaton::Particle;
-using automaton::State;
+using grains::Particle;
+using grains::State;
 
 /// Sizes of the smallest and the largest particles present, in sites.
 struct Sizes {
@@ -44,7 +44,7 @@ double mean_height_of(const State& state, std::size_t size) {
   double count = 0;
   for (const Particle& particle : state.particles) {
     if (particle.present && state.shape(particle).size() == size) {
-      sum += automaton::centre(state, particle).y();
+      sum += grains::centre(state, particle).y();
       count += 1;
     }
   }
@@ -122,7 +122,7 @@ std::optional<double> lacey_index(const State& state, double cell) {
   for (const Particle& particle : state.particles) {
     if (particle.present) {
       const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
-      Count& count = counts[grid.index(automaton::centre(state, particle))];
+      Count& count = counts[grid.index(grains::centre(state, particle))];
       count = {count.all + 1, count.large + large};
       total = {total.all + 1, total.large + large};
     }

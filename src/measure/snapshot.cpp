@@ -14,16 +14,16 @@ Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& p
 
 }  // namespace
 
-Snapshot::Snapshot(const automaton::State& state)
+Snapshot::Snapshot(const grains::State& state)
     : step_(state.step), centres_(state.particles.size()) {
   for (std::size_t id = 0; id < centres_.size(); ++id) {
     if (state.particles[id].present) {
-      centres_[id] = automaton::centre(state, state.particles[id]);
+      centres_[id] = grains::centre(state, state.particles[id]);
     }
   }
 }
 
-bool Snapshot::precedes(const automaton::State& now) const {
+bool Snapshot::precedes(const grains::State& now) const {
   const auto in_reach = [](const std::optional<Eigen::Vector2d>& centre) {
     constexpr double kFarthest = 1e9;
     return !centre || (std::abs(centre->x()) < kFarthest && std::abs(centre->y()) < kFarthest);
@@ -32,17 +32,17 @@ bool Snapshot::precedes(const automaton::State& now) const {
          std::all_of(centres_.begin(), centres_.end(), in_reach);
 }
 
-std::vector<Journey> Snapshot::journeys(const automaton::State& now) const {
+std::vector<Journey> Snapshot::journeys(const grains::State& now) const {
   if (step_ > now.step || centres_.size() > now.particles.size()) {
     throw std::invalid_argument("a state is not one that followed the snapshot");
   }
   std::vector<Journey> result;
   result.reserve(centres_.size());
   for (std::size_t id = 0; id < centres_.size(); ++id) {
-    const automaton::Particle& particle = now.particles[id];
+    const grains::Particle& particle = now.particles[id];
     if (centres_[id] && particle.present) {
       result.push_back({.from = in_box(now.lattice, *centres_[id]),
-                        .displacement = automaton::centre(now, particle) - *centres_[id],
+                        .displacement = grains::centre(now, particle) - *centres_[id],
                         .sites = static_cast<double>(now.shape(particle).size())});
     }
   }

@@ -13,7 +13,7 @@ namespace clca::render {
 
 namespace {
 
-using automaton::State;
+using grains::State;
 
 Rgb mixed(Rgb color, Rgb other, double share) {
   const auto mix = [share](std::uint8_t from, std::uint8_t to) {
@@ -35,9 +35,9 @@ std::string layer_label(int layer, int layers) {
   return fmt::format("{}{}{}", layer == 0 ? "layer " : "", layer + 1, where);
 }
 
-std::vector<double> centroid_heights(std::span<const automaton::Kind> kinds) {
+std::vector<double> centroid_heights(std::span<const grains::Kind> kinds) {
   std::vector<double> heights;
-  for (const automaton::Kind& kind : kinds) {
+  for (const grains::Kind& kind : kinds) {
     heights.push_back(kind.shape.centroid().y());
   }
   return heights;
@@ -56,7 +56,7 @@ Rgb id_color(std::size_t id) {
 
 }  // namespace
 
-Rgb color(const Coloring& coloring, const State& state, const automaton::Occupancy& occupancy,
+Rgb color(const Coloring& coloring, const State& state, const grains::Occupancy& occupancy,
           std::size_t id) {
   const Shading shading = {state, occupancy};
   const std::size_t shade =
@@ -64,14 +64,14 @@ Rgb color(const Coloring& coloring, const State& state, const automaton::Occupan
   return coloring.palette[in_palette(shade, coloring.palette.size())];
 }
 
-Coloring color_by_species(std::span<const automaton::Kind> kinds,
+Coloring color_by_species(std::span<const grains::Kind> kinds,
                           std::span<const NamedColor> species) {
   Coloring result = {.rule = BySpecies{}, .palette = {}, .legend = {}};
   for (const NamedColor& named : species) {
     result.palette.push_back(named.color);
     result.legend.patches.push_back({named.name, named.color});
   }
-  for (const automaton::Kind& kind : kinds) {
+  for (const grains::Kind& kind : kinds) {
     while (result.palette.size() <= kind.species) {
       result.palette.push_back(palette_color(result.palette.size()));
     }
@@ -93,7 +93,7 @@ LayerRange layer_range(const State& state, std::span<const std::size_t> sources)
     }
   }
   for (const std::size_t number : sources) {
-    const automaton::Source& source = state.sources[number];
+    const grains::Source& source = state.sources[number];
     for (std::size_t kind = 0; kind < source.weights.size(); ++kind) {
       for (const lattice::Site site : source.sites) {
         if (source.weights[kind] > 0) {
@@ -105,8 +105,7 @@ LayerRange layer_range(const State& state, std::span<const std::size_t> sources)
   return range;
 }
 
-Coloring color_by_layer(std::span<const automaton::Kind> kinds, int layers,
-                        const LayerRange& range) {
+Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range) {
   if (layers < 1) {
     throw std::invalid_argument("there is at least one layer");
   }

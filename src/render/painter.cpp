@@ -38,8 +38,7 @@ struct Exposure::Content {
 
 class Painter::Impl {
  public:
-  Impl(const Style& style, const lattice::Lattice& lattice,
-       const std::vector<automaton::Kind>& kinds)
+  Impl(const Style& style, const lattice::Lattice& lattice, const std::vector<grains::Kind>& kinds)
       : style_(style),
         lattice_(lattice),
         view_(checked_view(style, lattice)),
@@ -58,7 +57,7 @@ class Painter::Impl {
     kind_count_ = kinds.size();
   }
 
-  Exposure expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+  Exposure expose(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring) {
     require_match(state, coloring);
     auto content = std::make_shared<Exposure::Content>();
@@ -87,7 +86,7 @@ class Painter::Impl {
   }
 
  private:
-  void require_match(const automaton::State& state, const Coloring& coloring) const {
+  void require_match(const grains::State& state, const Coloring& coloring) const {
     if (state.lattice != lattice_ || state.kinds.size() != kind_count_) {
       throw std::invalid_argument("the painter was made for another lattice or other kinds");
     }
@@ -97,7 +96,7 @@ class Painter::Impl {
     }
   }
 
-  bool by_polygons(const automaton::State& state) const {
+  bool by_polygons(const grains::State& state) const {
     if (style_.drawing != Drawing::automatic) {
       return style_.drawing == Drawing::polygons;
     }
@@ -116,8 +115,8 @@ class Painter::Impl {
   }
 
   /// Walls rarely change, and looking them up costs as much as looking up everything.
-  std::shared_ptr<const SampleGrid> backdrop(const automaton::State& state,
-                                             const automaton::Occupancy& occupancy) {
+  std::shared_ptr<const SampleGrid> backdrop(const grains::State& state,
+                                             const grains::Occupancy& occupancy) {
     if (!backdrop_walls_ || !backdrop_walls_->match(state)) {
       const std::shared_ptr<SampleGrid> walls = grids_.take();
       lookup_.walls(state, occupancy, *walls);
@@ -179,13 +178,13 @@ class Painter::Impl {
 };
 
 Painter::Painter(const Style& style, const lattice::Lattice& lattice,
-                 const std::vector<automaton::Kind>& kinds)
+                 const std::vector<grains::Kind>& kinds)
     : impl_(std::make_unique<Impl>(style, lattice, kinds)) {}
 Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
-Exposure Painter::expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+Exposure Painter::expose(const grains::State& state, const grains::Occupancy& occupancy,
                          const Coloring& coloring) {
   return impl_->expose(state, occupancy, coloring);
 }
@@ -194,7 +193,7 @@ Image Painter::develop(const Exposure& exposure, const Caption& caption, const O
   return impl_->develop(exposure.content(), caption, overlay);
 }
 
-Image Painter::draw(const automaton::State& state, const automaton::Occupancy& occupancy,
+Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,
                     const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
   return develop(expose(state, occupancy, coloring), caption, overlay);
 }

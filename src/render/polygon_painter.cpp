@@ -66,11 +66,11 @@ struct GridWindow {
 }  // namespace
 
 PolygonPainter::PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
-                               std::span<const automaton::Kind> kinds)
+                               std::span<const grains::Kind> kinds)
     : gl_(&gl),
       lattice_(lattice),
       program_(gl.program({kOutlineColorSource, kPolygonVertexSource}, {kPolygonFragmentSource})) {
-  for (const automaton::Kind& kind : kinds) {
+  for (const grains::Kind& kind : kinds) {
     models_.push_back(model(kind.shape));
   }
 }
@@ -107,32 +107,32 @@ PolygonPainter::Model PolygonPainter::model(const lattice::Shape& shape) const {
 }
 
 bool PolygonPainter::need_at_most(std::size_t triangles, const Projection& projection,
-                                  const automaton::State& state) const {
+                                  const grains::State& state) const {
   // Not looked at one by one where they are more than that, be they present or not.
   if (state.particles.size() > triangles) {
     return false;
   }
   std::size_t indices = 0;
-  for (const automaton::Particle& particle : state.particles) {
+  for (const grains::Particle& particle : state.particles) {
     indices += particle.present ? index_count(models_[particle.kind].mesh, projection) : 0;
   }
   return indices <= 3 * triangles;
 }
 
 PolygonPainter::Instances PolygonPainter::instances(const Projection& projection,
-                                                    const automaton::State& state,
-                                                    const automaton::Occupancy& occupancy,
+                                                    const grains::State& state,
+                                                    const grains::Occupancy& occupancy,
                                                     const Coloring& coloring) const {
   Instances result(models_.size());
   const GridWindow window(projection);
   const GridPoint anchor = grid_point(projection.anchor);
   const int columns = lattice_.columns();
   // Where particles of a kind overlap, the lower id lies on top, as by lookup.
-  const bool downwards = automaton::may_overlap(state);
+  const bool downwards = grains::may_overlap(state);
   const std::size_t count = state.particles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t id = downwards ? count - 1 - i : i;
-    const automaton::Particle& particle = state.particles[id];
+    const grains::Particle& particle = state.particles[id];
     if (!particle.present) {
       continue;
     }

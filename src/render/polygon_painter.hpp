@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "render/gl.hpp"
 #include "render/mesh.hpp"
@@ -16,7 +16,7 @@ namespace clca::render {
 class PolygonPainter {
  public:
   PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
-                 std::span<const automaton::Kind> kinds);
+                 std::span<const grains::Kind> kinds);
 
   /// A particle in view.
   struct Instance {
@@ -28,10 +28,10 @@ class PolygonPainter {
 
   /// Whether drawing all particles takes no more than so many triangles. Soon knows where it does.
   bool need_at_most(std::size_t triangles, const Projection& projection,
-                    const automaton::State& state) const;
+                    const grains::State& state) const;
   /// Needs no OpenGL.
-  Instances instances(const Projection& projection, const automaton::State& state,
-                      const automaton::Occupancy& occupancy, const Coloring& coloring) const;
+  Instances instances(const Projection& projection, const grains::State& state,
+                      const grains::Occupancy& occupancy, const Coloring& coloring) const;
   void draw(const Projection& projection, const Instances& instances) const;
 
  private:

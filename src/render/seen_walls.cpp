@@ -4,28 +4,28 @@
 
 namespace clca::render {
 
-bool moves(const automaton::Wall& wall) {
+bool moves(const grains::Wall& wall) {
   return wall.present && wall.motion.has_value();
 }
 
-bool any_wall_moves(const automaton::State& state) {
+bool any_wall_moves(const grains::State& state) {
   return std::any_of(state.walls.begin(), state.walls.end(), moves);
 }
 
-SeenWalls::SeenWalls(const automaton::State& state) {
-  for (const automaton::Wall& wall : state.walls) {
+SeenWalls::SeenWalls(const grains::State& state) {
+  for (const grains::Wall& wall : state.walls) {
     walls_.push_back(wall.present ? Seen{true, wall.motion.has_value(), wall.shift(), wall.sites}
                                   : Seen{});
   }
 }
 
-bool SeenWalls::match(const automaton::State& state) const {
+bool SeenWalls::match(const grains::State& state) const {
   return std::equal(
       walls_.begin(), walls_.end(), state.walls.begin(), state.walls.end(),
-      [](const Seen& seen, const automaton::Wall& wall) { return seen.looks_like(wall); });
+      [](const Seen& seen, const grains::Wall& wall) { return seen.looks_like(wall); });
 }
 
-bool SeenWalls::Seen::looks_like(const automaton::Wall& wall) const {
+bool SeenWalls::Seen::looks_like(const grains::Wall& wall) const {
   if (!present || !wall.present) {
     return present == wall.present;
   }

@@ -15,22 +15,22 @@ inline constexpr std::size_t kIdShades = std::size_t{3} * 987;
 
 /// Those of a particle that is present.
 struct Shading {
-  const automaton::State& state;
-  const automaton::Occupancy& occupancy;
+  const grains::State& state;
+  const grains::Occupancy& occupancy;
 
   std::size_t shade(const BySpecies& /*rule*/, std::size_t id) const {
     return state.kinds[state.particles[id].kind].species;
   }
   std::size_t shade(const BySpeed& /*rule*/, std::size_t id) const {
-    return state.particles[id].previous == automaton::kRest ? 1 : 0;
+    return state.particles[id].previous == grains::kRest ? 1 : 0;
   }
   static std::size_t shade(const ById& /*rule*/, std::size_t id) { return id % kIdShades; }
   std::size_t shade(const ByForce& /*rule*/, std::size_t id) const {
-    const automaton::Particle& particle = state.particles[id];
+    const grains::Particle& particle = state.particles[id];
     std::size_t shared = 0;
     for (const lattice::Axial part : state.shape(particle).sites()) {
       const std::size_t place = state.lattice.index(particle.site() + part);
-      shared += occupancy.second_owner(place) == automaton::kFree ? 0U : 1U;
+      shared += occupancy.second_owner(place) == grains::kFree ? 0U : 1U;
     }
     return shared;
   }

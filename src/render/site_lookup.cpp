@@ -14,57 +14,57 @@ namespace clca::render {
 
 namespace {
 
-using automaton::Owner;
+using grains::Owner;
 using lattice::Site;
 
 // All walls that stand are one owner, without seams between them, and all that move are another.
-constexpr Owner kStandingWall = automaton::kBorder;
-constexpr Owner kMovingWall = automaton::kBorder + 1;  // the code of no wall
+constexpr Owner kStandingWall = grains::kBorder;
+constexpr Owner kMovingWall = grains::kBorder + 1;  // the code of no wall
 
 /// Owners of the sites of a state without its particles.
 class WallSites {
  public:
-  WallSites(const automaton::State& state, const automaton::Occupancy& occupancy)
+  WallSites(const grains::State& state, const grains::Occupancy& occupancy)
       : occupancy_(occupancy) {
-    for (const automaton::Wall& wall : state.walls) {
+    for (const grains::Wall& wall : state.walls) {
       moving_.push_back(moves(wall));
     }
   }
 
   Owner owner(std::size_t place) const {
     const Owner owner = occupancy_.owner(place);
-    return automaton::is_particle(owner) ? automaton::kFree : owner;
+    return grains::is_particle(owner) ? grains::kFree : owner;
   }
   bool any_taken(Site low, Site high) const { return occupancy_.any_taken(low, high); }
   /// The owner that its seams belong to.
   Owner whole(Owner owner) const {
-    if (!automaton::is_wall(owner) || owner == kMovingWall) {
+    if (!grains::is_wall(owner) || owner == kMovingWall) {
       return owner;
     }
-    const std::size_t wall = automaton::wall_number(owner);
+    const std::size_t wall = grains::wall_number(owner);
     return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
   }
   SampleCode code(Owner owner) const {
-    return code_of(owner == automaton::kFree     ? Ground::paper
+    return code_of(owner == grains::kFree        ? Ground::paper
                    : whole(owner) == kMovingWall ? Ground::moving_wall
                                                  : Ground::wall);
   }
 
  private:
-  const automaton::Occupancy& occupancy_;
+  const grains::Occupancy& occupancy_;
   std::vector<bool> moving_;
 };
 
 template <class Rule>
 class ParticleSites : public WallSites {
  public:
-  ParticleSites(const automaton::State& state, const automaton::Occupancy& occupancy,
-                const Rule& rule, std::size_t colors)
+  ParticleSites(const grains::State& state, const grains::Occupancy& occupancy, const Rule& rule,
+                std::size_t colors)
       : WallSites(state, occupancy), shading_{state, occupancy}, rule_(rule), colors_(colors) {}
 
   Owner owner(std::size_t place) const { return shading_.occupancy.owner(place); }
   SampleCode code(Owner owner) const {
-    if (!automaton::is_particle(owner)) {
+    if (!grains::is_particle(owner)) {
       return WallSites::code(owner);
     }
     const std::size_t shade = shading_.shade(rule_, static_cast<std::size_t>(owner));
@@ -185,7 +185,7 @@ void SiteLookup::decide(Block& block) const {
     const std::int32_t of_a =
         kOne - weight_b - weight_c + (b == a ? weight_b : 0) + (c == a ? weight_c : 0);
     const std::int32_t of_b = weight_b + (c == b ? weight_c : 0);
-    const Owner b_or_c = of_b >= kHalf ? b : weight_c >= kHalf ? c : automaton::kFree;
+    const Owner b_or_c = of_b >= kHalf ? b : weight_c >= kHalf ? c : grains::kFree;
     const Owner owner = of_a >= kHalf ? a : b_or_c;
     const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
     block.owner[i] = owner;
@@ -200,7 +200,7 @@ template <class Sites>
 void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
                                 const std::vector<bool>& empty, std::span<SampleCode> codes) const {
   Block block;
-  Owner last = automaton::kFree;
+  Owner last = grains::kFree;
   SampleCode last_code = code_of(Ground::paper);
   const auto look_up = [&](std::size_t first, std::size_t end, auto owner_at) {
     for (; first < end; first += block.count) {
@@ -210,7 +210,7 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
         block.owner = block.a;
         block.outlined.fill(0);
       } else {
-        for (std::size_t i = 0; block.least < automaton::kFree && i < block.count; ++i) {
+        for (std::size_t i = 0; block.least < grains::kFree && i < block.count; ++i) {
           block.a[i] = sites.whole(block.a[i]);
           block.b[i] = sites.whole(block.b[i]);
           block.c[i] = sites.whole(block.c[i]);
@@ -234,7 +234,7 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
     const int column = right ? pair.right : pair.left;
     const bool side = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
     const Site site = {column, std::clamp(row, -1, lattice_.rows())};
-    return row >= lattice_.rows() && !side ? automaton::kFree : sites.owner(lattice_.index(site));
+    return row >= lattice_.rows() && !side ? grains::kFree : sites.owner(lattice_.index(site));
   };
   // Between floor and lid nothing has to be asked but the owners.
   const std::size_t floor = end_below(-1);
@@ -313,7 +313,7 @@ void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
   failure.rethrow();
 }
 
-void SiteLookup::particles(const automaton::State& state, const automaton::Occupancy& occupancy,
+void SiteLookup::particles(const grains::State& state, const grains::Occupancy& occupancy,
                            const Coloring& coloring, SampleGrid& grid) const {
   std::visit(
       [&](const auto& rule) {
@@ -322,7 +322,7 @@ void SiteLookup::particles(const automaton::State& state, const automaton::Occup
       coloring.rule);
 }
 
-void SiteLookup::walls(const automaton::State& state, const automaton::Occupancy& occupancy,
+void SiteLookup::walls(const grains::State& state, const grains::Occupancy& occupancy,
                        SampleGrid& grid) const {
   fill(WallSites(state, occupancy), grid);
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 #include "clca/render/coloring.hpp"
 #include "render/projection.hpp"
 #include "render/sample_grid.hpp"
@@ -20,10 +20,10 @@ class SiteLookup {
   SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int threads);
 
   /// Walls, floor and side walls, and the shades of particles with their outlines.
-  void particles(const automaton::State& state, const automaton::Occupancy& occupancy,
+  void particles(const grains::State& state, const grains::Occupancy& occupancy,
                  const Coloring& coloring, SampleGrid& grid) const;
   /// The same without particles.
-  void walls(const automaton::State& state, const automaton::Occupancy& occupancy,
+  void walls(const grains::State& state, const grains::Occupancy& occupancy,
              SampleGrid& grid) const;
 
  private:

@@ -22,7 +22,7 @@ CycleRecord::CycleRecord(double cell)
               "segregation_index", "lacey_index"}) {}
 
 void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
-                              const automaton::State& state) {
+                              const grains::State& state) {
   resume_stage(scene, stage, state);
   if (convection_) {
     convection_->begin_cycle(state);
@@ -31,27 +31,27 @@ void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& sta
 }
 
 void CycleRecord::resume_stage(const scene::Scene& scene, const scene::Stage& stage,
-                               const automaton::State& state) {
+                               const grains::State& state) {
   stage_ = stage.name;
   cycles_ = 0;
   at_start_.clear();
-  for (const automaton::Wall& wall : state.walls) {
+  for (const grains::Wall& wall : state.walls) {
     at_start_.push_back(wall.travel);
   }
   convection_.reset();
   const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
-    return automaton::is_cyclic(*scene.walls[wall].motion);
+    return grains::is_cyclic(*scene.walls[wall].motion);
   });
   if (cyclic) {
     convection_.emplace(state.lattice, cell_);
   }
 }
 
-bool CycleRecord::precedes(const automaton::State& now) const {
+bool CycleRecord::precedes(const grains::State& now) const {
   return at_start_.size() == now.walls.size() && (!convection_ || convection_->precedes(now));
 }
 
-void CycleRecord::after_step(const automaton::State& state) {
+void CycleRecord::after_step(const grains::State& state) {
   if (!convection_) {
     return;
   }
@@ -65,14 +65,14 @@ void CycleRecord::after_step(const automaton::State& state) {
   add_row(state);
 }
 
-std::uint64_t CycleRecord::completed(const automaton::State& state) const {
+std::uint64_t CycleRecord::completed(const grains::State& state) const {
   std::optional<std::uint64_t> least;
   for (std::size_t number = 0; number < state.walls.size(); ++number) {
-    const automaton::Wall& wall = state.walls[number];
-    if (!wall.motion || !wall.travel.active || !automaton::is_cyclic(*wall.motion)) {
+    const grains::Wall& wall = state.walls[number];
+    if (!wall.motion || !wall.travel.active || !grains::is_cyclic(*wall.motion)) {
       continue;
     }
-    const auto* wave = std::get_if<automaton::Wave>(&wall.motion->program);
+    const auto* wave = std::get_if<grains::Wave>(&wall.motion->program);
     const std::uint64_t cycles = wave != nullptr
                                      ? (wall.travel.clock - at_start_[number].clock) / wave->period
                                      : wall.travel.cycles - at_start_[number].cycles;
@@ -81,7 +81,7 @@ std::uint64_t CycleRecord::completed(const automaton::State& state) const {
   return least.value_or(0);
 }
 
-void CycleRecord::add_row(const automaton::State& state) {
+void CycleRecord::add_row(const grains::State& state) {
   const std::vector<double> profile = measure::surface_profile(state);
   table_.add_row({stage_, cycles_, state.step, measure::mean_height(profile),
                   value_or_nan(measure::repose_angle(profile).mean()),

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/measure/convection.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/table.hpp"
@@ -20,12 +20,12 @@ class CycleRecord {
   explicit CycleRecord(double cell);
 
   void begin_stage(const scene::Scene& scene, const scene::Stage& stage,
-                   const automaton::State& state);
+                   const grains::State& state);
   /// Makes ready for a stage that goes on; what fields() lists has still to be loaded.
   void resume_stage(const scene::Scene& scene, const scene::Stage& stage,
-                    const automaton::State& state);
+                    const grains::State& state);
   /// Call after each step.
-  void after_step(const automaton::State& state);
+  void after_step(const grains::State& state);
 
   /// Completed in this stage by all walls that go to and fro. A wave counts from where it stood
   /// when the stage began; a shake that was held on its way completes that cycle first.
@@ -38,7 +38,7 @@ class CycleRecord {
   std::string convection_csv() const;
 
   /// False where this was not recorded in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("cycles", &CycleRecord::cycles_),
@@ -47,13 +47,13 @@ class CycleRecord {
   }
 
  private:
-  std::uint64_t completed(const automaton::State& state) const;
-  void add_row(const automaton::State& state);
+  std::uint64_t completed(const grains::State& state) const;
+  void add_row(const grains::State& state);
 
   double cell_;
   std::string stage_;
   std::uint64_t cycles_ = 0;
-  std::vector<automaton::Travel> at_start_;  // by wall
+  std::vector<grains::Travel> at_start_;  // by wall
   std::optional<measure::Convection> convection_;
   store::Table table_;
 };

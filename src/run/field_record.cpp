@@ -8,7 +8,7 @@ FieldRecord::FieldRecord(const scene::Fields& fields)
     : fields_(fields),
       table_({"stage", "step", "x", "y", "packing", "particles", "vx", "vy", "fluctuation"}) {}
 
-void FieldRecord::begin_stage(const std::string& stage, const automaton::State& state) {
+void FieldRecord::begin_stage(const std::string& stage, const grains::State& state) {
   stage_ = stage;
   window_.emplace(state);
   window_begin_ = state.step;
@@ -17,24 +17,24 @@ void FieldRecord::begin_stage(const std::string& stage, const automaton::State& 
   steps_ = 0;
 }
 
-bool FieldRecord::precedes(const automaton::State& now) const {
+bool FieldRecord::precedes(const grains::State& now) const {
   return window_ && window_->precedes(now) && window_begin_ <= now.step &&
          fluctuations_.has_all_bins();
 }
 
-void FieldRecord::after_step(const automaton::State& state) {
+void FieldRecord::after_step(const grains::State& state) {
   if (state.step - window_begin_ >= fields_.every) {
     end_window(state);
   }
 }
 
-void FieldRecord::end_stage(const automaton::State& state) {
+void FieldRecord::end_stage(const grains::State& state) {
   if (state.step > window_begin_) {
     end_window(state);
   }
 }
 
-void FieldRecord::end_window(const automaton::State& state) {
+void FieldRecord::end_window(const grains::State& state) {
   const measure::Fields fields = window_->fields(state, fields_.cell);
   for (const measure::FieldCell& cell : fields.cells) {
     if (cell.particles > 0 || cell.packing > 0) {

@@ -19,11 +19,11 @@ class FieldRecord {
   explicit FieldRecord(const scene::Fields& fields);
 
   /// Also of a stage that goes on; what fields() lists has then still to be loaded.
-  void begin_stage(const std::string& stage, const automaton::State& state);
+  void begin_stage(const std::string& stage, const grains::State& state);
   /// Call after each step: ends a window when it is due.
-  void after_step(const automaton::State& state);
+  void after_step(const grains::State& state);
   /// Ends the last window, however short.
-  void end_stage(const automaton::State& state);
+  void end_stage(const grains::State& state);
 
   /// Mean over the windows of the stage, weighted by their steps.
   double fluctuation_energy() const;
@@ -35,7 +35,7 @@ class FieldRecord {
   std::string fluctuation_csv() const;
 
   /// False where this was not recorded in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("window", &FieldRecord::window_),
@@ -46,7 +46,7 @@ class FieldRecord {
   }
 
  private:
-  void end_window(const automaton::State& state);
+  void end_window(const grains::State& state);
 
   scene::Fields fields_;
   std::string stage_;

@@ -10,9 +10,9 @@ namespace clca::run {
 namespace {
 
 /// Wants to go on and cannot.
-bool is_stalled(const automaton::Wall& wall) {
+bool is_stalled(const grains::Wall& wall) {
   return wall.present && wall.travel.active && wall.travel.stalled_since &&
-         !automaton::is_over(*wall.motion, wall.travel);
+         !grains::is_over(*wall.motion, wall.travel);
 }
 
 /// What several walls say together; none where no wall says anything.
@@ -21,11 +21,11 @@ struct WallsTogether {
   std::optional<double> stalled_since;  // of the first to stall, step
 };
 
-WallsTogether together(const automaton::State& state, const measure::ForceSummary& summary,
+WallsTogether together(const grains::State& state, const measure::ForceSummary& summary,
                        const std::vector<double>& surface_at_start) {
   WallsTogether result;
   for (const measure::WallForce& wall : summary.walls) {
-    const automaton::Wall& one = state.walls[wall.wall];
+    const grains::Wall& one = state.walls[wall.wall];
     if (!one.present) {
       continue;
     }
@@ -49,7 +49,7 @@ store::MeasureValue value_or_null(const std::optional<double>& value) {
 
 void add_force(std::vector<store::NamedMeasure>& results, const automaton::Automaton& automaton,
                const std::vector<double>& surface_at_start, const ForceRecord& record) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   const auto contacts = measure::contacts(state, automaton.occupancy());
   const auto summary = measure::force_summary(state, automaton.occupancy(), contacts);
   const auto distribution = record.distribution(contacts);
@@ -72,12 +72,12 @@ void add_force(std::vector<store::NamedMeasure>& results, const automaton::Autom
 std::vector<std::string> stall_lines(const scene::Scene& scene,
                                      const automaton::Automaton& automaton,
                                      const std::vector<double>& surface_at_start) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   const auto contacts = measure::contacts(state, automaton.occupancy());
   std::vector<std::string> lines;
   for (const measure::WallForce& wall :
        measure::force_summary(state, automaton.occupancy(), contacts).walls) {
-    const automaton::Wall& one = state.walls[wall.wall];
+    const grains::Wall& one = state.walls[wall.wall];
     if (!is_stalled(one)) {
       continue;
     }

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-using Pair = std::pair<std::uint32_t, automaton::Owner>;
+using Pair = std::pair<std::uint32_t, grains::Owner>;
 
-std::string name_of(const scene::Scene& scene, automaton::Owner owner) {
-  return automaton::is_particle(owner) ? fmt::format("{}", owner)
-                                       : scene.walls[automaton::wall_number(owner)].name;
+std::string name_of(const scene::Scene& scene, grains::Owner owner) {
+  return grains::is_particle(owner) ? fmt::format("{}", owner)
+                                    : scene.walls[grains::wall_number(owner)].name;
 }
 
 }  // namespace
@@ -80,18 +80,18 @@ std::string distribution_csv(const std::optional<measure::ForceDistribution>& di
   return table.to_csv();
 }
 
-std::string loads_csv(const scene::Scene& scene, const automaton::State& state,
+std::string loads_csv(const scene::Scene& scene, const grains::State& state,
                       const std::vector<measure::Contact>& contacts) {
   const std::vector<double> sites = measure::force_indices(state.particles.size(), contacts);
   std::vector<std::uint64_t> pushes(state.particles.size(), 0);
-  for (const automaton::Push& push : state.pushes) {
+  for (const grains::Push& push : state.pushes) {
     ++pushes[push.pushed];
   }
   store::Table table({"id", "species", "x", "y", "sites", "pushes"});
   for (std::size_t id = 0; id < sites.size(); ++id) {
     if (sites[id] > 0) {
-      const automaton::Particle& particle = state.particles[id];
-      const Eigen::Vector2d centre = automaton::centre(state, particle);
+      const grains::Particle& particle = state.particles[id];
+      const Eigen::Vector2d centre = grains::centre(state, particle);
       table.add_row({std::uint64_t{id}, scene.species[state.kinds[particle.kind].species].name,
                      centre.x(), centre.y(), sites[id], pushes[id]});
     }
@@ -99,7 +99,7 @@ std::string loads_csv(const scene::Scene& scene, const automaton::State& state,
   return table.to_csv();
 }
 
-std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
+std::string walls_csv(const scene::Scene& scene, const grains::State& state,
                       const measure::ForceSummary& summary,
                       const std::vector<double>& surface_at_start) {
   store::Table table({"wall", "travel", "depth", "stalled_since", "stalls", "particles", "sites",

@@ -33,7 +33,7 @@ class ForceRecord {
                            const std::vector<measure::Contact>& contacts) const;
 
   /// False where this was not recorded in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const { return average_.precedes(now); }
+  bool precedes(const grains::State& now) const { return average_.precedes(now); }
   static constexpr auto fields() {
     return std::make_tuple(fields::field("average", &ForceRecord::average_));
   }
@@ -48,12 +48,12 @@ std::string distribution_csv(const std::optional<measure::ForceDistribution>& di
 
 /// Columns: id, species, x, y (centre of mass), sites (shared, in all contacts), pushes (onto it),
 /// for each particle that overlaps.
-std::string loads_csv(const scene::Scene& scene, const automaton::State& state,
+std::string loads_csv(const scene::Scene& scene, const grains::State& state,
                       const std::vector<measure::Contact>& contacts);
 
 /// Columns: wall, travel (sites), depth (spacings under the surface at the start of the stage),
 /// stalled_since (step), stalls, particles, sites, chain_sites, jammed.
-std::string walls_csv(const scene::Scene& scene, const automaton::State& state,
+std::string walls_csv(const scene::Scene& scene, const grains::State& state,
                       const measure::ForceSummary& summary,
                       const std::vector<double>& surface_at_start);
 

@@ -27,8 +27,7 @@ render::Drawing drawing_of(scene::Drawing drawing) {
   return render::Drawing::automatic;
 }
 
-render::Painter make_painter(const scene::Scene& scene, const automaton::State& state,
-                             int threads) {
+render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads) {
   const scene::Frames& frames = *scene.output.frames;
   const render::Style style = {.width = frames.width,
                                .height = frames.height,
@@ -58,8 +57,7 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
 
 }  // namespace
 
-void begin_stage(PictureHistory& history, const scene::Stage& stage,
-                 const automaton::State& state) {
+void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state) {
   double highest = 2;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
@@ -78,7 +76,7 @@ render::PngText scene_text(const scene::Scene& scene) {
           {"Seed", fmt::format("{}", scene.seed)}};
 }
 
-FramePainter::FramePainter(const scene::Scene& scene, const automaton::State& state, int threads)
+FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads)
     : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state, threads)) {}
 
 Negative FramePainter::expose(const View& view, const PictureHistory& history) {
@@ -100,7 +98,7 @@ Picture FramePainter::develop(const Negative& negative) {
   return {painter_.develop(negative.exposure, negative.caption, negative.overlay), negative.text};
 }
 
-render::Coloring FramePainter::coloring(const automaton::State& state,
+render::Coloring FramePainter::coloring(const grains::State& state,
                                         const PictureHistory& history) const {
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
@@ -18,8 +18,8 @@ namespace clca::run {
 
 /// What there is to draw.
 struct View {
-  const automaton::State& state;
-  const automaton::Occupancy& occupancy;
+  const grains::State& state;
+  const grains::Occupancy& occupancy;
   const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
 };
 
@@ -40,7 +40,7 @@ struct PictureHistory {
 
 /// Sets what the pictures of a stage have in common, by a look at all particles. `state`: as the
 /// stage begins, with the origins marked.
-void begin_stage(PictureHistory& history, const scene::Stage& stage, const automaton::State& state);
+void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state);
 
 /// A picture before it is developed, with what is written around it.
 struct Negative {
@@ -63,14 +63,14 @@ class FramePainter {
  public:
   /// `scene` has frames and outlives this. `threads` share the work of exposing. Throws
   /// ScenePlaceError when the driver cannot draw what it asks for.
-  FramePainter(const scene::Scene& scene, const automaton::State& state, int threads);
+  FramePainter(const scene::Scene& scene, const grains::State& state, int threads);
 
   /// Takes what the picture needs of the state, which may go on then.
   Negative expose(const View& view, const PictureHistory& history);
   Picture develop(const Negative& negative);
 
  private:
-  render::Coloring coloring(const automaton::State& state, const PictureHistory& history) const;
+  render::Coloring coloring(const grains::State& state, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

@@ -13,8 +13,7 @@ constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at 
 
 }  // namespace
 
-Outputs::Outputs(const scene::Scene& scene, const automaton::State& state,
-                 const RunOptions& options)
+Outputs::Outputs(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
     : scene_(scene), last_picture_only_(options.last_picture_only) {
   if (scene.output.frames) {
     pictures_.emplace(scene, state, options.threads);
@@ -45,11 +44,11 @@ void Outputs::Growing::take(store::Table& table, std::size_t least) {
   }
 }
 
-void Outputs::open(const store::RunFolder& folder, const automaton::State& state) {
+void Outputs::open(const store::RunFolder& folder, const grains::State& state) {
   reopen(folder, state, {.last_picture_only = last_picture_only_});
 }
 
-void Outputs::reopen(const store::RunFolder& folder, const automaton::State& state,
+void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
                      const OutputHistory& history) {
   folder_ = &folder;
   last_picture_only_ = history.last_picture_only;
@@ -124,7 +123,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton&
   add_to_trajectory(stage, automaton.state(), true);
 }
 
-void Outputs::add_to_trajectory(const scene::Stage& stage, const automaton::State& state,
+void Outputs::add_to_trajectory(const scene::Stage& stage, const grains::State& state,
                                 bool begins) {
   if (trajectory_ && (begins || trajectory_step_ != state.step)) {
     trajectory_->add(state, static_cast<std::size_t>(&stage - scene_.stages.data()), begins);
@@ -161,7 +160,7 @@ void Outputs::end_stage(const scene::Stage& stage, const automaton::Automaton& a
 
 void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
                            const Records& records, const StageHistory& history) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   const auto write = [&](const char* kind, const std::string& csv) {
     folder_->files().write(store::table_name(kind, stage.name), csv);
   };

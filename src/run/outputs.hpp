@@ -44,14 +44,14 @@ struct OutputHistory {
 class Outputs {
  public:
   /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
-  Outputs(const scene::Scene& scene, const automaton::State& state, const RunOptions& options);
+  Outputs(const scene::Scene& scene, const grains::State& state, const RunOptions& options);
   /// Names of the tables and of the trajectory that the scene may ask for.
   std::vector<std::string> file_names() const;
 
   /// From here on files go to `folder`, which must outlive this object; `state` is one of the run.
-  void open(const store::RunFolder& folder, const automaton::State& state);
+  void open(const store::RunFolder& folder, const grains::State& state);
   /// The same for a run that goes on: what came after `history` is removed.
-  void reopen(const store::RunFolder& folder, const automaton::State& state,
+  void reopen(const store::RunFolder& folder, const grains::State& state,
               const OutputHistory& history);
   void begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                    const Records& records);
@@ -79,7 +79,7 @@ class Outputs {
   void write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
                     const Records& records, const StageHistory& history);
   void write_rows(Records& records, std::size_t least);
-  void add_to_trajectory(const scene::Stage& stage, const automaton::State& state, bool begins);
+  void add_to_trajectory(const scene::Stage& stage, const grains::State& state, bool begins);
   bool wants(scene::Measure measure) const;
 
   const scene::Scene& scene_;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clca/automaton/separation.hpp"
+#include "clca/grains/separation.hpp"
 #include "clca/measure/contacts.hpp"
 
 namespace clca::run {
@@ -18,16 +18,15 @@ constexpr double kLeastWeight = 0.2;  // of the fullest cell's
 constexpr double kShortest = 1e-3;    // spacings per cycle
 
 /// From centre to centre; a wall is met where it overlaps.
-render::ForceLine line_of(const automaton::State& state, const measure::Contact& contact) {
-  const Eigen::Vector2d from = automaton::centre(state, state.particles[contact.first]);
+render::ForceLine line_of(const grains::State& state, const measure::Contact& contact) {
+  const Eigen::Vector2d from = grains::centre(state, state.particles[contact.first]);
   const auto sites = static_cast<double>(contact.sites);
-  if (!automaton::is_particle(contact.second)) {
+  if (!grains::is_particle(contact.second)) {
     return {.from = from, .to = contact.place, .strength = sites};
   }
-  const automaton::Particle& first = state.particles[contact.first];
-  const automaton::Particle& second = state.particles[static_cast<std::size_t>(contact.second)];
-  const lattice::Axial apart =
-      automaton::nearest_vector(state.lattice, first.site(), second.site());
+  const grains::Particle& first = state.particles[contact.first];
+  const grains::Particle& second = state.particles[static_cast<std::size_t>(contact.second)];
+  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), second.site());
   const Eigen::Vector2d to =
       lattice::position(first.site()) + lattice::position(apart) + state.shape(second).centroid();
   return {.from = from, .to = to, .strength = sites};

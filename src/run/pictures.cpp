@@ -4,16 +4,16 @@
 
 namespace clca::run {
 
-Pictures::Pictures(const scene::Scene& scene, const automaton::State& state, int threads)
+Pictures::Pictures(const scene::Scene& scene, const grains::State& state, int threads)
     : scene_(scene), painter_(scene, state, threads) {}
 
-void Pictures::begin_stage(const scene::Stage& stage, const automaton::State& state) {
+void Pictures::begin_stage(const scene::Stage& stage, const grains::State& state) {
   run::begin_stage(history_, stage, state);
 }
 
 void Pictures::draw(const automaton::Automaton& automaton, const Records& records,
                     const store::RunFolder& folder) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   if (history_.last_step == state.step) {
     return;
   }

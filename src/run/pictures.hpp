@@ -14,10 +14,10 @@ namespace clca::run {
 class Pictures {
  public:
   /// Throws ScenePlaceError when the driver cannot draw what the scene asks for.
-  Pictures(const scene::Scene& scene, const automaton::State& state, int threads);
+  Pictures(const scene::Scene& scene, const grains::State& state, int threads);
 
   /// Sets what the stage's pictures have in common; call when the origins are marked.
-  void begin_stage(const scene::Stage& stage, const automaton::State& state);
+  void begin_stage(const scene::Stage& stage, const grains::State& state);
   /// Takes what the picture needs of the state; drawing and writing it is for another thread. A
   /// step is drawn once.
   void draw(const automaton::Automaton& automaton, const Records& records,

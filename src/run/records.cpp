@@ -12,7 +12,7 @@ constexpr const char* kForces = "records/forces";
 
 template <class Record>
 void load(const char* path, const fields::Columns& columns, double most_bytes, Record& record,
-          const automaton::State& now) {
+          const grains::State& now) {
   fields::decode(path, columns, most_bytes, record);
   if (!record.precedes(now)) {
     throw fields::Mismatch(std::string(path) + " is not of this run");
@@ -63,7 +63,7 @@ void Records::save(fields::Columns& columns) const {
 
 void Records::resume_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
                            const fields::Columns& columns, double most_bytes) {
-  const automaton::State& now = automaton.state();
+  const grains::State& now = automaton.state();
   cycles_.resume_stage(scene_, stage, now);
   load(kCycles, columns, most_bytes, cycles_, now);
   if (fields_) {
@@ -83,7 +83,7 @@ void Records::end_stage(const automaton::Automaton& automaton) {
 
 bool has_overlaps(const scene::Scene& scene) {
   return std::any_of(scene.walls.begin(), scene.walls.end(), [](const scene::Wall& wall) {
-    return wall.motion && wall.passive == automaton::Passive::overlap;
+    return wall.motion && wall.passive == grains::Passive::overlap;
   });
 }
 

@@ -120,8 +120,8 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
 void Redraw::Impl::draw_frame(std::size_t number) {
   const std::size_t place = chosen_[number];
   begin_stage(trajectory_.frames()[place].stage);
-  const automaton::State state = trajectory_.state(place);
-  const automaton::Occupancy occupancy(state);
+  const grains::State state = trajectory_.state(place);
+  const grains::Occupancy occupancy(state);
   targets_.add(painter_.develop(painter_.expose({state, occupancy}, history_)), number, state.step);
 }
 

@@ -52,11 +52,11 @@ class Run {
 
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
-      automaton::State state)
+      grains::State state)
       : scene_(scene),
         options_(options),
         events_(events),
-        automaton_(std::move(state), {.threads = options.threads}),
+        automaton_(std::move(state), scene.rules, {.threads = options.threads}),
         outputs_(scene, automaton_.state(), options),
         records_(scene),
         saver_(scene.output.checkpoint) {}
@@ -169,7 +169,7 @@ void Run::begin_stage() {
     prepare_stage(automaton_, scene_, stage());
   }
   history_ = {.profile_at_start = measure::surface_profile(automaton_.state()),
-              .particles_at_start = automaton::present_count(automaton_.state()),
+              .particles_at_start = grains::present_count(automaton_.state()),
               .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
   records_.begin_stage(stage(), automaton_);
   outputs_.begin_stage(stage(), automaton_, records_);
@@ -293,7 +293,7 @@ store::RunSummary Run::summary(const std::string& status) const {
   summary.wall_seconds = wall_seconds();
   summary.step_seconds = step_seconds();
   summary.rate = rate();
-  summary.state_hash = automaton::hash(automaton_.state());
+  summary.state_hash = grains::hash(automaton_.state());
   summary.stages = stages_;
   return summary;
 }
@@ -315,7 +315,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& op
 
 void check_beginning(const scene::Scene& scene) {
   scene::check_room(scene);
-  automaton::Automaton automaton(initial_state(scene));
+  automaton::Automaton automaton(initial_state(scene), scene.rules);
   prepare_stage(automaton, scene, scene.stages.front());
   if (scene.output.frames) {
     const FramePainter painter(scene, automaton.state(), 1);

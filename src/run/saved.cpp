@@ -82,11 +82,11 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
   }
 }
 
-automaton::State saved_state(const scene::Scene& scene, const SavedRun& saved) {
-  const automaton::State beginning = initial_state(scene);
-  automaton::State state = beginning;
+grains::State saved_state(const scene::Scene& scene, const SavedRun& saved) {
+  const grains::State beginning = initial_state(scene);
+  grains::State state = beginning;
   fields::decode(kSavedState, saved.checkpoint.fields, saved.most_bytes, state);
-  automaton::check_reachable(state, beginning);
+  grains::check_reachable(state, beginning);
   return state;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // What a run of the automaton keeps in its checkpoint, besides its records and outputs.
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "run/outputs.hpp"
@@ -34,7 +34,7 @@ inline constexpr const char* kSavedOutputs = "outputs";
 
 /// What of a checkpoint is not left to records.
 struct SavedParts {
-  automaton::State state;
+  grains::State state;
   RunCourse course;
   StageHistory history;
   OutputHistory outputs;

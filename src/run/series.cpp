@@ -7,13 +7,13 @@ namespace clca::run {
 
 namespace {
 
-double mean_height(const automaton::State& state) {
+double mean_height(const grains::State& state) {
   double sum = 0;
   double weight = 0;
-  for (const automaton::Particle& particle : state.particles) {
+  for (const grains::Particle& particle : state.particles) {
     if (particle.present) {
       const auto sites = static_cast<double>(state.shape(particle).size());
-      sum += sites * automaton::centre(state, particle).y();
+      sum += sites * grains::centre(state, particle).y();
       weight += sites;
     }
   }
@@ -33,7 +33,7 @@ std::vector<std::string> columns(const scene::Scene& scene) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
     }
-    if (wall.motion && wall.passive == automaton::Passive::overlap) {
+    if (wall.motion && wall.passive == grains::Passive::overlap) {
       names.push_back("index." + wall.name);
     }
   }
@@ -42,7 +42,7 @@ std::vector<std::string> columns(const scene::Scene& scene) {
 
 /// Sites that overlap by wall: in all contacts that began there.
 std::vector<std::uint64_t> indices(const automaton::Automaton& automaton) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   std::vector<std::uint64_t> sites(state.walls.size(), 0);
   if (state.pushes.empty()) {
     return sites;
@@ -62,12 +62,12 @@ SeriesTable::SeriesTable(const scene::Scene& scene)
 
 void SeriesTable::add(const std::string& stage, const automaton::Automaton& automaton,
                       std::size_t moving, bool always) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   if ((!always && state.step % every_ != 0) || last_step_ == state.step) {
     return;
   }
   last_step_ = state.step;
-  const std::uint64_t present = automaton::present_count(state);
+  const std::uint64_t present = grains::present_count(state);
   const measure::Discharge out = measure::discharge(state);
   const double share =
       present > 0 ? static_cast<double>(moving) / static_cast<double>(present) : 0.0;

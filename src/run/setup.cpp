@@ -39,11 +39,11 @@ lattice::Shape centred(const lattice::Shape& shape) {
   return lattice::Shape(std::move(moved));
 }
 
-std::vector<automaton::Kind> kinds_of(const scene::Species& species, std::uint16_t number) {
-  std::vector<automaton::Kind> kinds;
+std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t number) {
+  std::vector<grains::Kind> kinds;
   for (const int degrees : species.orientations) {
-    automaton::Kind kind = {centred(species.shape.rotated(degrees / kDegreesPerTurn)), number};
-    const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const automaton::Kind& other) {
+    grains::Kind kind = {centred(species.shape.rotated(degrees / kDegreesPerTurn)), number};
+    const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const grains::Kind& other) {
       return other.shape.congruent(kind.shape);
     });
     if (!known) {
@@ -54,22 +54,22 @@ std::vector<automaton::Kind> kinds_of(const scene::Species& species, std::uint16
 }
 
 /// A species' weight shared among its kinds, all in whole numbers.
-std::vector<std::uint32_t> kind_weights(const automaton::State& state,
+std::vector<std::uint32_t> kind_weights(const grains::State& state,
                                         const std::vector<std::uint32_t>& species_weights) {
   constexpr std::uint32_t kCommon = 60;  // divisible by 1 to 6
   std::vector<std::uint32_t> count(species_weights.size(), 0);
-  for (const automaton::Kind& kind : state.kinds) {
+  for (const grains::Kind& kind : state.kinds) {
     ++count[kind.species];
   }
   std::vector<std::uint32_t> weights;
-  for (const automaton::Kind& kind : state.kinds) {
+  for (const grains::Kind& kind : state.kinds) {
     weights.push_back(species_weights[kind.species] * (kCommon / count[kind.species]));
   }
   return weights;
 }
 
-automaton::Source make_source(const automaton::State& state, const scene::Source& source) {
-  automaton::Source result;
+grains::Source make_source(const grains::State& state, const scene::Source& source) {
+  grains::Source result;
   if (const auto* point = std::get_if<Eigen::Vector2d>(&source.place)) {
     result.sites = {lattice::nearest_site(*point)};
   } else {
@@ -83,15 +83,13 @@ automaton::Source make_source(const automaton::State& state, const scene::Source
 
 }  // namespace
 
-automaton::State initial_state(const scene::Scene& scene) {
+grains::State initial_state(const scene::Scene& scene) {
   scene::check_walls(scene);
-  automaton::State state{
+  grains::State state{
       .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
-      .rules = scene.rules,
       .seed = scene.seed};
   for (std::size_t number = 0; number < scene.species.size(); ++number) {
-    for (automaton::Kind& kind :
-         kinds_of(scene.species[number], static_cast<std::uint16_t>(number))) {
+    for (grains::Kind& kind : kinds_of(scene.species[number], static_cast<std::uint16_t>(number))) {
       state.kinds.push_back(std::move(kind));
     }
   }

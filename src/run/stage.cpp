@@ -12,9 +12,9 @@ namespace {
 
 void fill(automaton::Automaton& automaton, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
-  const automaton::FillResult result = fill.method == scene::FillMethod::deposition
-                                           ? automaton.deposit(fill.region, fill.counts)
-                                           : automaton.fill(fill.region, fill.counts);
+  const grains::FillResult result = fill.method == scene::FillMethod::deposition
+                                        ? automaton.deposit(fill.region, fill.counts)
+                                        : automaton.fill(fill.region, fill.counts);
   if (result.complete) {
     return;
   }
@@ -49,9 +49,9 @@ bool contains(const Items& items, std::size_t item) {
 }
 
 /// True when some wall in motion has not come to its end, in a state that is settled.
-bool has_stalled(const automaton::State& state) {
-  return std::any_of(state.walls.begin(), state.walls.end(), [](const automaton::Wall& wall) {
-    return wall.present && wall.travel.active && !automaton::is_over(*wall.motion, wall.travel);
+bool has_stalled(const grains::State& state) {
+  return std::any_of(state.walls.begin(), state.walls.end(), [](const grains::Wall& wall) {
+    return wall.present && wall.travel.active && !grains::is_over(*wall.motion, wall.travel);
   });
 }
 
@@ -97,7 +97,7 @@ std::string to_text(StageEnd end) {
   return "interrupted";
 }
 
-std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::State& state,
+std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
                                   const StageHistory& history) {
   if (history.steps == 0) {
     return std::nullopt;

@@ -33,7 +33,7 @@ enum class StageEnd : std::uint8_t {
 std::string to_text(StageEnd end);
 
 /// Why the stage ends after the steps it has taken; nothing: it goes on.
-std::optional<StageEnd> stage_end(const scene::Stage& stage, const automaton::State& state,
+std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
                                   const StageHistory& history);
 
 /// How much of the stage is done, in [0, 1], guessed from the share of particles that move: from

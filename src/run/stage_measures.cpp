@@ -16,14 +16,14 @@ store::MeasureValue value_or_null(const std::optional<double>& value) {
   return value ? store::MeasureValue(*value) : store::MeasureValue();
 }
 
-void add_repose(Results& results, const automaton::State& state) {
+void add_repose(Results& results, const grains::State& state) {
   const auto angle = measure::repose_angle(measure::surface_profile(state));
   results.emplace_back("repose_angle_deg", value_or_null(angle.mean()));
   results.emplace_back("repose_left_deg", value_or_null(angle.left));
   results.emplace_back("repose_right_deg", value_or_null(angle.right));
 }
 
-void add_runout(Results& results, const automaton::State& state) {
+void add_runout(Results& results, const grains::State& state) {
   const auto runout = measure::runout(state);
   results.emplace_back("runout_99",
                        runout ? store::MeasureValue(runout->percent_99) : store::MeasureValue());
@@ -31,12 +31,12 @@ void add_runout(Results& results, const automaton::State& state) {
                        runout ? store::MeasureValue(runout->front) : store::MeasureValue());
 }
 
-void add_packing(Results& results, const automaton::State& state) {
+void add_packing(Results& results, const grains::State& state) {
   results.emplace_back("packing_fraction", value_or_null(measure::packing_fraction(state)));
   results.emplace_back("height_mean", measure::mean_height(measure::surface_profile(state)));
 }
 
-void add_moved(Results& results, const automaton::State& state) {
+void add_moved(Results& results, const grains::State& state) {
   results.emplace_back("moved_share",
                        measure::moved_share(state, measure::smallest_diameter(state)));
   results.emplace_back("moved_share_2", measure::moved_share(state, 2));
@@ -52,7 +52,7 @@ void add_outflow(Results& results, const automaton::Automaton& automaton,
   }
 }
 
-void add_segregation(Results& results, const automaton::State& state, double cell) {
+void add_segregation(Results& results, const grains::State& state, double cell) {
   results.emplace_back("segregation_index", value_or_null(measure::segregation_index(state)));
   results.emplace_back("lacey_index", value_or_null(measure::lacey_index(state, cell)));
 }
@@ -96,7 +96,7 @@ double StageHistory::discharged_share() const {
 
 Results stage_measures(const scene::Scene& scene, const automaton::Automaton& automaton,
                        const StageHistory& history, const Records& records) {
-  const automaton::State& state = automaton.state();
+  const grains::State& state = automaton.state();
   Results results;
   for (const scene::Measure measure : scene.measures) {
     switch (measure) {

@@ -40,7 +40,7 @@ lattice::Rectangle around(const Wall& wall) {
   if (!wall.motion) {
     return all;
   }
-  const automaton::Range range = automaton::range_of(*wall.motion);
+  const grains::Range range = grains::range_of(*wall.motion);
   const Eigen::Vector2d step = lattice::position(lattice::unit(wall.motion->direction));
   const auto [left, right] = std::minmax({step.x() * range.low, step.x() * range.high});
   const auto [down, up] = std::minmax({step.y() * range.low, step.y() * range.high});

@@ -79,10 +79,10 @@ inline constexpr std::array<Named<FillMethod>, 2> kFillMethodNames = {
     {{"random", FillMethod::random}, {"deposition", FillMethod::deposition}}};
 inline constexpr std::array<Named<automaton::Ties>, 2> kTiesNames = {
     {{"particle", automaton::Ties::particle}, {"direction", automaton::Ties::direction}}};
-inline constexpr std::array<Named<automaton::Waveform>, 2> kWaveformNames = {
-    {{"sine", automaton::Waveform::sine}, {"triangle", automaton::Waveform::triangle}}};
-inline constexpr std::array<Named<automaton::Passive>, 2> kPassiveNames = {
-    {{"rigid", automaton::Passive::rigid}, {"overlap", automaton::Passive::overlap}}};
+inline constexpr std::array<Named<grains::Waveform>, 2> kWaveformNames = {
+    {{"sine", grains::Waveform::sine}, {"triangle", grains::Waveform::triangle}}};
+inline constexpr std::array<Named<grains::Passive>, 2> kPassiveNames = {
+    {{"rigid", grains::Passive::rigid}, {"overlap", grains::Passive::overlap}}};
 inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {
     {{"profile", Measure::profile},
      {"repose", Measure::repose},

@@ -13,7 +13,7 @@ namespace clca::scene {
 
 namespace {
 
-automaton::Drive read_drive(const KeyedMap& fields, const std::string& path) {
+grains::Drive read_drive(const KeyedMap& fields, const std::string& path) {
   if (fields.find("distance") == nullptr) {
     fail(fields.place(),
          fmt::format("{}: motion without bound; give distance, or one of wave, shake, path", path));
@@ -23,13 +23,13 @@ automaton::Drive read_drive(const KeyedMap& fields, const std::string& path) {
           .distance = fields.integer("distance", 1, kFarthestOffset)};
 }
 
-automaton::Wave read_wave(const Value& value, const std::string& path) {
+grains::Wave read_wave(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kWaveKeys);
-  automaton::Wave wave;
+  grains::Wave wave;
   wave.form = fields.choice("form", kWaveformNames, wave.form);
   wave.amplitude = fields.integer("amplitude", 1, kWidestWave);
   wave.period = fields.count("period", 1, kLongestWave);
-  const bool sine = wave.form == automaton::Waveform::sine;
+  const bool sine = wave.form == grains::Waveform::sine;
   const std::uint64_t least =
       (sine ? kSineSteps : kTriangleSteps) * static_cast<std::uint64_t>(wave.amplitude);
   if (wave.period < least) {
@@ -56,7 +56,7 @@ std::optional<std::uint64_t> read_wait(const Value* value, const std::string& pa
   return read_count(*value, path, 1, kMostSteps);
 }
 
-automaton::Shake read_shake(const Value& value, const std::string& path) {
+grains::Shake read_shake(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kShakeKeys);
   const Value& amplitude = fields.at("amplitude");
   if (amplitude.is(Value::Kind::scalar) && amplitude.text == "0") {
@@ -69,7 +69,7 @@ automaton::Shake read_shake(const Value& value, const std::string& path) {
           .wait = read_wait(fields.find("wait"), fields.path("wait"))};
 }
 
-using Point = automaton::Path::Point;
+using Point = grains::Path::Point;
 
 /// Whether the way between the points is longer in sites than in steps.
 bool too_steep(const Point& from, const Point& to) {
@@ -77,8 +77,8 @@ bool too_steep(const Point& from, const Point& to) {
   return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
 }
 
-automaton::Path read_path(const Value& value, const std::string& path) {
-  automaton::Path way;
+grains::Path read_path(const Value& value, const std::string& path) {
+  grains::Path way;
   Point before;
   for (const Value& item : read_list(value, path, 1, kMostPoints)) {
     const std::vector<Value>& pair = read_list(item, path, 2, 2);
@@ -118,10 +118,10 @@ std::string_view program_key(const KeyedMap& fields, const std::string& path) {
 
 }  // namespace
 
-automaton::Motion read_motion(const Value& value, const std::string& path) {
+grains::Motion read_motion(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kMotionKeys);
   const std::string_view key = program_key(fields, path);
-  automaton::Motion motion;
+  grains::Motion motion;
   motion.direction = fields.choice("direction", kDirectionNames, lattice::Direction::up);
   if (key == "wave") {
     motion.program = read_wave(fields.at(key), fields.path(key));

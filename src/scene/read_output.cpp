@@ -20,12 +20,12 @@ void check_map_or_none(const Value& value, const std::string& path) {
 
 bool lets_overlap(const Scene& scene) {
   return std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [](const Wall& wall) { return wall.passive == automaton::Passive::overlap; });
+                     [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
 }
 
 bool moves_in_cycles(const Scene& scene) {
   return std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-    return wall.motion && automaton::is_cyclic(*wall.motion);
+    return wall.motion && grains::is_cyclic(*wall.motion);
   });
 }
 

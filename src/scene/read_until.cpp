@@ -16,7 +16,7 @@ namespace {
 /// The first wall of the stage that goes to and fro; null where none does.
 const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   for (const std::size_t wall : stage.move) {
-    if (scene.walls[wall].motion && automaton::is_cyclic(*scene.walls[wall].motion)) {
+    if (scene.walls[wall].motion && grains::is_cyclic(*scene.walls[wall].motion)) {
       return &scene.walls[wall];
     }
   }
@@ -30,10 +30,10 @@ std::uint64_t least_cycle(const Wall& wall) {
   if (!wall.motion) {
     return 0;
   }
-  if (const auto* wave = std::get_if<automaton::Wave>(&wall.motion->program)) {
+  if (const auto* wave = std::get_if<grains::Wave>(&wall.motion->program)) {
     return wave->period;
   }
-  const auto* shake = std::get_if<automaton::Shake>(&wall.motion->program);
+  const auto* shake = std::get_if<grains::Shake>(&wall.motion->program);
   return shake == nullptr
              ? 0
              : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
@@ -89,8 +89,7 @@ void check_waits(const Stage& stage, const Scene& scene, const Place& place,
   const std::string reason = restless(stage, scene);
   for (const std::size_t number : stage.move) {
     const Wall& wall = scene.walls[number];
-    const auto* shake =
-        wall.motion ? std::get_if<automaton::Shake>(&wall.motion->program) : nullptr;
+    const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
     if (shake != nullptr && !shake->wait && !reason.empty()) {
       fail(place, fmt::format("{}: wall '{}' waits until all is settled, which never comes {}; "
                               "give its shake a wait in steps, or give max_steps",

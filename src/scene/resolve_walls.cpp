@@ -23,19 +23,19 @@ std::string parts_text(const std::vector<WallPart>& parts) {
   return parts.size() == 1 ? part_text(parts.front()) : fmt::format("parts: {}", list(parts, item));
 }
 
-std::string program(const automaton::Drive& drive) {
+std::string program(const grains::Drive& drive) {
   return fmt::format("period: {}, distance: {}", drive.period, drive.distance);
 }
-std::string program(const automaton::Wave& wave) {
+std::string program(const grains::Wave& wave) {
   return fmt::format("wave: {{form: {}, amplitude: {}, period: {}}}",
                      name_of(kWaveformNames, wave.form), wave.amplitude, wave.period);
 }
-std::string program(const automaton::Shake& shake) {
+std::string program(const grains::Shake& shake) {
   return fmt::format("shake: {{amplitude: {}, wait: {}}}", shake.amplitude,
                      shake.wait ? std::to_string(*shake.wait) : "settled");
 }
-std::string program(const automaton::Path& path) {
-  return fmt::format("path: {}", list(path.points, [](const automaton::Path::Point& point) {
+std::string program(const grains::Path& path) {
+  return fmt::format("path: {}", list(path.points, [](const grains::Path::Point& point) {
                        return fmt::format("[{}, {}]", point.step, point.offset);
                      }));
 }

@@ -32,7 +32,7 @@ Eigen::Vector2d read_point(const Value& value, const std::string& path);
 /// True when no site of the lattice lies in the rectangle; costs nothing.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 
-automaton::Motion read_motion(const Value& value, const std::string& path);
+grains::Motion read_motion(const Value& value, const std::string& path);
 
 // These take the scene as far as it has been read: its box and whatever they refer to by name.
 std::vector<Wall> read_walls(const Value& value, const Scene& scene);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "automaton/claims.hpp"
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 #include "clca/scene/resolve.hpp"
 #include "scene/sections.hpp"
 #include "scene/sweep.hpp"
@@ -15,7 +15,7 @@ namespace clca::scene {
 namespace {
 
 // With its number in the list of those awake, which doubles: at the beginning all are.
-constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 8;
+constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 8;
 // What a step notes of a particle that it looks at, in lists that double.
 constexpr double kAwakeBytes = 150;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
@@ -87,8 +87,7 @@ double part_sites(const lattice::Catchment& catchment, const WallPart& part) {
 double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   const double columns = lattice.columns();
   const double rows = lattice.rows();
-  const automaton::Range range =
-      wall.motion ? automaton::range_of(*wall.motion) : automaton::Range{};
+  const grains::Range range = wall.motion ? grains::range_of(*wall.motion) : grains::Range{};
   const double all = columns * rows + (range.high - range.low) * (columns + rows + 1);
   double sum = 0;
   for (const WallPart& part : wall.parts) {
@@ -140,9 +139,9 @@ Size size_of(const Scene& scene) {
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto places = static_cast<double>(lattice.memory_size());
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-    return wall.passive == automaton::Passive::overlap;
+    return wall.passive == grains::Passive::overlap;
   });
-  double bytes = automaton::Occupancy::bytes_for(places, overlaps) +
+  double bytes = grains::Occupancy::bytes_for(places, overlaps) +
                  automaton::Claims::bytes_for(places) + kParticleBytes * particles +
                  kAwakeBytes * awake + fill_bytes(scene, lattice) + picture_bytes(scene.output) +
                  trajectory_bytes(scene.output, particles);

@@ -79,10 +79,10 @@ Stretch inside(const lattice::Lattice& lattice, Direction direction, int line) {
 }
 
 /// Where the wall comes to from home, forwards.
-automaton::Range forward_range(const automaton::Motion& motion) {
-  const automaton::Range range = automaton::range_of(motion);
+grains::Range forward_range(const grains::Motion& motion) {
+  const grains::Range range = grains::range_of(motion);
   return forward(motion.direction) == motion.direction ? range
-                                                       : automaton::Range{-range.high, -range.low};
+                                                       : grains::Range{-range.high, -range.low};
 }
 
 using Test = std::function<bool(lattice::Site)>;
@@ -115,7 +115,7 @@ bool meets(const lattice::Lattice& lattice, const Wall& wall, const Test& test) 
     return std::any_of(sites.begin(), sites.end(), test);
   }
   const Direction direction = forward(wall.motion->direction);
-  const automaton::Range range = forward_range(*wall.motion);
+  const grains::Range range = forward_range(*wall.motion);
   sort_along(direction, sites);
   Spot before = {};
   int done = 0;  // the last place on the line of `before` that has been visited

@@ -11,7 +11,7 @@ lattice::Catchment catchment_of(const lattice::Lattice& lattice, const Wall& wal
   if (!wall.motion) {
     return lattice::Catchment(lattice);
   }
-  const automaton::Range range = automaton::range_of(*wall.motion);
+  const grains::Range range = grains::range_of(*wall.motion);
   return {lattice, wall.motion->direction, range.low, range.high};
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::store {
@@ -69,44 +69,43 @@ void check_ranges(const PartContext& context, const RowRanges& ranges, std::uint
 }
 
 void check_wall_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
-                     const std::vector<automaton::Wall>& walls) {
+                     const std::vector<grains::Wall>& walls) {
   const std::size_t size = frames.step.size() * walls.size();
   require(have_size(size, rows.wall_present, rows.wall_offset), context,
           "walls and frames do not go together");
   require(all_below(rows.wall_present, 2), context, "a wall neither present nor absent");
   for (std::size_t at = 0; at < size; ++at) {
-    const automaton::Wall& wall = walls[at % walls.size()];
-    const automaton::Range range =
-        wall.motion ? automaton::range_of(*wall.motion) : automaton::Range{};
+    const grains::Wall& wall = walls[at % walls.size()];
+    const grains::Range range = wall.motion ? grains::range_of(*wall.motion) : grains::Range{};
     require_in_frame(rows.wall_offset[at] >= range.low && rows.wall_offset[at] <= range.high,
                      context, frames.step[at / walls.size()], "a wall where it cannot come");
   }
 }
 
 /// The two of a push have to be there, and the wall where it began has to be one that enters.
-bool is_push(const automaton::State& state, const automaton::Push& push) {
+bool is_push(const grains::State& state, const grains::Push& push) {
   const auto is_present = [&state](std::size_t id) {
     return id < state.particles.size() && state.particles[id].present;
   };
-  const automaton::Owner pusher = push.pusher;
+  const grains::Owner pusher = push.pusher;
   const bool has_pusher =
-      automaton::is_particle(pusher)
+      grains::is_particle(pusher)
           ? is_present(static_cast<std::size_t>(pusher)) &&
                 static_cast<std::uint32_t>(pusher) != push.pushed
-          : automaton::is_wall(pusher) && automaton::wall_number(pusher) < state.walls.size();
+          : grains::is_wall(pusher) && grains::wall_number(pusher) < state.walls.size();
   return has_pusher && is_present(push.pushed) && push.source < state.walls.size() &&
          state.walls[push.source].lets_overlap();
 }
 
-bool are_in_order(const std::vector<automaton::Push>& pushes) {
+bool are_in_order(const std::vector<grains::Push>& pushes) {
   return std::adjacent_find(pushes.begin(), pushes.end(), [](const auto& one, const auto& next) {
            return std::pair(one.pushed, one.pusher) >= std::pair(next.pushed, next.pusher);
          }) == pushes.end();
 }
 
-bool overlap(const automaton::State& state, const automaton::Occupancy& occupancy,
-             const automaton::Push& push) {
-  const automaton::Particle& particle = state.particles[push.pushed];
+bool overlap(const grains::State& state, const grains::Occupancy& occupancy,
+             const grains::Push& push) {
+  const grains::Particle& particle = state.particles[push.pushed];
   const auto& sites = state.shape(particle).sites();
   return std::any_of(sites.begin(), sites.end(), [&](lattice::Axial part) {
     return occupancy.has(state.lattice.index(particle.site() + part), push.pusher);
@@ -170,7 +169,7 @@ void check_origins(const PartContext& context, const PartFrames& frames, const P
 }
 
 void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
-                const automaton::State& fixed) {
+                const grains::State& fixed) {
   const Extents extents = frames.extents();
   const auto particles = static_cast<std::size_t>(extents.particles);
   require(
@@ -180,7 +179,7 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
                     rows.push_source, rows.push_direction),
           context, "pushes and frames do not go together");
   require(all_below(rows.kind, fixed.kinds.size()), context, "a kind that the scene does not have");
-  require(all_below(rows.move, automaton::kRest + 1), context, "a move that is none");
+  require(all_below(rows.move, grains::kRest + 1), context, "a move that is none");
   require(all_below(rows.push_direction, lattice::kDirectionCount), context,
           "a direction that is none");
   require(all_inside(fixed.lattice, rows.site), context, "a particle outside the box");
@@ -191,14 +190,14 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
   check_wall_rows(context, frames, rows, fixed.walls);
 }
 
-void check_state(const PartContext& context, const automaton::State& state) {
+void check_state(const PartContext& context, const grains::State& state) {
   const auto& pushes = state.pushes;
   require_in_frame(
       are_in_order(pushes) && std::all_of(pushes.begin(), pushes.end(),
                                           [&](const auto& push) { return is_push(state, push); }),
       context, state.step, "a push that cannot be");
   try {
-    const automaton::Occupancy occupancy(state);
+    const grains::Occupancy occupancy(state);
     require_in_frame(std::all_of(pushes.begin(), pushes.end(),
                                  [&](const auto& push) { return overlap(state, occupancy, push); }),
                      context, state.step, "a push without an overlap");

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
 
@@ -33,8 +33,8 @@ void check_origins(const PartContext& context, const PartFrames& frames, const P
                    const lattice::Lattice& lattice);
 /// After check_frames. `fixed`: a state of the scene.
 void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
-                const automaton::State& fixed);
+                const grains::State& fixed);
 /// That particles, walls and pushes of a frame go together: an Automaton can go on with them.
-void check_state(const PartContext& context, const automaton::State& state);
+void check_state(const PartContext& context, const grains::State& state);
 
 }  // namespace clca::store

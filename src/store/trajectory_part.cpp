@@ -66,12 +66,12 @@ Extents PartFrames::extents() const {
           .pushes = sum_of(pushes.count)};
 }
 
-void TrajectoryPart::add(const automaton::State& state, std::size_t stage, std::size_t first_origin,
+void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::size_t first_origin,
                          const Extents& before) {
   Extents first = before;
   first += extents();
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    const automaton::Particle& particle = state.particles[id];
+    const grains::Particle& particle = state.particles[id];
     if (!particle.present) {
       continue;
     }
@@ -80,19 +80,19 @@ void TrajectoryPart::add(const automaton::State& state, std::size_t stage, std::
     rows.kind.push_back(particle.kind);
     rows.move.push_back(particle.previous);
     derived.species.push_back(state.kinds[particle.kind].species);
-    add_point_row(derived.position, automaton::centre(state, particle));
+    add_point_row(derived.position, grains::centre(state, particle));
     if (id >= first_origin) {
       origins.id.push_back(static_cast<std::uint32_t>(id));
       add_site_row(origins.site, state.origins[id]);
     }
   }
-  for (const automaton::Push& push : state.pushes) {
+  for (const grains::Push& push : state.pushes) {
     rows.pushed.push_back(push.pushed);
     rows.pusher.push_back(push.pusher);
     rows.push_source.push_back(push.source);
     rows.push_direction.push_back(static_cast<std::uint8_t>(push.direction));
   }
-  for (const automaton::Wall& wall : state.walls) {
+  for (const grains::Wall& wall : state.walls) {
     rows.wall_present.push_back(wall.present ? 1 : 0);
     rows.wall_offset.push_back(wall.travel.offset);
     add_point_row(derived.wall_position, lattice::position(wall.shift()));

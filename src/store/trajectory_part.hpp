@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "store/hdf5_file.hpp"
 
 namespace clca::store {
@@ -98,7 +98,7 @@ struct TrajectoryPart {
 
   /// Adds a frame. `before`: extents of the parts before. Origins are those of the particles with
   /// ids from `first_origin` on.
-  void add(const automaton::State& state, std::size_t stage, std::size_t first_origin,
+  void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
            const Extents& before);
   Extents extents() const;
   std::size_t bytes() const;

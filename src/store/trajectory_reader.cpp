@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
@@ -25,11 +25,11 @@ lattice::Site site_at(const std::vector<std::int32_t>& sites, std::size_t row) {
 }
 
 /// Particles whose state, and the check of it, fit into so many bytes.
-std::size_t most_particles(const automaton::State& fixed, double bytes) {
-  constexpr double kParticleBytes = sizeof(automaton::Particle) + sizeof(lattice::Site) + 1;
+std::size_t most_particles(const grains::State& fixed, double bytes) {
+  constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 1;
   const double places =
-      automaton::Occupancy::bytes_for(static_cast<double>(fixed.lattice.memory_size()), true);
-  constexpr double kMostIds = std::numeric_limits<automaton::Owner>::max();
+      grains::Occupancy::bytes_for(static_cast<double>(fixed.lattice.memory_size()), true);
+  constexpr double kMostIds = std::numeric_limits<grains::Owner>::max();
   return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMostIds));
 }
 
@@ -37,7 +37,7 @@ std::size_t most_particles(const automaton::State& fixed, double bytes) {
 
 class Trajectory::Impl {
  public:
-  Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, automaton::State fixed,
+  Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, grains::State fixed,
        double most_bytes)
       : fixed_(std::move(fixed)), bytes_left_(most_bytes) {
     const SceneTables tables(scene, fixed_);
@@ -57,13 +57,13 @@ class Trajectory::Impl {
 
   const std::vector<Frame>& frames() const { return frames_; }
 
-  automaton::State state(std::size_t frame) {
+  grains::State state(std::size_t frame) {
     const std::size_t number = part_of(frame);
     load(number);
     gather_origins(frame);
     const KnownPart& part = parts_[number];
     const std::size_t within = frame - first_frame(part);
-    automaton::State state = fixed_;
+    grains::State state = fixed_;
     state.step = frames_[frame].step;
     place_particles(state, part, within);
     place_walls(state, within);
@@ -164,7 +164,7 @@ class Trajectory::Impl {
     origins_frame_ = frame;
   }
 
-  void place_particles(automaton::State& state, const KnownPart& part, std::size_t frame) const {
+  void place_particles(grains::State& state, const KnownPart& part, std::size_t frame) const {
     state.particles.assign(origins_.size(), {.present = false});
     state.origins.assign(origins_.size(), {});
     const RowSpan rows = part.frames.particles.rows_of(frame);
@@ -182,7 +182,7 @@ class Trajectory::Impl {
     }
   }
 
-  void place_walls(automaton::State& state, std::size_t frame) const {
+  void place_walls(grains::State& state, std::size_t frame) const {
     for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
       const std::size_t at = frame * state.walls.size() + wall;
       state.walls[wall].present = rows_.wall_present[at] != 0;
@@ -190,7 +190,7 @@ class Trajectory::Impl {
     }
   }
 
-  void place_pushes(automaton::State& state, const KnownPart& part, std::size_t frame) const {
+  void place_pushes(grains::State& state, const KnownPart& part, std::size_t frame) const {
     const RowSpan rows = part.frames.pushes.rows_of(frame);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       state.pushes.push_back(
@@ -201,7 +201,7 @@ class Trajectory::Impl {
     }
   }
 
-  automaton::State fixed_;
+  grains::State fixed_;
   double bytes_left_;  // that reading a part may take
   std::vector<KnownPart> parts_;
   std::vector<Frame> frames_;
@@ -212,14 +212,14 @@ class Trajectory::Impl {
 };
 
 Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
-                       automaton::State fixed, double most_bytes)
+                       grains::State fixed, double most_bytes)
     : impl_(std::make_unique<Impl>(run_folder, scene, std::move(fixed), most_bytes)) {}
 Trajectory::~Trajectory() = default;
 
 const std::vector<Trajectory::Frame>& Trajectory::frames() const {
   return impl_->frames();
 }
-automaton::State Trajectory::state(std::size_t frame) const {
+grains::State Trajectory::state(std::size_t frame) const {
   return impl_->state(frame);
 }
 

@@ -47,7 +47,7 @@ void SiteSets::add(int one, int other) {
   ++size.back();
 }
 
-SceneTables::SceneTables(const scene::Scene& scene, const automaton::State& state)
+SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
     : name(scene.name),
       seed({state.seed}),
       lattice({static_cast<std::uint32_t>(state.lattice.columns()),
@@ -56,7 +56,7 @@ SceneTables::SceneTables(const scene::Scene& scene, const automaton::State& stat
       species(names_of(scene.species)),
       stages(names_of(scene.stages)),
       walls(names_of(scene.walls)) {
-  for (const automaton::Kind& kind : state.kinds) {
+  for (const grains::Kind& kind : state.kinds) {
     kind_species.push_back(kind.species);
     const Eigen::Vector2d centre = kind.shape.centroid();
     kind_centre.insert(kind_centre.end(), {centre.x(), centre.y()});
@@ -65,7 +65,7 @@ SceneTables::SceneTables(const scene::Scene& scene, const automaton::State& stat
       kind_sites.add(site.x, site.q);
     }
   }
-  for (const automaton::Wall& wall : state.walls) {
+  for (const grains::Wall& wall : state.walls) {
     wall_sites.begin();
     for (const lattice::Site site : wall.sites) {
       wall_sites.add(site.column, site.row);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "store/hdf5_file.hpp"
 
@@ -35,7 +35,7 @@ struct SceneTables {
   SiteSets wall_sites;  ///< column, row at home
 
   SceneTables() = default;
-  SceneTables(const scene::Scene& scene, const automaton::State& state);
+  SceneTables(const scene::Scene& scene, const grains::State& state);
 
   void write(const Hdf5Writer& file) const;
   /// All but the name. This object has to outlive the list.

@@ -45,7 +45,7 @@ class TrajectoryWriter::Impl {
     remove_parts(run_folder_, kept.parts);
   }
 
-  void add(const automaton::State& state, std::size_t stage, bool stage_begins) {
+  void add(const grains::State& state, std::size_t stage, bool stage_begins) {
     if (state.walls.size() != walls_) {
       throw std::invalid_argument("a trajectory of another scene");
     }
@@ -121,12 +121,12 @@ class TrajectoryWriter::Impl {
 };
 
 TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
-                                   const automaton::State& state, const Written& kept)
+                                   const grains::State& state, const Written& kept)
     : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), state.walls.size(),
                                    kept)) {}
 TrajectoryWriter::~TrajectoryWriter() = default;
 
-void TrajectoryWriter::add(const automaton::State& state, std::size_t stage, bool stage_begins) {
+void TrajectoryWriter::add(const grains::State& state, std::size_t stage, bool stage_begins) {
   impl_->add(state, stage, stage_begins);
 }
 void TrajectoryWriter::flush() {

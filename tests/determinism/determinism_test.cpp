@@ -116,8 +116,9 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
   for (const char* ties : {"particle", "direction"}) {
     const scene::Scene scene =
         testing::bare_scene("silo-collapse", {fmt::format("rules.ties={}", ties)});
-    automaton::Automaton sequential(run::initial_state(scene));
-    automaton::Automaton parallel(run::initial_state(scene), {.threads = 4, .parallel_from = 1});
+    automaton::Automaton sequential(run::initial_state(scene), scene.rules);
+    automaton::Automaton parallel(run::initial_state(scene), scene.rules,
+                                  {.threads = 4, .parallel_from = 1});
     const scene::Stage& packing = scene.stages.front();
     for (automaton::Automaton* automaton : {&sequential, &parallel}) {
       automaton->fill(packing.fill->region, packing.fill->counts);
@@ -135,8 +136,8 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
 }
 
 /// The first two stages of a scene, the second for 300 steps at most.
-automaton::State state_after(const scene::Scene& scene, const automaton::Options& options) {
-  automaton::Automaton automaton(run::initial_state(scene), options);
+grains::State state_after(const scene::Scene& scene, const automaton::Options& options) {
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules, options);
   run::prepare_stage(automaton, scene, scene.stages.at(0));
   while (!automaton.step().settled) {
   }
@@ -153,7 +154,7 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesWhileWallsMove) {
   for (const char* name : {"segregation", "plate-penetration", "piston"}) {
     for (const std::string& species : {std::string("species.large.shape.hexagon=2"), rods}) {
       const scene::Scene scene = testing::bare_scene(name, {species});
-      const automaton::State sequential = state_after(scene, {});
+      const grains::State sequential = state_after(scene, {});
       EXPECT_NE(sequential.walls.front().travel.clock, 0U);
       EXPECT_EQ(state_after(scene, {.threads = 4, .parallel_from = 1}), sequential)
           << name << ", " << species;

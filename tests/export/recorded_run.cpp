@@ -19,7 +19,7 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
   summary.scene = scene.name;
   summary.status = "done";
   store::write_whole(folder / "run.json", store::to_json(summary));
-  automaton::Automaton automaton(run::initial_state(scene));
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, automaton.state(), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);

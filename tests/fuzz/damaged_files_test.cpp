@@ -115,7 +115,7 @@ class DamagedTrajectory : public ::testing::Test {
   }
 
   testing::ScratchFolder folder_;
-  automaton::State fixed_ = run::initial_state(fuzz::small_scene());
+  grains::State fixed_ = run::initial_state(fuzz::small_scene());
   store::TrajectoryWriter::Written written_;
 
  private:
@@ -129,7 +129,7 @@ TEST_F(DamagedTrajectory, IsReadOrRefused) {
     put(damage);
     const store::Trajectory trajectory(folder_.path(), fuzz::small_scene(), fixed_, kLimit);
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
-      automaton::Automaton(trajectory.state(frame)).step();
+      automaton::Automaton(trajectory.state(frame), fuzz::small_scene().rules).step();
     }
   });
   expect_memory_below(4 * kLimit);

@@ -32,7 +32,7 @@ stages:
 }
 
 struct SmallFrame {
-  automaton::State state;
+  grains::State state;
   std::size_t stage = 0;
   bool stage_begins = false;
 };
@@ -41,7 +41,7 @@ struct SmallFrame {
 inline std::vector<SmallFrame> small_run() {
   constexpr std::uint64_t kEvery = 4;
   const scene::Scene& scene = small_scene();
-  automaton::Automaton automaton(run::initial_state(scene));
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   std::vector<SmallFrame> frames;
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);

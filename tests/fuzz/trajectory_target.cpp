@@ -142,9 +142,9 @@ std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) 
 }
 
 /// An automaton goes on from it, and its frame is that of the file.
-void require_sound(const automaton::State& state, const store::TrajectoryPart& part,
+void require_sound(const grains::State& state, const store::TrajectoryPart& part,
                    std::size_t frame) {
-  automaton::Automaton(state).step();
+  automaton::Automaton(state, fuzz::small_scene().rules).step();
   store::TrajectoryPart again;
   again.add(state, part.frames.stage[frame], 0, {});
   const auto same = [](const auto& all, store::RowSpan rows, const auto& some, std::size_t width) {
@@ -179,7 +179,7 @@ std::size_t read(const Folder& folder, const Parts& parts, double limit) {
     const std::size_t in_first = parts.front().frames.step.size();
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
       try {
-        const automaton::State state = trajectory.state(frame);
+        const grains::State state = trajectory.state(frame);
         const bool first = frame < in_first;
         require_sound(state, parts.at(first ? 0 : 1), first ? frame : frame - in_first);
         ++sound;

@@ -141,13 +141,13 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Golden, ::testing::ValuesIn(golden_cases()),
                          });
 
 /// The state with some small particle, that has room above, one spacing higher.
-automaton::State with_one_lifted(const automaton::State& state) {
+grains::State with_one_lifted(const grains::State& state) {
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    automaton::State changed = state;
+    grains::State changed = state;
     ++changed.particles[id].row;
     if (changed.kinds[changed.particles[id].kind].species == 0) {
       try {
-        const automaton::Occupancy fits(changed);
+        const grains::Occupancy fits(changed);
         return changed;
       } catch (const std::invalid_argument&) {
         continue;
@@ -159,11 +159,11 @@ automaton::State with_one_lifted(const automaton::State& state) {
 
 TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
   const scene::Scene scene = testing::bare_scene("wall-removal", {});
-  automaton::Automaton automaton(run::initial_state(scene));
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   automaton.fill(scene.stages[0].fill->region, scene.stages[0].fill->counts);
   while (!automaton.step().settled) {
   }
-  const automaton::State changed = with_one_lifted(automaton.state());
+  const grains::State changed = with_one_lifted(automaton.state());
   for (const render::Drawing drawing : {render::Drawing::polygons, render::Drawing::lookup}) {
     const render::Style style = {.width = 640,
                                  .height = 360,
@@ -175,7 +175,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
     const render::Coloring coloring = render::color_by_id();
     const render::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
-    const render::Image after = painter.draw(changed, automaton::Occupancy(changed), coloring, {});
+    const render::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});
     EXPECT_GT(render::compare(before, after, kTolerance).pixels, 2 * kPixels);
   }
 }

@@ -28,11 +28,11 @@ void PrintTo(const PushingCase& pushing, std::ostream* stream) {
 /// The bed of a scene in two stages, and its second, in which something pushes.
 class Pushing {
  public:
-  explicit Pushing(const scene::Scene& scene) : automaton_(run::initial_state(scene)) {
+  explicit Pushing(const scene::Scene& scene) : automaton_(run::initial_state(scene), scene.rules) {
     run::prepare_stage(automaton_, scene, scene.stages.at(0));
     while (!automaton_.step().settled) {
     }
-    count_ = automaton::present_count(automaton_.state());
+    count_ = grains::present_count(automaton_.state());
     run::prepare_stage(automaton_, scene, scene.stages.at(1));
   }
 
@@ -52,14 +52,14 @@ class Pushing {
   std::vector<measure::Contact> contacts() const {
     return measure::contacts(automaton_.state(), automaton_.occupancy());
   }
-  const automaton::State& state() const { return automaton_.state(); }
+  const grains::State& state() const { return automaton_.state(); }
 
  private:
   static constexpr int kMost = 5000;
 
   void look() const {
     EXPECT_EQ(testing::complaint(state()), "");
-    EXPECT_EQ(automaton::present_count(state()), count_);
+    EXPECT_EQ(grains::present_count(state()), count_);
     for (const measure::Contact& contact : contacts()) {
       EXPECT_EQ(contact.depth, 1);
     }
@@ -84,7 +84,7 @@ TEST_P(PushingUntilItStalls, LosesNobodyAndNeverOverlapsByMoreThanOneMove) {
     Pushing bed(testing::bare_scene(pushing.scene, seeded(pushing.overrides, seed)));
     EXPECT_EQ(bed.push().moved, 0U);
     EXPECT_FALSE(bed.contacts().empty());
-    for (const automaton::Wall& wall : bed.state().walls) {
+    for (const grains::Wall& wall : bed.state().walls) {
       EXPECT_TRUE(wall.travel.stalled_since);
     }
   }
@@ -125,7 +125,7 @@ TEST(PlateThatTurnsBack, LeavesOverlapBehindAndTouchesNobody) {
     const auto contacts = bed.contacts();
     EXPECT_FALSE(contacts.empty());
     EXPECT_TRUE(std::all_of(contacts.begin(), contacts.end(), [](const auto& contact) {
-      return automaton::is_particle(contact.second);
+      return grains::is_particle(contact.second);
     }));
   }
 }

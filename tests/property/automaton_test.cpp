@@ -13,24 +13,24 @@ namespace clca {
 namespace {
 
 using automaton::Automaton;
-using automaton::State;
+using grains::State;
 using testing::any_state;
 
 RC_GTEST_PROP(AutomatonProperty, EveryStepEqualsTheSequentialOracle, ()) {
-  State expected = any_state(false);
-  Automaton automaton(expected);
+  auto [expected, rules] = any_state(false);
+  Automaton automaton(expected, rules);
   for (int step = 0; step < 40; ++step) {
-    const std::size_t moved = testing::oracle_step(expected);
+    const std::size_t moved = testing::oracle_step(expected, rules);
     RC_ASSERT(automaton.step().moved == moved);
     RC_ASSERT(automaton.state() == expected);
   }
 }
 
 RC_GTEST_PROP(AutomatonProperty, ThreadsAndSleepingChangeNothing, ()) {
-  const State state = any_state(false);
-  Automaton plain(state);
-  Automaton threaded(state, {.threads = 3, .parallel_from = 1});
-  Automaton sleepless(state, {.sleeping = false});
+  const testing::RuledState start = any_state(false);
+  Automaton plain = start.automaton();
+  Automaton threaded = start.automaton({.threads = 3, .parallel_from = 1});
+  Automaton sleepless = start.automaton({.sleeping = false});
   for (int step = 0; step < 60; ++step) {
     plain.step();
     threaded.step();
@@ -38,16 +38,16 @@ RC_GTEST_PROP(AutomatonProperty, ThreadsAndSleepingChangeNothing, ()) {
   }
   RC_ASSERT(threaded.state() == plain.state());
   RC_ASSERT(sleepless.state() == plain.state());
-  RC_ASSERT(automaton::hash(threaded.state()) == automaton::hash(plain.state()));
+  RC_ASSERT(grains::hash(threaded.state()) == grains::hash(plain.state()));
 }
 
 // Wide enough for particles that have a strip for themselves, and for those near a border.
 RC_GTEST_PROP(AutomatonProperty, StripsOfColumnsChangeNothing, ()) {
-  const State state = any_state(false, 0, 600);
+  const testing::RuledState start = any_state(false, 0, 600);
   const int threads = *rc::gen::inRange(2, 5);
-  Automaton plain(state);
-  Automaton threaded(state,
-                     {.threads = threads, .parallel_from = *rc::gen::inRange<std::size_t>(0, 40)});
+  Automaton plain = start.automaton();
+  Automaton threaded =
+      start.automaton({.threads = threads, .parallel_from = *rc::gen::inRange<std::size_t>(0, 40)});
   for (int step = 0; step < 60; ++step) {
     const automaton::StepReport report = plain.step();
     RC_ASSERT(threaded.step().looked_at == report.looked_at);
@@ -57,27 +57,27 @@ RC_GTEST_PROP(AutomatonProperty, StripsOfColumnsChangeNothing, ()) {
 }
 
 RC_GTEST_PROP(AutomatonProperty, NothingOverlapsAndNothingIsLost, ()) {
-  Automaton automaton(any_state(false));
+  Automaton automaton = any_state(false).automaton();
   const std::size_t count = automaton.state().particles.size();
   for (int step = 0; step < 60; ++step) {
     automaton.step();
-    RC_ASSERT(automaton::present_count(automaton.state()) == count);
+    RC_ASSERT(grains::present_count(automaton.state()) == count);
     // Built anew from the particles it throws on any overlap.
-    RC_ASSERT(automaton::Occupancy(automaton.state()) == automaton.occupancy());
+    RC_ASSERT(grains::Occupancy(automaton.state()) == automaton.occupancy());
   }
 }
 
 RC_GTEST_PROP(AutomatonProperty, HeightsFallWhileAnythingMovesAndTheEndIsAFixedPoint, ()) {
-  Automaton automaton(any_state(true));
-  long long before = testing::potential(automaton.state());
+  Automaton automaton = any_state(true).automaton();
+  long long before = testing::potential(automaton.state(), automaton.rules());
   automaton::StepReport report;
   do {
     report = automaton.step();
-    const long long after = testing::potential(automaton.state());
+    const long long after = testing::potential(automaton.state(), automaton.rules());
     RC_ASSERT((report.moved > 0 ? after < before : after == before));
     before = after;
   } while (!report.settled);
-  const std::vector<automaton::Particle> settled = automaton.state().particles;
+  const std::vector<grains::Particle> settled = automaton.state().particles;
   for (int step = 0; step < 5; ++step) {
     RC_ASSERT(automaton.step().settled);
   }
@@ -85,14 +85,14 @@ RC_GTEST_PROP(AutomatonProperty, HeightsFallWhileAnythingMovesAndTheEndIsAFixedP
 }
 
 RC_GTEST_PROP(AutomatonProperty, RemovingAWallWakesWhoeverStoodOnIt, ()) {
-  Automaton automaton(any_state(true, 1));
+  Automaton automaton = any_state(true, 1).automaton();
   while (!automaton.step().settled) {
   }
   automaton.remove_wall(0);
   State expected = automaton.state();
   for (int step = 0; step < 30; ++step) {
     automaton.step();
-    testing::oracle_step(expected);
+    testing::oracle_step(expected, automaton.rules());
     RC_ASSERT(automaton.state() == expected);
   }
 }

@@ -16,44 +16,44 @@ namespace clca {
 namespace {
 
 using automaton::Automaton;
-using automaton::State;
 using automaton::StepReport;
+using grains::State;
 using testing::any_moving_state;
 using testing::MovingWalls;
 
 constexpr int kSteps = 60;
 
 RC_GTEST_PROP(MovingWallsProperty, EveryStepEqualsTheSequentialOracle, ()) {
-  State expected = any_moving_state(MovingWalls::any);
-  Automaton automaton(expected);
+  auto [expected, rules] = any_moving_state(MovingWalls::any);
+  Automaton automaton(expected, rules);
   bool chained = false;
   for (int step = 0; step < kSteps; ++step) {
-    const testing::WholeStep oracle = testing::oracle_whole_step(expected);
+    const testing::WholeStep oracle = testing::oracle_whole_step(expected, rules);
     const StepReport report = automaton.step();
     RC_ASSERT(testing::difference(automaton.state(), expected) == "");
     RC_ASSERT(report.moved == oracle.moved);
     RC_ASSERT(report.walls_moved == oracle.walls.moved);
     RC_ASSERT(report.walls_stalled == oracle.walls.stalled);
-    chained = chained ||
-              std::any_of(expected.pushes.begin(), expected.pushes.end(),
-                          [](const auto& push) { return automaton::is_particle(push.pusher); });
+    chained =
+        chained || std::any_of(expected.pushes.begin(), expected.pushes.end(),
+                               [](const auto& push) { return grains::is_particle(push.pusher); });
   }
   RC_CLASSIFY(chained, "particles pushed particles");
 }
 
 RC_GTEST_PROP(MovingWallsProperty, OverlapsArePushesAndStayShallowAndNothingIsLost, ()) {
-  Automaton automaton(any_moving_state(MovingWalls::any));
+  Automaton automaton = any_moving_state(MovingWalls::any).automaton();
   const std::size_t count = automaton.state().particles.size();
   for (int step = 0; step < kSteps; ++step) {
     automaton.step();
     RC_ASSERT(testing::complaint(automaton.state()) == "");
-    RC_ASSERT(automaton::present_count(automaton.state()) == count);
-    RC_ASSERT(automaton::Occupancy(automaton.state()) == automaton.occupancy());
+    RC_ASSERT(grains::present_count(automaton.state()) == count);
+    RC_ASSERT(grains::Occupancy(automaton.state()) == automaton.occupancy());
   }
 }
 
 RC_GTEST_PROP(MovingWallsProperty, RigidWallsMakeNoOverlaps, ()) {
-  Automaton automaton(any_moving_state(MovingWalls::rigid));
+  Automaton automaton = any_moving_state(MovingWalls::rigid).automaton();
   for (int step = 0; step < kSteps; ++step) {
     automaton.step();
     RC_ASSERT(automaton.state().pushes.empty());
@@ -62,15 +62,15 @@ RC_GTEST_PROP(MovingWallsProperty, RigidWallsMakeNoOverlaps, ()) {
 }
 
 RC_GTEST_PROP(MovingWallsProperty, ThreadsSleepingAndAFreshStartChangeNothing, ()) {
-  const State state = any_moving_state(MovingWalls::any);
-  Automaton plain(state);
-  Automaton threaded(state, {.threads = 3, .parallel_from = 1});
-  Automaton sleepless(state, {.sleeping = false});
-  Automaton resumed(state);
+  const testing::RuledState start = any_moving_state(MovingWalls::any);
+  Automaton plain = start.automaton();
+  Automaton threaded = start.automaton({.threads = 3, .parallel_from = 1});
+  Automaton sleepless = start.automaton({.sleeping = false});
+  Automaton resumed = start.automaton();
   const int fresh_start = *rc::gen::inRange(0, kSteps);
   for (int step = 0; step < kSteps; ++step) {
     if (step == fresh_start) {
-      resumed = Automaton(resumed.state());
+      resumed = Automaton(resumed.state(), start.rules);
     }
     const bool settled = plain.step().settled;
     RC_ASSERT(threaded.step().settled == settled);
@@ -80,10 +80,10 @@ RC_GTEST_PROP(MovingWallsProperty, ThreadsSleepingAndAFreshStartChangeNothing, (
     RC_ASSERT(sleepless.state() == plain.state());
     RC_ASSERT(resumed.state() == plain.state());
   }
-  RC_ASSERT(automaton::hash(threaded.state()) == automaton::hash(plain.state()));
+  RC_ASSERT(grains::hash(threaded.state()) == grains::hash(plain.state()));
 }
 
-bool lies_inside(const State& state, const automaton::Particle& particle,
+bool lies_inside(const State& state, const grains::Particle& particle,
                  const lattice::Rectangle& region) {
   const testing::Sites sites = testing::body(state, particle);
   return std::all_of(sites.begin(), sites.end(),
@@ -91,7 +91,7 @@ bool lies_inside(const State& state, const automaton::Particle& particle,
 }
 
 /// Adds a source and an outlet in which nothing lies yet.
-State with_entry_and_exit(State state) {
+void add_entry_and_exit(State& state) {
   const auto columns = static_cast<double>(state.lattice.columns());
   const double left = *rc::gen::inRange(0, 10);
   const double bottom = *rc::gen::inRange(0, 20);
@@ -102,7 +102,7 @@ State with_entry_and_exit(State state) {
   if (clear) {
     state.outlets = {{.region = region}};
   }
-  automaton::Source source{.weights = std::vector<std::uint32_t>(state.kinds.size(), 1)};
+  grains::Source source{.weights = std::vector<std::uint32_t>(state.kinds.size(), 1)};
   for (int i = 0; i < 5; ++i) {
     source.sites.push_back({*rc::gen::inRange(0, state.lattice.columns()),
                             *rc::gen::inRange(0, state.lattice.rows())});
@@ -111,14 +111,14 @@ State with_entry_and_exit(State state) {
   source.count = 40;
   source.open = true;
   state.sources = {source};
-  return state;
 }
 
 RC_GTEST_PROP(MovingWallsProperty, WhatEntersAndLeavesIsCountedAndOutletsAreEmpty, ()) {
-  const State state = with_entry_and_exit(any_moving_state(MovingWalls::any));
-  Automaton automaton(state);
-  Automaton sleepless(state, {.threads = 3, .parallel_from = 1, .sleeping = false});
-  std::size_t count = automaton::present_count(state);
+  auto [state, rules] = any_moving_state(MovingWalls::any);
+  add_entry_and_exit(state);
+  Automaton automaton(state, rules);
+  Automaton sleepless(state, rules, {.threads = 3, .parallel_from = 1, .sleeping = false});
+  std::size_t count = grains::present_count(state);
   for (int step = 0; step < kSteps; ++step) {
     const StepReport report = automaton.step();
     sleepless.step();
@@ -126,12 +126,12 @@ RC_GTEST_PROP(MovingWallsProperty, WhatEntersAndLeavesIsCountedAndOutletsAreEmpt
     count -= report.removed;
     const State& now = automaton.state();
     RC_ASSERT(testing::difference(sleepless.state(), now) == "");
-    RC_ASSERT(automaton::present_count(now) == count);
+    RC_ASSERT(grains::present_count(now) == count);
     RC_ASSERT(testing::complaint(now) == "");
-    RC_ASSERT(automaton::Occupancy(now) == automaton.occupancy());
-    for (const automaton::Outlet& outlet : now.outlets) {
+    RC_ASSERT(grains::Occupancy(now) == automaton.occupancy());
+    for (const grains::Outlet& outlet : now.outlets) {
       RC_ASSERT(std::none_of(now.particles.begin(), now.particles.end(),
-                             [&](const automaton::Particle& particle) {
+                             [&](const grains::Particle& particle) {
                                return particle.present && lies_inside(now, particle, outlet.region);
                              }));
     }
@@ -139,7 +139,7 @@ RC_GTEST_PROP(MovingWallsProperty, WhatEntersAndLeavesIsCountedAndOutletsAreEmpt
 }
 
 RC_GTEST_PROP(MovingWallsProperty, WhatIsSettledStaysAsItIs, ()) {
-  Automaton automaton(any_moving_state(MovingWalls::any));
+  Automaton automaton = any_moving_state(MovingWalls::any).automaton();
   int steps = 0;
   while (!automaton.step().settled && ++steps < 400) {
   }

@@ -16,9 +16,9 @@ Number within(Number low, Number high) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Number>(low, high));
 }
 
-inline automaton::Path any_path() {
-  automaton::Path path;
-  automaton::Path::Point last;
+inline grains::Path any_path() {
+  grains::Path path;
+  grains::Path::Point last;
   const int points = *rc::gen::inRange(1, 5);
   for (int i = 0; i < points; ++i) {
     const int steps = *rc::gen::inRange(1, 15);
@@ -29,23 +29,23 @@ inline automaton::Path any_path() {
   return path;
 }
 
-inline automaton::Motion any_motion() {
-  automaton::Motion motion;
+inline grains::Motion any_motion() {
+  grains::Motion motion;
   motion.direction = lattice::kDirections[*rc::gen::inRange<std::size_t>(0, 6)];
   const int amplitude = *rc::gen::inRange(1, 6);
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
-      motion.program = automaton::Drive{.period = *rc::gen::inRange<std::uint64_t>(1, 4),
-                                        .distance = within(0, 25)};
+      motion.program = grains::Drive{.period = *rc::gen::inRange<std::uint64_t>(1, 4),
+                                     .distance = within(0, 25)};
       break;
     case 1:
-      motion.program = automaton::Wave{
-          .form = *rc::gen::element(automaton::Waveform::sine, automaton::Waveform::triangle),
+      motion.program = grains::Wave{
+          .form = *rc::gen::element(grains::Waveform::sine, grains::Waveform::triangle),
           .amplitude = amplitude,
           .period = static_cast<std::uint64_t>(7 * amplitude + *rc::gen::inRange(0, 9))};
       break;
     case 2: {
-      automaton::Shake shake{.amplitude = amplitude, .wait = {}};
+      grains::Shake shake{.amplitude = amplitude, .wait = {}};
       if (*rc::gen::arbitrary<bool>()) {
         shake.wait = *rc::gen::inRange<std::uint64_t>(1, 10);
       }
@@ -80,23 +80,22 @@ inline std::vector<lattice::Site> any_line(const lattice::Lattice& lattice) {
 enum class MovingWalls : std::uint8_t { rigid, overlapping, any };
 
 /// A wall that moves, all of whose sites in the box are free.
-inline void add_moving_wall(automaton::State& state, MovingWalls which) {
-  automaton::Wall wall{.sites = any_line(state.lattice), .motion = any_motion()};
+inline void add_moving_wall(grains::State& state, lattice::Direction gravity, MovingWalls which) {
+  grains::Wall wall{.sites = any_line(state.lattice), .motion = any_motion()};
   const auto others = occupants(state);
   std::erase_if(wall.sites, [&](lattice::Site site) {
     return others.contains({state.lattice.wrapped(site.column), site.row});
   });
   if (*rc::gen::arbitrary<bool>()) {
-    wall.motion =
-        automaton::Motion{state.rules.gravity, automaton::Drive{within<std::uint64_t>(1, 4), 30}};
+    wall.motion = grains::Motion{gravity, grains::Drive{within<std::uint64_t>(1, 4), 30}};
   }
   const bool overlaps = which == MovingWalls::overlapping ||
                         (which == MovingWalls::any && *rc::gen::arbitrary<bool>());
-  wall.passive = overlaps ? automaton::Passive::overlap : automaton::Passive::rigid;
+  wall.passive = overlaps ? grains::Passive::overlap : grains::Passive::rigid;
   state.walls.push_back(std::move(wall));
 }
 
-inline void add_static_walls(automaton::State& state) {
+inline void add_static_walls(grains::State& state) {
   const int walls = *rc::gen::inRange(0, 3);
   for (int i = 0; i < walls; ++i) {
     std::vector<lattice::Site> sites = any_line(state.lattice);
@@ -106,23 +105,24 @@ inline void add_static_walls(automaton::State& state) {
 }
 
 /// A box with walls at rest, one to three that move, and particles that have fallen for a while.
-inline automaton::State any_moving_state(MovingWalls which) {
+inline RuledState any_moving_state(MovingWalls which) {
   const bool periodic = *rc::gen::arbitrary<bool>();
   const int columns = 2 * within(5, 14);
-  automaton::State state{.lattice = lattice::Lattice(columns, within(10, 40), periodic),
-                         .rules = any_rules(false),
-                         .seed = *rc::gen::arbitrary<std::uint64_t>()};
+  const int rows = within(10, 40);
+  const automaton::Rules rules = any_rules(false);
+  grains::State state{.lattice = lattice::Lattice(columns, rows, periodic),
+                      .seed = *rc::gen::arbitrary<std::uint64_t>()};
   add_static_walls(state);
   const int moving = *rc::gen::inRange(1, 4);
   for (int i = 0; i < moving; ++i) {
-    add_moving_wall(state, which);
+    add_moving_wall(state, rules.gravity, which);
   }
   const int species = *rc::gen::inRange(1, 4);
   for (int i = 0; i < species; ++i) {
     state.kinds.push_back({any_shape(), static_cast<std::uint16_t>(i)});
   }
   const std::vector<std::size_t> counts(state.kinds.size(), within<std::size_t>(5, 80));
-  automaton::Automaton automaton(state);
+  automaton::Automaton automaton(state, rules);
   automaton.fill({0, 0, 1e3, 1e3}, counts);
   const int fall = within(0, 60);
   for (int step = 0; step < fall; ++step) {
@@ -133,7 +133,7 @@ inline automaton::State any_moving_state(MovingWalls which) {
       automaton.set_motion(wall, *rc::gen::inRange(0, 8) != 0);
     }
   }
-  return automaton.state();
+  return {automaton.state(), rules};
 }
 
 }  // namespace clca::testing

@@ -44,6 +44,16 @@ inline lattice::Shape any_shape() {
   }
 }
 
+/// A state and the rules by which it goes on.
+struct RuledState {
+  grains::State state;
+  automaton::Rules rules;
+
+  automaton::Automaton automaton(automaton::Options options = {}) const {
+    return automaton::Automaton(state, rules, options);
+  }
+};
+
 inline automaton::Rules any_rules(bool downward_only) {
   automaton::Rules rules;
   rules.inertia = *rc::gen::element(0.0, 0.5, 0.9, 1.0);
@@ -62,7 +72,7 @@ inline automaton::Rules any_rules(bool downward_only) {
 }
 
 /// A box with `least_walls` to two walls and some particles placed by the fill.
-inline automaton::State any_state(bool downward_only, int least_walls = 0, int most_columns = 50) {
+inline RuledState any_state(bool downward_only, int least_walls = 0, int most_columns = 50) {
   const automaton::Rules rules = any_rules(downward_only);
   // Where gravity has a sideways part, a periodic box has no floor to come to rest on.
   const bool upright =
@@ -70,9 +80,8 @@ inline automaton::State any_state(bool downward_only, int least_walls = 0, int m
   const bool periodic = *rc::gen::arbitrary<bool>() && (upright || !downward_only);
   const int columns = 2 * *rc::gen::inRange(8, most_columns / 2);
   const int rows = *rc::gen::inRange(10, 70);
-  automaton::State state{.lattice = lattice::Lattice(columns, rows, periodic),
-                         .rules = rules,
-                         .seed = *rc::gen::arbitrary<std::uint64_t>()};
+  grains::State state{.lattice = lattice::Lattice(columns, rows, periodic),
+                      .seed = *rc::gen::arbitrary<std::uint64_t>()};
   const double width = columns * lattice::kColumnPitch;
   const int walls = *rc::gen::inRange(least_walls, 3);
   for (int i = 0; i < walls; ++i) {
@@ -85,9 +94,9 @@ inline automaton::State any_state(bool downward_only, int least_walls = 0, int m
     state.kinds.push_back({any_shape(), static_cast<std::uint16_t>(i)});
   }
   const std::vector<std::size_t> counts(state.kinds.size(), *rc::gen::inRange<std::size_t>(1, 40));
-  automaton::Automaton automaton(state);
+  automaton::Automaton automaton(state, rules);
   automaton.fill({0, 0, width, static_cast<double>(rows)}, counts);
-  return automaton.state();
+  return {automaton.state(), rules};
 }
 
 }  // namespace clca::testing

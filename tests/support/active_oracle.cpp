@@ -5,9 +5,9 @@
 
 namespace clca::testing {
 
-using automaton::kRest;
-using automaton::Move;
-using automaton::Particle;
+using grains::kRest;
+using grains::Move;
+using grains::Particle;
 using lattice::Direction;
 using random::Purpose;
 
@@ -29,8 +29,8 @@ std::uint64_t ActiveOracle::draw(std::size_t id, Purpose purpose) const {
 }
 
 std::vector<Direction> ActiveOracle::candidates() const {
-  const bool all = state.rules.candidates == automaton::Candidates::all;
-  return around(state.rules.gravity, all ? std::vector{0, 1, -1, 2, -2, 3} : std::vector{0, 1, -1});
+  const bool all = rules.candidates == automaton::Candidates::all;
+  return around(rules.gravity, all ? std::vector{0, 1, -1, 2, -2, 3} : std::vector{0, 1, -1});
 }
 
 Move ActiveOracle::provisional(std::size_t id, const std::vector<Direction>& free) const {
@@ -38,16 +38,16 @@ Move ActiveOracle::provisional(std::size_t id, const std::vector<Direction>& fre
     return std::find(free.begin(), free.end(), d) != free.end();
   };
   const Particle& particle = state.particles[id];
-  const Direction g = state.rules.gravity;
+  const Direction g = rules.gravity;
   if (free.empty()) {
     return kRest;
   }
-  if (random::Probability(state.rules.scatter).accepts(draw(id, Purpose::scatter))) {
+  if (random::Probability(rules.scatter).accepts(draw(id, Purpose::scatter))) {
     return static_cast<Move>(
         free[random::below(draw(id, Purpose::scatter_direction), free.size())]);
   }
   if (particle.previous != kRest && is_free(static_cast<Direction>(particle.previous)) &&
-      random::Probability(state.rules.inertia).accepts(draw(id, Purpose::inertia))) {
+      random::Probability(rules.inertia).accepts(draw(id, Purpose::inertia))) {
     return particle.previous;
   }
   if (is_free(g)) {
@@ -72,7 +72,7 @@ Wish ActiveOracle::wish(std::size_t id, Move move) const {
 
 std::size_t ActiveOracle::class_of(Move previous, Move move) const {
   for (std::size_t rank = 0; rank < 3; ++rank) {
-    switch (state.rules.update_priority[rank]) {
+    switch (rules.update_priority[rank]) {
       case automaton::UpdateClass::rest:
         if (previous == kRest) {
           return rank;
@@ -84,7 +84,7 @@ std::size_t ActiveOracle::class_of(Move previous, Move move) const {
         }
         break;
       case automaton::UpdateClass::gravity:
-        if (move == static_cast<Move>(state.rules.gravity)) {
+        if (move == static_cast<Move>(rules.gravity)) {
           return rank;
         }
         break;
@@ -96,7 +96,7 @@ std::size_t ActiveOracle::class_of(Move previous, Move move) const {
 // The order of the directions within a class: pairs by a coin. All six, since a push may lead
 // anywhere.
 std::vector<Move> ActiveOracle::passes(std::size_t rank) const {
-  std::vector<Direction> order = around(state.rules.gravity, {0, 1, -1, 2, -2, 3});
+  std::vector<Direction> order = around(rules.gravity, {0, 1, -1, 2, -2, 3});
   const bool swap = (draw(rank, Purpose::direction_order) & 1U) != 0;
   for (std::size_t pair = 1; swap && pair + 1 < order.size(); pair += 2) {
     std::swap(order[pair], order[pair + 1]);
@@ -109,7 +109,7 @@ std::vector<Move> ActiveOracle::passes(std::size_t rank) const {
 }
 
 std::vector<Wish> ActiveOracle::in_order(std::vector<Wish> wishes) const {
-  if (state.rules.ties == automaton::Ties::particle) {
+  if (rules.ties == automaton::Ties::particle) {
     std::sort(wishes.begin(), wishes.end(), [&](const Wish& a, const Wish& b) {
       return std::tuple(a.rank, draw(a.id, Purpose::tie), a.id) <
              std::tuple(b.rank, draw(b.id, Purpose::tie), b.id);

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/automaton/rules.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/random/draw.hpp"
 
 namespace clca::testing {
@@ -12,25 +13,26 @@ namespace clca::testing {
 /// A particle that wants to move, and the class of its turn.
 struct Wish {
   std::size_t id;
-  automaton::Move move;
+  grains::Move move;
   std::size_t rank;
 };
 
 struct ActiveOracle {
-  const automaton::State& state;
+  const grains::State& state;
+  const automaton::Rules& rules;
 
   std::uint64_t draw(std::size_t id, random::Purpose purpose) const;
   /// Directions a particle may take by itself.
   std::vector<lattice::Direction> candidates() const;
   /// Where a particle wants to go that is free to go in the candidates `free`.
-  automaton::Move provisional(std::size_t id, const std::vector<lattice::Direction>& free) const;
-  Wish wish(std::size_t id, automaton::Move move) const;
+  grains::Move provisional(std::size_t id, const std::vector<lattice::Direction>& free) const;
+  Wish wish(std::size_t id, grains::Move move) const;
   /// Movers in the order of their turns.
   std::vector<Wish> in_order(std::vector<Wish> wishes) const;
 
  private:
-  std::size_t class_of(automaton::Move previous, automaton::Move move) const;
-  std::vector<automaton::Move> passes(std::size_t rank) const;
+  std::size_t class_of(grains::Move previous, grains::Move move) const;
+  std::vector<grains::Move> passes(std::size_t rank) const;
 };
 
 }  // namespace clca::testing

@@ -5,11 +5,11 @@
 
 namespace clca::testing {
 
-using automaton::is_particle;
-using automaton::Move;
-using automaton::Owner;
-using automaton::Particle;
-using automaton::Push;
+using grains::is_particle;
+using grains::Move;
+using grains::Owner;
+using grains::Particle;
+using grains::Push;
 using lattice::Direction;
 using lattice::Site;
 

@@ -19,35 +19,34 @@ struct Change {
 
 class Crowd {
  public:
-  explicit Crowd(automaton::State& state) : state_(state), owners_(occupants(state)) {}
+  explicit Crowd(grains::State& state) : state_(state), owners_(occupants(state)) {}
 
-  const automaton::State& state() const { return state_; }
-  const automaton::Particle& particle(automaton::Owner id) const {
+  const grains::State& state() const { return state_; }
+  const grains::Particle& particle(grains::Owner id) const {
     return state_.particles[static_cast<std::size_t>(id)];
   }
-  std::set<automaton::Owner> owners(lattice::Site site) const;
-  std::vector<automaton::Push> pushes_onto(automaton::Owner id) const;
+  std::set<grains::Owner> owners(lattice::Site site) const;
+  std::vector<grains::Push> pushes_onto(grains::Owner id) const;
 
   /// Sites that the particle would enter.
-  Sites lead(automaton::Owner id, lattice::Direction direction) const;
+  Sites lead(grains::Owner id, lattice::Direction direction) const;
   /// With everybody with whom it shares sites before or after the move.
-  std::map<automaton::Owner, Change> changes(automaton::Owner id,
-                                             lattice::Direction direction) const;
+  std::map<grains::Owner, Change> changes(grains::Owner id, lattice::Direction direction) const;
   /// Whether it may go that way by itself.
-  bool is_free(automaton::Owner id, lattice::Direction direction) const;
+  bool is_free(grains::Owner id, lattice::Direction direction) const;
   /// Sites that it shares with particles, and how many it may share.
-  int burden(automaton::Owner id) const;
-  int limit(automaton::Owner id) const;
+  int burden(grains::Owner id) const;
+  int limit(grains::Owner id) const;
 
   /// Moves the particle; pushes that have ended go.
-  void move(automaton::Owner id, lattice::Direction direction);
-  void record(const automaton::Push& push);
+  void move(grains::Owner id, lattice::Direction direction);
+  void record(const grains::Push& push);
 
  private:
-  std::set<automaton::Owner> others(automaton::Owner id, const Sites& sites) const;
+  std::set<grains::Owner> others(grains::Owner id, const Sites& sites) const;
 
-  automaton::State& state_;
-  std::map<lattice::Site, std::set<automaton::Owner>> owners_;
+  grains::State& state_;
+  std::map<lattice::Site, std::set<grains::Owner>> owners_;
 };
 
 }  // namespace clca::testing

@@ -5,10 +5,10 @@
 
 namespace clca::testing {
 
-using automaton::Particle;
-using automaton::Push;
-using automaton::State;
-using automaton::Wall;
+using grains::Particle;
+using grains::Push;
+using grains::State;
+using grains::Wall;
 
 namespace {
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::testing {
 
 /// The first walls, particles and pushes that differ; empty when nothing does.
-std::string difference(const automaton::State& found, const automaton::State& expected);
+std::string difference(const grains::State& found, const grains::State& expected);
 
 }  // namespace clca::testing

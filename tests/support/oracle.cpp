@@ -10,10 +10,10 @@ namespace clca::testing {
 
 namespace {
 
-using automaton::kRest;
-using automaton::Move;
-using automaton::Particle;
-using automaton::State;
+using grains::kRest;
+using grains::Move;
+using grains::Particle;
+using grains::State;
 using lattice::Direction;
 using lattice::Site;
 
@@ -68,9 +68,9 @@ class Map {
 
 }  // namespace
 
-std::size_t oracle_step(State& state) {
+std::size_t oracle_step(State& state, const automaton::Rules& rules) {
   Map map(state);
-  const ActiveOracle rule{state};
+  const ActiveOracle rule{state, rules};
   std::vector<Wish> wishes;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     std::vector<Direction> free;
@@ -101,8 +101,8 @@ std::size_t oracle_step(State& state) {
   return moved;
 }
 
-long long potential(const State& state) {
-  const Eigen::Vector2d up = lattice::position(unit(opposite(state.rules.gravity)));
+long long potential(const State& state, const automaton::Rules& rules) {
+  const Eigen::Vector2d up = lattice::position(unit(opposite(rules.gravity)));
   long long sum = 0;
   for (const Particle& particle : state.particles) {
     sum += std::llround(2 * lattice::position(particle.site()).dot(up));

@@ -4,12 +4,12 @@
 
 namespace clca::testing {
 
-using automaton::is_particle;
-using automaton::is_wall;
-using automaton::Owner;
-using automaton::Particle;
-using automaton::Push;
-using automaton::State;
+using grains::is_particle;
+using grains::is_wall;
+using grains::Owner;
+using grains::Particle;
+using grains::Push;
+using grains::State;
 using lattice::Axial;
 using lattice::Direction;
 using lattice::Site;
@@ -27,7 +27,7 @@ Sites moved(const State& state, const Sites& sites, Axial by) {
 
 bool crowded(const State& state, const std::set<Owner>& owners) {
   const bool closed = std::any_of(owners.begin(), owners.end(), [&](Owner owner) {
-    return is_wall(owner) && !state.walls[automaton::wall_number(owner)].lets_overlap();
+    return is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap();
   });
   return owners.size() > 2 || (owners.size() == 2 && closed && is_particle(*owners.rbegin()));
 }
@@ -65,7 +65,7 @@ Sites body_after(const State& state, const Particle& particle, Direction directi
 }
 
 Sites wall_body(const State& state, std::size_t number, int offset) {
-  const automaton::Wall& wall = state.walls[number];
+  const grains::Wall& wall = state.walls[number];
   Sites sites;
   for (Site site : wall.sites) {
     if (wall.motion) {
@@ -81,7 +81,7 @@ Sites wall_body(const State& state, std::size_t number, int offset) {
 
 Sites body_of(const State& state, Owner owner) {
   if (is_wall(owner)) {
-    const std::size_t number = automaton::wall_number(owner);
+    const std::size_t number = grains::wall_number(owner);
     return wall_body(state, number, state.walls[number].travel.offset);
   }
   return body(state, state.particles[static_cast<std::size_t>(owner)]);
@@ -123,7 +123,7 @@ std::map<Site, std::set<Owner>> occupants(const State& state) {
   };
   for (std::size_t number = 0; number < state.walls.size(); ++number) {
     if (state.walls[number].present) {
-      put(automaton::wall_code(number));
+      put(grains::wall_code(number));
     }
   }
   for (std::size_t id = 0; id < state.particles.size(); ++id) {

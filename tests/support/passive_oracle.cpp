@@ -8,21 +8,21 @@
 
 namespace clca::testing {
 
-using automaton::kRest;
-using automaton::Move;
-using automaton::Owner;
-using automaton::Particle;
-using automaton::Push;
-using automaton::State;
+using grains::kRest;
+using grains::Move;
+using grains::Owner;
+using grains::Particle;
+using grains::Push;
+using grains::State;
 using lattice::Direction;
 using lattice::Site;
 
 namespace {
 
-Move passive_choice(const Crowd& crowd, Owner id, std::uint64_t bits) {
+Move passive_choice(const Crowd& crowd, Direction gravity, Owner id, std::uint64_t bits) {
   std::map<int, std::vector<Direction>> by_score;
   for (const Direction direction : lattice::kDirections) {
-    if (const auto score = Verdict(crowd, id, direction).score()) {
+    if (const auto score = Verdict(crowd, gravity, id, direction).score()) {
       by_score[*score].push_back(direction);
     }
   }
@@ -85,8 +85,8 @@ Move active_choice(const Crowd& crowd, const ActiveOracle& rule, Owner id) {
   return rule.provisional(static_cast<std::size_t>(id), free);
 }
 
-bool push_turn(Crowd& crowd, Owner id, Direction direction) {
-  const Verdict verdict(crowd, id, direction);
+bool push_turn(Crowd& crowd, Direction gravity, Owner id, Direction direction) {
+  const Verdict verdict(crowd, gravity, id, direction);
   if (!verdict.score()) {
     return false;
   }
@@ -96,16 +96,16 @@ bool push_turn(Crowd& crowd, Owner id, Direction direction) {
   return true;
 }
 
-std::size_t move_particles(State& state) {
+std::size_t move_particles(State& state, const automaton::Rules& rules) {
   Crowd crowd(state);
-  const ActiveOracle rule{state};
+  const ActiveOracle rule{state, rules};
   std::vector<Wish> pushed;
   std::vector<Wish> others;
   for (std::size_t i = 0; i < state.particles.size(); ++i) {
     const auto id = static_cast<Owner>(i);
     const std::uint64_t bits = rule.draw(i, random::Purpose::passive);
     if (!crowd.pushes_onto(id).empty()) {
-      pushed.push_back(rule.wish(i, passive_choice(crowd, id, bits)));
+      pushed.push_back(rule.wish(i, passive_choice(crowd, rules.gravity, id, bits)));
       continue;
     }
     const std::optional<Move> back = way_back(crowd, id, bits);
@@ -125,7 +125,8 @@ std::size_t move_particles(State& state) {
     moved += goes ? 1U : 0U;
   };
   for (const Wish& wish : rule.in_order(pushed)) {
-    done(wish, push_turn(crowd, static_cast<Owner>(wish.id), static_cast<Direction>(wish.move)));
+    done(wish, push_turn(crowd, rules.gravity, static_cast<Owner>(wish.id),
+                         static_cast<Direction>(wish.move)));
   }
   for (const Wish& wish : rule.in_order(others)) {
     const auto direction = static_cast<Direction>(wish.move);
@@ -140,10 +141,10 @@ std::size_t move_particles(State& state) {
 
 }  // namespace
 
-WholeStep oracle_whole_step(State& state) {
+WholeStep oracle_whole_step(State& state, const automaton::Rules& rules) {
   WholeStep step;
   step.walls = oracle_walls(state);
-  step.moved = move_particles(state);
+  step.moved = move_particles(state, rules);
   oracle_wait(state, step.moved > 0);
   ++state.step;
   return step;

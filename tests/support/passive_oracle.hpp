@@ -2,6 +2,7 @@
 // A whole step with walls that move and particles that overlap, written down as plainly as it can
 // be: the oracle for the real thing.
 
+#include "clca/automaton/rules.hpp"
 #include "support/wall_oracle.hpp"
 
 namespace clca::testing {
@@ -13,6 +14,6 @@ struct WholeStep {
 
 /// One step of a state without sources and outlets. Walls move, then all particles decide, then
 /// those pushed have their turn one after the other, then the others.
-WholeStep oracle_whole_step(automaton::State& state);
+WholeStep oracle_whole_step(grains::State& state, const automaton::Rules& rules);
 
 }  // namespace clca::testing

@@ -4,12 +4,12 @@
 
 namespace clca::testing {
 
-using automaton::is_particle;
-using automaton::is_wall;
-using automaton::Move;
-using automaton::Owner;
-using automaton::Particle;
-using automaton::Push;
+using grains::is_particle;
+using grains::is_wall;
+using grains::Move;
+using grains::Owner;
+using grains::Particle;
+using grains::Push;
 using lattice::Direction;
 using lattice::Site;
 
@@ -25,8 +25,9 @@ int least_radius(std::size_t sites) {
 
 }  // namespace
 
-Verdict::Verdict(const Crowd& crowd, Owner id, Direction direction)
+Verdict::Verdict(const Crowd& crowd, Direction gravity, Owner id, Direction direction)
     : crowd_(crowd),
+      gravity_(gravity),
       id_(id),
       direction_(direction),
       changes_(crowd.changes(id, direction)),
@@ -44,7 +45,7 @@ std::optional<int> Verdict::score() const {
   if (!admissible || !(strict || helps_somehow()) || (!deepened_.empty() && angle() > 1)) {
     return std::nullopt;
   }
-  const int turns = lattice::turns_between(crowd_.state().rules.gravity, direction_);
+  const int turns = lattice::turns_between(gravity_, direction_);
   const int relaxed = deepened_.empty() ? 500 : 2000;
   const bool keeps = crowd_.particle(id_).previous == static_cast<Move>(direction_);
   return 1000 * grown() + (strict ? 0 : relaxed) - 60 * votes() - (keeps ? 20 : 0) -
@@ -124,7 +125,7 @@ bool Verdict::has_room() const {
            const std::set<Owner> owners = crowd_.owners(site);
            return owners.size() > 1 || std::any_of(owners.begin(), owners.end(), [&](Owner owner) {
                     return is_wall(owner) &&
-                           !crowd_.state().walls[automaton::wall_number(owner)].lets_overlap();
+                           !crowd_.state().walls[grains::wall_number(owner)].lets_overlap();
                   });
          });
 }

@@ -48,7 +48,7 @@ std::string difference_of_trajectories(const fs::path& a, const fs::path& b) {
     return "";
   }
   const scene::Scene scene = scene::parse_file(a / "scene.yaml");
-  const automaton::State fixed = run::initial_state(scene);
+  const grains::State fixed = run::initial_state(scene);
   const store::Trajectory first(a, scene, fixed, kMuch);
   const store::Trajectory second(b, scene, fixed, kMuch);
   if (first.frames().size() != second.frames().size()) {

@@ -11,7 +11,7 @@ namespace clca::testing {
 store::RunSummary run_and_store(const scene::Scene& scene, const std::filesystem::path& folder,
                                 std::uint64_t every) {
   const store::RunSummary summary = run::run(scene, {.folder = folder});
-  automaton::Automaton automaton(run::initial_state(scene));
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, automaton.state(), {});
   for (std::size_t stage = 0; stage < summary.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);

@@ -45,15 +45,15 @@ inline scene::Scene hourglass_scene() {
 }
 
 /// What a trajectory keeps of `state`, a state of the scene that begins as `fixed`.
-inline automaton::State kept_of(const automaton::State& state, const automaton::State& fixed) {
-  automaton::State kept = state;
+inline grains::State kept_of(const grains::State& state, const grains::State& fixed) {
+  grains::State kept = state;
   for (std::size_t id = 0; id < kept.particles.size(); ++id) {
     if (!kept.particles[id].present) {
       kept.particles[id] = {.present = false};
       kept.origins[id] = {};
     }
   }
-  for (automaton::Wall& wall : kept.walls) {
+  for (grains::Wall& wall : kept.walls) {
     wall.travel = {.offset = wall.travel.offset};
   }
   kept.sources = fixed.sources;
@@ -64,8 +64,8 @@ inline automaton::State kept_of(const automaton::State& state, const automaton::
 /// Goes through all stages, which end after some steps, with a frame every `every` of them, at
 /// their begin and end. `take(state, stage, begins)` gets each.
 inline void play(const scene::Scene& scene, std::uint64_t every,
-                 const std::function<void(const automaton::State&, std::size_t, bool)>& take) {
-  automaton::Automaton automaton(run::initial_state(scene));
+                 const std::function<void(const grains::State&, std::size_t, bool)>& take) {
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(automaton, scene, scene.stages[stage]);
     take(automaton.state(), stage, true);

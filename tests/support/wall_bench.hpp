@@ -10,7 +10,8 @@ namespace clca::testing {
 
 class WallBench {
  public:
-  explicit WallBench(automaton::State state) : world(std::move(state)), mover(world.state) {}
+  explicit WallBench(grains::State state)
+      : world(std::move(state), automaton::Rules()), mover(world.state) {}
 
   /// Lets the walls take one step.
   automaton::StepReport advance() {
@@ -20,23 +21,23 @@ class WallBench {
     return report;
   }
   lattice::Site site(std::size_t id) const { return world.state.particles[id].site(); }
-  const automaton::Travel& travel(std::size_t wall) const { return world.state.walls[wall].travel; }
+  const grains::Travel& travel(std::size_t wall) const { return world.state.walls[wall].travel; }
 
   automaton::World world;
   automaton::WallMover mover;
 };
 
 /// A wall that goes one site a step.
-inline automaton::Wall driven_wall(std::vector<lattice::Site> sites, lattice::Direction direction,
-                                   automaton::Passive passive, int distance = 100) {
+inline grains::Wall driven_wall(std::vector<lattice::Site> sites, lattice::Direction direction,
+                                grains::Passive passive, int distance = 100) {
   return {.sites = std::move(sites),
-          .motion = automaton::Motion{direction, automaton::Drive{1, distance}},
+          .motion = grains::Motion{direction, grains::Drive{1, distance}},
           .passive = passive,
           .travel = {.active = true}};
 }
 
 /// A row of sites through the whole box.
-inline std::vector<lattice::Site> whole_row(const automaton::State& state, int row) {
+inline std::vector<lattice::Site> whole_row(const grains::State& state, int row) {
   std::vector<lattice::Site> sites;
   for (int column = 0; column < state.lattice.columns(); ++column) {
     sites.push_back({column, row});

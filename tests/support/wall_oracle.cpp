@@ -7,12 +7,12 @@
 
 namespace clca::testing {
 
-using automaton::is_particle;
-using automaton::Owner;
-using automaton::Push;
-using automaton::State;
-using automaton::Travel;
-using automaton::Wall;
+using grains::is_particle;
+using grains::Owner;
+using grains::Push;
+using grains::State;
+using grains::Travel;
+using grains::Wall;
 using lattice::Direction;
 
 namespace {
@@ -21,20 +21,20 @@ int rounded(double value) {
   return static_cast<int>(std::lround(value));
 }
 
-int wave_target(const automaton::Wave& wave, std::uint64_t clock) {
+int wave_target(const grains::Wave& wave, std::uint64_t clock) {
   const double half = static_cast<double>(wave.period) / 2;
   const auto time = static_cast<double>(clock % wave.period);
   const int side = time < half ? 1 : -1;
   const double t = time < half ? time : time - half;
-  if (wave.form == automaton::Waveform::triangle) {
+  if (wave.form == grains::Waveform::triangle) {
     return side * rounded(2 * wave.amplitude * std::min(t, half - t) / half);
   }
   const double product = t * (half - t);  // Bhaskara
   return side * rounded(16 * wave.amplitude * product / (5 * half * half - 4 * product));
 }
 
-int path_target(const automaton::Path& path, std::uint64_t clock) {
-  automaton::Path::Point before;
+int path_target(const grains::Path& path, std::uint64_t clock) {
+  grains::Path::Point before;
   for (const auto& point : path.points) {
     if (clock < point.step) {
       const double rise = point.offset - before.offset;
@@ -50,16 +50,16 @@ int wanted_offset(const Wall& wall) {
   const auto& program = wall.motion->program;
   const Travel& travel = wall.travel;
   const std::uint64_t now = travel.clock + 1;
-  if (const auto* drive = std::get_if<automaton::Drive>(&program)) {
+  if (const auto* drive = std::get_if<grains::Drive>(&program)) {
     return now % drive->period == 0 ? std::max(drive->distance, travel.offset) : travel.offset;
   }
-  if (const auto* wave = std::get_if<automaton::Wave>(&program)) {
+  if (const auto* wave = std::get_if<grains::Wave>(&program)) {
     return wave_target(*wave, now);
   }
-  if (const auto* path = std::get_if<automaton::Path>(&program)) {
+  if (const auto* path = std::get_if<grains::Path>(&program)) {
     return path_target(*path, now);
   }
-  const auto& shake = std::get<automaton::Shake>(program);
+  const auto& shake = std::get<grains::Shake>(program);
   switch (travel.phase) {
     case Travel::Phase::rising:
       return shake.amplitude;
@@ -84,7 +84,7 @@ class Turn {
         before_(wall_body(state, number, wall_.travel.offset)),
         after_(wall_body(state, number, wall_.travel.offset + sense)) {}
 
-  bool taken() { return wall_.passive == automaton::Passive::rigid ? pushes() : enters(); }
+  bool taken() { return wall_.passive == grains::Passive::rigid ? pushes() : enters(); }
 
  private:
   bool pushes() {
@@ -100,12 +100,12 @@ class Turn {
         }
       }
     }
-    train.erase(automaton::wall_code(number_));
-    if (std::any_of(train.begin(), train.end(), automaton::is_wall)) {
+    train.erase(grains::wall_code(number_));
+    if (std::any_of(train.begin(), train.end(), grains::is_wall)) {
       return false;
     }
     for (const Owner owner : train) {
-      automaton::Particle& particle = state_.particles[static_cast<std::size_t>(owner)];
+      grains::Particle& particle = state_.particles[static_cast<std::size_t>(owner)];
       const lattice::Site target = particle.site() + unit(direction_);
       particle.column = target.column;
       particle.row = target.row;
@@ -128,7 +128,7 @@ class Turn {
   }
 
   bool enters() {
-    const Owner code = automaton::wall_code(number_);
+    const Owner code = grains::wall_code(number_);
     std::set<std::uint32_t> touched;
     for (const lattice::Site site : after_) {
       if (before_.contains(site) || owners_[site].empty()) {
@@ -178,7 +178,7 @@ class Turn {
 };
 
 void turn_round(const Wall& wall, Travel& travel) {
-  if (const auto* shake = std::get_if<automaton::Shake>(&wall.motion->program)) {
+  if (const auto* shake = std::get_if<grains::Shake>(&wall.motion->program)) {
     if (travel.phase == Travel::Phase::rising && travel.offset == shake->amplitude) {
       travel.phase = Travel::Phase::falling;
     } else if (travel.phase == Travel::Phase::falling && travel.offset == 0) {
@@ -186,7 +186,7 @@ void turn_round(const Wall& wall, Travel& travel) {
       travel.waited = 0;
     }
   }
-  if (const auto* wave = std::get_if<automaton::Wave>(&wall.motion->program)) {
+  if (const auto* wave = std::get_if<grains::Wave>(&wall.motion->program)) {
     travel.cycles = travel.clock / wave->period;
   }
 }
@@ -222,8 +222,7 @@ WallTurns oracle_walls(State& state) {
 
 void oracle_wait(State& state, bool particles_moved) {
   for (Wall& wall : state.walls) {
-    const auto* shake =
-        wall.motion ? std::get_if<automaton::Shake>(&wall.motion->program) : nullptr;
+    const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
     Travel& travel = wall.travel;
     if (shake == nullptr || !wall.present || !travel.active ||
         travel.phase != Travel::Phase::waiting) {

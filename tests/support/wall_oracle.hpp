@@ -1,7 +1,7 @@
 #pragma once
 // Walls that move, written down as plainly as it can be.
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::testing {
 
@@ -11,9 +11,9 @@ struct WallTurns {
 };
 
 /// Lets every active wall take its step, in the order of their numbers.
-WallTurns oracle_walls(automaton::State& state);
+WallTurns oracle_walls(grains::State& state);
 
 /// Ends the step for walls that wait.
-void oracle_wait(automaton::State& state, bool particles_moved);
+void oracle_wait(grains::State& state, bool particles_moved);
 
 }  // namespace clca::testing

@@ -1,14 +1,15 @@
 #pragma once
 // The connected lattice cellular automaton: one step of the priority-ordered update.
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <span>
-#include <vector>
 
-#include "clca/automaton/occupancy.hpp"
 #include "clca/automaton/profile.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/automaton/rules.hpp"
+#include "clca/grains/fill.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::automaton {
 
@@ -38,42 +39,35 @@ struct Options {
   Profile* profile = nullptr;
 };
 
-/// How many particles a fill has placed.
-struct FillResult {
-  std::vector<std::size_t> placed;  ///< per species
-  bool complete = true;
-};
-
 /// Runs a State. Copies of the state it hands out are independent of it. When a change throws other
 /// than std::invalid_argument or std::out_of_range (std::bad_alloc), it is half done: all that
 /// would change the state after that throws std::logic_error.
 class Automaton {
  public:
-  /// Throws std::invalid_argument when the state is not valid (see check_valid, Occupancy) or the
-  /// number of threads is not positive.
-  explicit Automaton(State state, Options options = {});
+  /// Throws std::invalid_argument when the state is not valid (see grains::check_valid,
+  /// grains::Occupancy), the rules are not (check_rules), or the number of threads is not positive.
+  explicit Automaton(grains::State state, Rules rules = {}, Options options = {});
   ~Automaton();
   Automaton(const Automaton&) = delete;
   Automaton& operator=(const Automaton&) = delete;
   Automaton(Automaton&&) noexcept;
   Automaton& operator=(Automaton&&) noexcept;
 
-  const State& state() const;
-  const Occupancy& occupancy() const;
+  const grains::State& state() const;
+  const Rules& rules() const;
+  const grains::Occupancy& occupancy() const;
 
   /// One step: moving walls, sources, provisional directions, moves in order of priority, outlets.
   StepReport step();
 
-  /// Places `counts` (per species) particles at random in free sites of `region`, larger species
-  /// first, each in a random orientation. New ids follow the columns from the left, upwards. A
-  /// species that no longer fits anywhere is placed in part. Throws std::invalid_argument unless
-  /// there is one count for each species, and for a region that is not a number.
-  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  /// Sets `counts` (per species) particles down in `region` one after another, in an order drawn,
-  /// each where it comes to rest on those before it (sequential deposition, Visscher & Bolsterli
-  /// 1972): a packing that is settled as it is. Ids as above. Throws as fill, and unless gravity
-  /// points down.
-  FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Places `counts` (per species) particles at random in `region`, see grains::fill_region.
+  /// Throws std::invalid_argument unless there is one count for each species, and for a region that
+  /// is not a number.
+  grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Sets `counts` (per species) particles down in `region`, each where it comes to rest on those
+  /// before it, see grains::deposit_in: a packing that is settled as it is. Throws as fill, and
+  /// unless gravity points down.
+  grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   // Walls and sources by index; of one that is not there these throw std::out_of_range.
 
   /// Takes a wall away; nothing happens when it is gone already.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "clca/lattice/direction.hpp"
 
@@ -33,5 +34,14 @@ struct Rules {
 
   bool operator==(const Rules&) const = default;
 };
+
+/// Directions that the rules allow: gravity first, then its neighbours clockwise and
+/// anticlockwise, then the rest.
+std::span<const lattice::Direction> candidate_directions(const Rules& rules);
+
+/// Throws std::invalid_argument, with the reason, unless gravity is a direction and the
+/// update priority names each class once. Probabilities are checked where they are rounded, see
+/// random::Probability.
+void check_rules(const Rules& rules);
 
 }  // namespace clca::automaton

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/trajectory.hpp"
@@ -39,7 +39,7 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   /// Steps must not fall from frame to frame. Throws store::StoreError.
-  virtual void add(const automaton::State& state) = 0;
+  virtual void add(const grains::State& state) = 0;
   /// Puts the file at its place. Nothing can be added afterwards. Throws store::StoreError.
   virtual void finish() = 0;
 };
@@ -47,8 +47,7 @@ class Writer {
 /// A writer of `file`; those of VTK write files of single frames beside it. The states to come are
 /// of this scene and have these kinds. Throws store::StoreError.
 std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
-                               const scene::Scene& scene,
-                               const std::vector<automaton::Kind>& kinds);
+                               const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
 
 /// Which frames, by their steps.
 struct Choice {

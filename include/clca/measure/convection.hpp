@@ -39,10 +39,10 @@ class Convection {
   /// `cell`: side of the cells of the grid, in lattice spacings.
   Convection(const lattice::Lattice& lattice, double cell);
 
-  void begin_cycle(const automaton::State& state);
+  void begin_cycle(const grains::State& state);
   /// Particles that came or left within the cycle are left out. Throws std::logic_error where no
   /// cycle has begun.
-  void end_cycle(const automaton::State& state);
+  void end_cycle(const grains::State& state);
 
   std::uint64_t cycles() const { return cycles_; }
   /// Of the cells in which a particle ever began a cycle, in the order of Grid.
@@ -51,7 +51,7 @@ class Convection {
   std::optional<Rolls> rolls() const;
 
   /// False where this did not accumulate in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
   static constexpr auto fields();
 
  private:

@@ -29,17 +29,17 @@ struct Fields {
 class FieldWindow {
  public:
   /// Begins the window.
-  explicit FieldWindow(const automaton::State& state) : begin_(state) {}
+  explicit FieldWindow(const grains::State& state) : begin_(state) {}
 
   /// Fields if the window ends now, on a Grid of side `cell` (lattice spacings). Particles that
   /// came or left within the window count in the packing only. In a window of no steps all
   /// velocities are 0.
-  Fields fields(const automaton::State& now, double cell) const;
+  Fields fields(const grains::State& now, double cell) const;
   /// What the particles did if the window ends now, as Snapshot::journeys.
-  std::vector<Journey> journeys(const automaton::State& now) const { return begin_.journeys(now); }
+  std::vector<Journey> journeys(const grains::State& now) const { return begin_.journeys(now); }
 
   /// False where the window did not begin in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const { return begin_.precedes(now); }
+  bool precedes(const grains::State& now) const { return begin_.precedes(now); }
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("begin", &FieldWindow::begin_));

@@ -36,7 +36,7 @@ struct ForceSummary {
 };
 
 /// `occupancy` and `contacts` are those of this state; std::invalid_argument where they cannot be.
-ForceSummary force_summary(const automaton::State& state, const automaton::Occupancy& occupancy,
+ForceSummary force_summary(const grains::State& state, const grains::Occupancy& occupancy,
                            const std::vector<Contact>& contacts);
 
 /// How deep the foremost point of a wall that moves up or down lies under the surface that the bed
@@ -44,7 +44,7 @@ ForceSummary force_summary(const automaton::State& state, const automaton::Occup
 /// over the columns with particles that the wall covers. Negative above it; none where the wall is
 /// removed, moves sideways or covers no bed. Throws std::invalid_argument unless the surface has
 /// one height for each column.
-std::optional<double> penetration(const automaton::State& now, const automaton::Wall& wall,
+std::optional<double> penetration(const grains::State& now, const grains::Wall& wall,
                                   const std::vector<double>& surface_at_start);
 
 }  // namespace clca::measure

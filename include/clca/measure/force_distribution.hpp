@@ -47,7 +47,7 @@ class ForceAverage {
  public:
   struct Mean {
     std::uint32_t first = 0;
-    automaton::Owner second = 0;
+    grains::Owner second = 0;
     double sites = 0;  ///< mean over all samples
     double share = 0;  ///< of the samples in which the contact was there
 
@@ -62,7 +62,7 @@ class ForceAverage {
   std::vector<Mean> means() const;
 
   /// False where some contact is not one of a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
   static constexpr auto fields();
 
  private:
@@ -77,7 +77,7 @@ class ForceAverage {
   };
 
   std::uint64_t samples_ = 0;
-  std::map<std::pair<std::uint32_t, automaton::Owner>, Sum> sums_;
+  std::map<std::pair<std::uint32_t, grains::Owner>, Sum> sums_;
 };
 
 constexpr auto ForceAverage::fields() {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::measure {
 
@@ -22,12 +22,12 @@ struct Discharge {
   }
 };
 
-Discharge discharge(const automaton::State& state);
+Discharge discharge(const grains::State& state);
 
 /// True when a particle hangs over every column that opens into an outlet: a state at rest that is
 /// so has clogged (one that flows is so too). Throws std::invalid_argument for the occupancy of
 /// another box.
-bool blocked(const automaton::State& state, const automaton::Occupancy& occupancy);
+bool blocked(const grains::State& state, const grains::Occupancy& occupancy);
 
 /// Records the discharge of a stage, step by step.
 class Outflow {
@@ -46,7 +46,7 @@ class Outflow {
   /// left: the steady part. 0 where less than two particles have left.
   double sites_per_step() const;
   /// Whether it can have been recorded in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
 
   static constexpr auto fields();
 

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::measure {
 
 /// Height of the free surface above the floor of the box, one value per column from the left, in
 /// lattice spacings: the top of the highest particle site there, 0 where there is none.
-std::vector<double> surface_profile(const automaton::State& state);
+std::vector<double> surface_profile(const grains::State& state);
 
 /// Mean of the profile over the columns with particles; 0 where there are none.
 double mean_height(const std::vector<double>& profile);
@@ -32,6 +32,6 @@ ReposeAngle repose_angle(const std::vector<double>& profile);
 /// Particle sites over all sites that the bed could fill: per column from the floor or wall under
 /// the lowest particle up to the highest, without walls. A site that two particles share counts
 /// twice: this is the nominal packing of a bed under a piston. Nothing for an empty box.
-std::optional<double> packing_fraction(const automaton::State& state);
+std::optional<double> packing_fraction(const grains::State& state);
 
 }  // namespace clca::measure

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::measure {
 
@@ -23,15 +23,15 @@ class Snapshot {
  public:
   /// Of an empty box.
   Snapshot() = default;
-  explicit Snapshot(const automaton::State& state);
+  explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
   /// Journeys since then of the particles present at both moments, by id. Throws
   /// std::invalid_argument where `now` is earlier or has fewer particles.
-  std::vector<Journey> journeys(const automaton::State& now) const;
+  std::vector<Journey> journeys(const grains::State& now) const;
 
   /// False where this was not taken in a run that has come to `now`.
-  bool precedes(const automaton::State& now) const;
+  bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("step", &Snapshot::step_), field("centres", &Snapshot::centres_));

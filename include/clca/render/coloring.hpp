@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/legend.hpp"
 
@@ -40,7 +40,7 @@ struct LayerRange {
 };
 
 /// Of the particles that are present, and of all that the `sources` (State::sources) may emit.
-LayerRange layer_range(const automaton::State& state, std::span<const std::size_t> sources = {});
+LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
 // What tells the shade of a particle.
 struct BySpecies {};
@@ -68,15 +68,13 @@ struct Coloring {
 inline constexpr std::size_t kMostShades = 32'000;
 
 /// Of one particle. `occupancy`: of `state`.
-Rgb color(const Coloring& coloring, const automaton::State& state,
-          const automaton::Occupancy& occupancy, std::size_t id);
+Rgb color(const Coloring& coloring, const grains::State& state, const grains::Occupancy& occupancy,
+          std::size_t id);
 
-Coloring color_by_species(std::span<const automaton::Kind> kinds,
-                          std::span<const NamedColor> species);
+Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const NamedColor> species);
 /// Horizontal layers of equal thickness by the height of the origins. What lies outside of `range`
 /// has the colour of the lowest or the highest layer.
-Coloring color_by_layer(std::span<const automaton::Kind> kinds, int layers,
-                        const LayerRange& range);
+Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
 /// Distance from the origin; the bar ends at `high` lattice spacings.
 Coloring color_by_displacement(double high);
 /// By the sites that a particle shares with another one or with a wall; the bar ends at `high`.

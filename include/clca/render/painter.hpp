@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/overlay.hpp"
@@ -61,7 +61,7 @@ class Painter {
  public:
   /// For states on `lattice` with `kinds`. Throws RenderError.
   Painter(const Style& style, const lattice::Lattice& lattice,
-          const std::vector<automaton::Kind>& kinds);
+          const std::vector<grains::Kind>& kinds);
   ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
@@ -70,13 +70,13 @@ class Painter {
 
   /// Takes what the picture needs of a state, which may go on then. `occupancy`: that of `state`.
   /// What it takes time for is the samples of the picture, not particles or sites.
-  Exposure expose(const automaton::State& state, const automaton::Occupancy& occupancy,
+  Exposure expose(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring);
   /// Makes the picture. `exposure`: of this painter.
   Image develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay = {});
 
   /// Both.
-  Image draw(const automaton::State& state, const automaton::Occupancy& occupancy,
+  Image draw(const grains::State& state, const grains::Occupancy& occupancy,
              const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 // From a scene to the state it starts in.
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::run {
@@ -9,7 +9,7 @@ namespace clca::run {
 /// The box with its walls, sources (closed) and outlets; no particles yet. Orientations that look
 /// alike become one kind. Throws scene::SceneError when the walls cannot move as they should (see
 /// scene::check_walls).
-automaton::State initial_state(const scene::Scene& scene);
+grains::State initial_state(const scene::Scene& scene);
 
 /// Carries out what a run does before its first step, without a folder, to find out whether it
 /// would refuse the scene: throws as run() does then. Takes the memory of the run and its time to

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "clca/automaton/motion.hpp"
 #include "clca/automaton/rules.hpp"
+#include "clca/grains/motion.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/output.hpp"
@@ -74,8 +74,8 @@ using WallPart = std::variant<lattice::Rectangle, lattice::Segment>;
 struct Wall {
   std::string name;
   std::vector<WallPart> parts;
-  std::optional<automaton::Motion> motion = {};
-  automaton::Passive passive = automaton::Passive::rigid;  ///< of one that moves
+  std::optional<grains::Motion> motion = {};
+  grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
   std::string place = {};
 
   bool operator==(const Wall& other) const;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 
@@ -35,14 +35,14 @@ class TrajectoryWriter {
   /// Keeps the first `kept.parts` parts of the run folder and removes later ones of clca's, so that
   /// a run goes on where its checkpoint was; a new run keeps none. Throws StoreError.
   TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
-                   const automaton::State& state, const Written& kept);
+                   const grains::State& state, const Written& kept);
   ~TrajectoryWriter();
   TrajectoryWriter(const TrajectoryWriter&) = delete;
   TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
   /// Takes a frame of the stage `stage` (from 0) into memory; `stage_begins` in the first frame of
   /// a stage, where all origins are marked anew. Writes a part when enough has come together.
-  void add(const automaton::State& state, std::size_t stage, bool stage_begins);
+  void add(const grains::State& state, std::size_t stage, bool stage_begins);
   /// Writes what is in memory, if anything, as a part, and the index anew.
   void flush();
   /// After flush().
@@ -67,7 +67,7 @@ class Trajectory {
   /// StoreError for a folder without a trajectory, for files that are not whole or not of this
   /// scene, and where a part or the state of a frame would need more than `most_bytes` of memory.
   Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
-             automaton::State fixed, double most_bytes);
+             grains::State fixed, double most_bytes);
   ~Trajectory();
   Trajectory(const Trajectory&) = delete;
   Trajectory& operator=(const Trajectory&) = delete;
@@ -78,7 +78,7 @@ class Trajectory {
   /// but for its offset, sources, outlets. Of particles that have left there is no more than that
   /// they are not present. An Automaton can be made of it. Fast when frames are asked for in order;
   /// not for several threads at once. Throws StoreError, also for what no run can have written.
-  automaton::State state(std::size_t frame) const;
+  grains::State state(std::size_t frame) const;
 
  private:
   class Impl;

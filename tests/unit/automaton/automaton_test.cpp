@@ -15,6 +15,13 @@
 namespace clca::automaton {
 namespace {
 
+using grains::kRest;
+using grains::Move;
+using grains::Occupancy;
+using grains::Outlet;
+using grains::Particle;
+using grains::Source;
+using grains::State;
 using lattice::Direction;
 using lattice::Shape;
 using testing::empty_state;
@@ -46,11 +53,10 @@ TEST(Automaton, AParticleOnASiteRollsToTheOnlyFreeSide) {
 TEST(Automaton, FullInertiaKeepsTheSlopeInEmptyAirAndNoneFallsStraight) {
   for (const double inertia : {0.0, 1.0}) {
     State state = empty_state(41, 60);
-    state.rules.inertia = inertia;
     state.kinds = {{Shape::hexagon(0), 0}};
     state.particles = {particle_at(4, 50)};
     state.particles[0].previous = static_cast<Move>(Direction::down_right);
-    Automaton automaton(state);
+    Automaton automaton(state, {.inertia = inertia});
     for (int step = 0; step < 20; ++step) {
       automaton.step();
     }
@@ -61,13 +67,12 @@ TEST(Automaton, FullInertiaKeepsTheSlopeInEmptyAirAndNoneFallsStraight) {
 TEST(Automaton, InertiaIsTheProbabilityToKeepTheSlope) {
   // 4,000 particles that just moved down_right with all directions free; 1,000 boxes of 4 columns.
   State state = empty_state(16'000, 8);
-  state.rules.inertia = 0.7;
   state.kinds = {{Shape::hexagon(0), 0}};
   for (int i = 0; i < 4000; ++i) {
     state.particles.push_back(particle_at(4 * i + 1, 4));
     state.particles.back().previous = static_cast<Move>(Direction::down_right);
   }
-  Automaton automaton(state);
+  Automaton automaton(state, {.inertia = 0.7});
   automaton.step();
   int kept = 0;
   for (const Particle& particle : automaton.state().particles) {
@@ -78,12 +83,11 @@ TEST(Automaton, InertiaIsTheProbabilityToKeepTheSlope) {
 
 TEST(Automaton, ScatterTakesAllFreeDirectionsAlike) {
   State state = empty_state(16'000, 8);
-  state.rules.scatter = 1;
   state.kinds = {{Shape::hexagon(0), 0}};
   for (int i = 0; i < 3000; ++i) {
     state.particles.push_back(particle_at(4 * i + 1, 4));
   }
-  Automaton automaton(state);
+  Automaton automaton(state, {.scatter = 1});
   automaton.step();
   std::map<Move, int> counts;
   for (const Particle& particle : automaton.state().particles) {
@@ -99,15 +103,13 @@ TEST(Automaton, OfTwoMoversToOneSiteTheClassDecidesAndElseADraw) {
   // A falls straight into the site that B, just rolled, wants too.
   const auto winner = [](std::array<UpdateClass, 3> order, std::uint64_t seed) {
     State state = empty_state(9, 12, seed);
-    state.rules.inertia = 1;
-    state.rules.update_priority = order;
     state.kinds = {{Shape::hexagon(0), 0}};
     // Column 4 is even: its lower left neighbour of row r is (3, r - 1).
     state.particles = {particle_at(3, 6), particle_at(4, 6)};
     state.particles[0].previous = static_cast<Move>(Direction::down);
     state.particles[1].previous = static_cast<Move>(Direction::down_left);
     state.walls = {{.sites = {{4, 5}, {5, 5}}, .present = true}};
-    Automaton automaton(state);
+    Automaton automaton(state, {.inertia = 1, .update_priority = order});
     automaton.step();
     EXPECT_NE(automaton.state().particles[0].previous == kRest,
               automaton.state().particles[1].previous == kRest);
@@ -124,14 +126,12 @@ TEST(Automaton, OfTwoMoversToOneSiteTheClassDecidesAndElseADraw) {
 
 TEST(Automaton, AMixedCollapseEqualsTheOracleForBothKindsOfTies) {
   for (const Ties ties : {Ties::particle, Ties::direction}) {
-    State state = testing::mixed_automaton(80, 60, 50).state();
-    state.rules.ties = ties;
-    state.rules.inertia = 0.9;
-    State expected = state;
-    Automaton automaton(state);
-    Automaton threaded(state, {.threads = 2, .parallel_from = 1});
+    const Rules rules = {.inertia = 0.9, .ties = ties};
+    State expected = testing::mixed_automaton(80, 60, 50).state();
+    Automaton automaton(expected, rules);
+    Automaton threaded(expected, rules, {.threads = 2, .parallel_from = 1});
     for (int step = 0; step < 120; ++step) {
-      testing::oracle_step(expected);
+      testing::oracle_step(expected, rules);
       automaton.step();
       threaded.step();
       ASSERT_EQ(automaton.state(), expected) << "step " << step;
@@ -141,19 +141,17 @@ TEST(Automaton, AMixedCollapseEqualsTheOracleForBothKindsOfTies) {
 }
 
 TEST(Automaton, TheTwoKindsOfTiesAreNotTheSamePhysics) {
-  State state = testing::mixed_automaton(80, 60, 60).state();
+  const State state = testing::mixed_automaton(80, 60, 60).state();
   Automaton by_particle(state);
-  state.rules.ties = Ties::direction;
-  Automaton by_direction(state);
+  Automaton by_direction(state, {.ties = Ties::direction});
   settle(by_particle);
   settle(by_direction);
   EXPECT_NE(by_particle.state().particles, by_direction.state().particles);
 }
 
 TEST(Automaton, AllSixCandidatesNeverComeToRest) {
-  State state = testing::mixed_automaton(40, 40, 10).state();
-  state.rules.candidates = Candidates::all;
-  Automaton automaton(state);
+  Automaton automaton(testing::mixed_automaton(40, 40, 10).state(),
+                      {.candidates = Candidates::all});
   for (int step = 0; step < 500; ++step) {
     EXPECT_FALSE(automaton.step().settled);
   }
@@ -162,10 +160,9 @@ TEST(Automaton, AllSixCandidatesNeverComeToRest) {
 TEST(Automaton, GravityMayPointAlongAnyDirection) {
   for (const Direction gravity : lattice::kDirections) {
     State state = empty_state(40, 40);
-    state.rules.gravity = gravity;
     state.kinds = {{Shape::hexagon(1), 0}};
     state.particles = {particle_at(20, 20)};
-    Automaton automaton(state);
+    Automaton automaton(state, {.gravity = gravity});
     automaton.step();
     EXPECT_EQ(automaton.state().particles[0].previous, static_cast<Move>(gravity));
     settle(automaton);
@@ -175,11 +172,10 @@ TEST(Automaton, GravityMayPointAlongAnyDirection) {
 TEST(Automaton, PeriodicBoxesLetParticlesAcrossTheSeam) {
   State state = empty_state(10, 30);
   state.lattice = lattice::Lattice(10, 30, true);
-  state.rules.inertia = 1;
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = {particle_at(8, 25)};
   state.particles[0].previous = static_cast<Move>(Direction::down_right);
-  Automaton automaton(state);
+  Automaton automaton(state, {.inertia = 1});
   for (int step = 0; step < 15; ++step) {
     automaton.step();
     EXPECT_EQ(Occupancy(automaton.state()), automaton.occupancy());

@@ -8,6 +8,10 @@
 namespace clca::automaton {
 namespace {
 
+using grains::FillResult;
+using grains::Occupancy;
+using grains::Particle;
+using grains::State;
 State mixed_box(int columns, int rows, bool periodic = false) {
   State state{.lattice = lattice::Lattice(columns, rows, periodic), .seed = 7};
   state.kinds = {{lattice::Shape::hexagon(1), 0},
@@ -71,9 +75,7 @@ TEST(Deposit, MixesTheSpeciesUpToTheTop) {
 }
 
 TEST(Deposit, ComesDownOnly) {
-  State state = mixed_box(20, 20);
-  state.rules.gravity = lattice::Direction::up;
-  Automaton automaton(state);
+  Automaton automaton(mixed_box(20, 20), {.gravity = lattice::Direction::up});
   EXPECT_THROW(automaton.deposit({0, 0, 20, 20}, std::vector<std::size_t>{1, 0, 0, 0}),
                std::invalid_argument);
 }

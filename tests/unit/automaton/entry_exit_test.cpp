@@ -12,6 +12,10 @@
 namespace clca::automaton {
 namespace {
 
+using grains::FillResult;
+using grains::Occupancy;
+using grains::Particle;
+using grains::State;
 using lattice::Shape;
 using testing::empty_state;
 using testing::particle_at;

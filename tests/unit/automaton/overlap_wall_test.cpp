@@ -12,6 +12,15 @@
 namespace clca::automaton {
 namespace {
 
+using grains::Occupancy;
+using grains::Owner;
+using grains::Passive;
+using grains::Path;
+using grains::Push;
+using grains::State;
+using grains::Travel;
+using grains::Wall;
+using grains::wall_code;
 using lattice::Direction;
 using lattice::Shape;
 using lattice::Site;
@@ -110,13 +119,12 @@ TEST(OverlapWall, ThatBeginsOutsideComesIn) {
 
 TEST(RemoveWall, OfAWallThatOverlapsForgetsItsPushesAndWakesWhomItPushed) {
   State state = empty_state(9, 12);
-  state.rules.gravity = Direction::up;
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = {particle_at(4, 6)};
   // Above and below at once: it can go nowhere.
   state.walls = {driven_wall(testing::whole_row(state, 8), Direction::down, Passive::overlap, 1),
                  {.sites = testing::whole_row(state, 4)}};
-  Automaton automaton(state);
+  Automaton automaton(state, {.gravity = Direction::up});
   automaton.step();
   automaton.step();
   ASSERT_EQ(automaton.state().pushes.size(), 1U);

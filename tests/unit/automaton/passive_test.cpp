@@ -9,6 +9,15 @@
 namespace clca::automaton {
 namespace {
 
+using grains::Drive;
+using grains::kRest;
+using grains::Move;
+using grains::Particle;
+using grains::Passive;
+using grains::Push;
+using grains::State;
+using grains::Wall;
+using grains::wall_code;
 using lattice::Direction;
 using lattice::Shape;
 using lattice::Site;
@@ -19,11 +28,11 @@ using testing::particle_at;
 using testing::whole_row;
 
 constexpr Move kDown = static_cast<Move>(Direction::down);
+constexpr Rules kUpwards = {.gravity = Direction::up};
 
 /// Hexagons of radius 1 under a plate through the whole box that comes down; they float upwards.
 State under_a_plate(int columns, int plate_row, std::vector<Particle> particles) {
   State state = empty_state(columns, 30);
-  state.rules.gravity = Direction::up;
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = std::move(particles);
   state.walls = {driven_wall(whole_row(state, plate_row), Direction::down, Passive::overlap)};
@@ -31,7 +40,7 @@ State under_a_plate(int columns, int plate_row, std::vector<Particle> particles)
 }
 
 TEST(PassiveRule, AParticleUnderAPlateGoesDownWithIt) {
-  Automaton automaton(under_a_plate(9, 20, {particle_at(4, 18)}));
+  Automaton automaton(under_a_plate(9, 20, {particle_at(4, 18)}), kUpwards);
   for (int step = 1; step <= 10; ++step) {
     EXPECT_EQ(automaton.step().walls_moved, 1U);
     EXPECT_EQ(automaton.state().particles[0].site(), (Site{4, 18 - step}));
@@ -43,7 +52,7 @@ TEST(PassiveRule, AParticleUnderAPlateGoesDownWithIt) {
 TEST(PassiveRule, BetweenTwoPlatesThatMeetAParticleStaysAndThePlatesStall) {
   State state = under_a_plate(9, 12, {particle_at(4, 8)});
   state.walls.push_back(driven_wall(whole_row(state, 2), Direction::up, Passive::overlap));
-  Automaton automaton(state);
+  Automaton automaton(state, kUpwards);
   for (int step = 0; step < 40; ++step) {
     automaton.step();
     ASSERT_EQ(testing::complaint(automaton.state()), "");
@@ -60,7 +69,7 @@ TEST(PassiveRule, BetweenTwoStampsAParticleSlipsOutSideways) {
   State state = under_a_plate(21, 0, {particle_at(11, 9)});
   state.walls = {driven_wall({{10, 13}}, Direction::down, Passive::overlap, 8),
                  driven_wall({{10, 4}}, Direction::up, Passive::overlap, 0)};
-  Automaton automaton(state);
+  Automaton automaton(state, kUpwards);
   for (int step = 0; step < 12; ++step) {
     automaton.step();
     ASSERT_EQ(testing::complaint(automaton.state()), "");
@@ -76,7 +85,7 @@ State shaft(int plate_row) {
 }
 
 TEST(PassiveRule, AChainCarriesTheSourceAndTheDirectionOfThePush) {
-  Automaton automaton(shaft(6));
+  Automaton automaton(shaft(6), kUpwards);
   automaton.step();
   const std::vector<Push> pushes = {
       {.pushed = 0, .pusher = 1, .source = 0, .direction = Direction::down}};
@@ -86,7 +95,7 @@ TEST(PassiveRule, AChainCarriesTheSourceAndTheDirectionOfThePush) {
 }
 
 TEST(PassiveRule, NobodyIsPushedDeeperThanOneMoveAndThePlateStalls) {
-  Automaton automaton(shaft(7));
+  Automaton automaton(shaft(7), kUpwards);
   for (int step = 0; step < 20; ++step) {
     automaton.step();
     EXPECT_EQ(testing::complaint(automaton.state()), "");
@@ -99,7 +108,6 @@ TEST(PassiveRule, NobodyIsPushedDeeperThanOneMoveAndThePlateStalls) {
 /// A slanted row of `length` sites that a stamp of its form pushes onto another in a closed shaft.
 State stamped_rows(int length) {
   State state = empty_state(10, 16);
-  state.rules.gravity = Direction::up;
   std::vector<lattice::Axial> row;
   std::vector<Site> stamp;
   std::vector<Site> shut;
@@ -124,7 +132,7 @@ State stamped_rows(int length) {
 
 TEST(PassiveRule, AParticleBearsTwoOverlappedSitesAtLeastAndElseThirtyPercent) {
   for (const int length : {1, 2, 3, 6, 7}) {
-    Automaton automaton(stamped_rows(length));
+    Automaton automaton(stamped_rows(length), kUpwards);
     automaton.step();
     const bool borne = length <= 2;  // they would share all their sites
     EXPECT_EQ(automaton.state().particles[1].site(), (Site{0, borne ? 4 : 5})) << length;
@@ -134,7 +142,7 @@ TEST(PassiveRule, AParticleBearsTwoOverlappedSitesAtLeastAndElseThirtyPercent) {
 }
 
 TEST(Retreat, APusherGoesBackFromWhomItPushedOnceThePlateIsGone) {
-  Automaton automaton(shaft(7));
+  Automaton automaton(shaft(7), kUpwards);
   for (int step = 0; step < 5; ++step) {
     automaton.step();
   }
@@ -150,7 +158,6 @@ TEST(Retreat, APusherGoesBackFromWhomItPushedOnceThePlateIsGone) {
 TEST(Retreat, GoesBackAgainstGravityAndRestsWhereTheWayIsBarred) {
   for (const bool barred : {false, true}) {
     State state = shaft(12);
-    state.rules.gravity = Direction::down;
     state.particles[1] = particle_at(1, 3);
     state.pushes = {{.pushed = 0, .pusher = 1, .source = 0, .direction = Direction::down}};
     if (barred) {
@@ -165,7 +172,7 @@ TEST(Retreat, GoesBackAgainstGravityAndRestsWhereTheWayIsBarred) {
 }
 
 TEST(Settled, IsToldOfAJamAndTheJamStays) {
-  Automaton automaton(shaft(7));
+  Automaton automaton(shaft(7), kUpwards);
   testing::settle(automaton);
   const State jam = automaton.state();
   for (int step = 0; step < 5; ++step) {
@@ -185,7 +192,7 @@ TEST(Settled, IsToldOfTwoStalledWallsThatNeverTryInTheSameStep) {
     state.walls.push_back(wall);
     state.walls.push_back({.sites = {{column, 11}}});
   }
-  Automaton automaton(state);
+  Automaton automaton(state, kUpwards);
   int steps = 0;
   while (steps < 50 && !automaton.step().settled) {
     ++steps;

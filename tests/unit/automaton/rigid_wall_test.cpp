@@ -8,6 +8,11 @@
 namespace clca::automaton {
 namespace {
 
+using grains::Occupancy;
+using grains::Particle;
+using grains::Passive;
+using grains::State;
+using grains::Wall;
 using lattice::Axial;
 using lattice::Direction;
 using lattice::Shape;

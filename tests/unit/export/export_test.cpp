@@ -35,8 +35,8 @@ stages:
 }
 
 /// A dot that has come up by one, a rod turned by 60 degrees at rest, and one that has left.
-automaton::State three_particles() {
-  automaton::State state = testing::empty_state(10, 10);
+grains::State three_particles() {
+  grains::State state = testing::empty_state(10, 10);
   state.kinds = {{lattice::Shape::hexagon(0), 0},
                  {lattice::Shape::rod(0, 2).rotated(1), 1},
                  {lattice::Shape::rod(0, 2), 1}};
@@ -66,7 +66,7 @@ TEST(Bodies, ArePresentParticlesWithTheirLastMoveAndTheWayFromTheirOrigin) {
 }
 
 TEST(Bodies, StayInAPeriodicBoxAndCountHowOftenTheyLeftIt) {
-  automaton::State state = {.lattice = lattice::Lattice(10, 10, true)};
+  grains::State state = {.lattice = lattice::Lattice(10, 10, true)};
   state.kinds = {{lattice::Shape::hexagon(0), 0}};
   state.particles = {testing::particle_at(-1, 3), testing::particle_at(0, 3),
                      testing::particle_at(23, 3)};
@@ -104,7 +104,7 @@ TEST(Chosen, KeepsTheBeatInEachStage) {
 TEST(Xyz, SaysEachParticleInALine) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "a.xyz";
-  const automaton::State state = three_particles();
+  const grains::State state = three_particles();
   const auto out = writer(Format::xyz, store::named_file(file), two_species(), state.kinds);
   out->add(state);
   EXPECT_FALSE(fs::exists(file));
@@ -121,7 +121,7 @@ TEST(Xyz, SaysEachParticleInALine) {
 TEST(Vtp, ASecondFrameOfAStepHasAFileAndATimeOfItsOwn) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "a<b&c.pvd";
-  const automaton::State state = three_particles();
+  const grains::State state = three_particles();
   const auto out = writer(Format::vtp, store::named_file(file), two_species(), state.kinds);
   out->add(state);
   out->add(state);
@@ -135,7 +135,7 @@ TEST(Vtp, ASecondFrameOfAStepHasAFileAndATimeOfItsOwn) {
 TEST(Writers, LeaveNothingUnlessTheyFinish) {
   const testing::ScratchFolder folder;
   for (const Format format : {Format::gsd, Format::xyz}) {
-    const automaton::State state = three_particles();
+    const grains::State state = three_particles();
     writer(format, store::named_file(folder.path() / "a"), two_species(), state.kinds)->add(state);
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -143,7 +143,7 @@ TEST(Writers, LeaveNothingUnlessTheyFinish) {
 
 TEST(Gsd, BeginsWithTheNumberAndTheVersionsOfTheLayout) {
   const testing::ScratchFolder folder;
-  const automaton::State state = three_particles();
+  const grains::State state = three_particles();
   const auto out =
       writer(Format::gsd, store::named_file(folder.path() / "a.gsd"), two_species(), state.kinds);
   out->add(state);

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "clca/automaton/state.hpp"
 #include "clca/boltzmann/gas.hpp"
 #include "clca/fields/columns.hpp"
 #include "clca/fields/hash.hpp"
+#include "clca/grains/state.hpp"
 
 namespace clca::fields {
 namespace {
@@ -130,7 +130,7 @@ TEST(Fields, DifferInTheColumnThatIsNamed) {
 
 // Of a state, every field: what is changed is found, saved and hashed.
 TEST(Fields, OfAStateAreHashedEachOne) {
-  automaton::State state{.lattice = lattice::Lattice(4, 4, false)};
+  grains::State state{.lattice = lattice::Lattice(4, 4, false)};
   state.particles.resize(2);
   state.origins.resize(2);
   state.walls.resize(1);
@@ -152,9 +152,9 @@ TEST(Fields, OfAStateAreHashedEachOne) {
     if (!has_numbers || path.ends_with("size")) {
       continue;
     }
-    automaton::State loaded = state;
+    grains::State loaded = state;
     decode(other, kMuch, loaded);
-    EXPECT_NE(automaton::hash(loaded), automaton::hash(state)) << path;
+    EXPECT_NE(grains::hash(loaded), grains::hash(state)) << path;
     EXPECT_EQ(difference(encode(loaded), columns), path);
     ++changed;
   }

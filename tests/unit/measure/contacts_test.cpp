@@ -8,16 +8,16 @@
 #include <random>
 #include <set>
 
-#include "clca/automaton/separation.hpp"
+#include "clca/grains/separation.hpp"
 #include "pushed_states.hpp"
 
 namespace clca::measure {
 namespace {
 
-using automaton::kFirstWall;
-using automaton::Occupancy;
-using automaton::Owner;
-using automaton::State;
+using grains::kFirstWall;
+using grains::Occupancy;
+using grains::Owner;
+using grains::State;
 using lattice::kColumnPitch;
 using lattice::Shape;
 using ::testing::ElementsAre;
@@ -120,7 +120,7 @@ TEST(Contacts, CountTheSitesCommonToBothParticles) {
     const State state = crowd(seed);
     const auto found = contacts_of(state);
     EXPECT_EQ(found.size(), state.pushes.size());
-    automaton::Separation separation(state);
+    grains::Separation separation(state);
     for (const Contact& contact : found) {
       const auto& first = state.particles[contact.first];
       const auto& second = state.particles[static_cast<std::size_t>(contact.second)];
@@ -143,7 +143,7 @@ TEST(Contacts, DoNotDependOnTheOrderOfTheParticles) {
   State mirrored = state;
   std::reverse(mirrored.particles.begin(), mirrored.particles.end());
   const auto last = static_cast<std::uint32_t>(state.particles.size() - 1);
-  for (automaton::Push& push : mirrored.pushes) {
+  for (grains::Push& push : mirrored.pushes) {
     push.pushed = last - push.pushed;
     push.pusher = static_cast<Owner>(last) - push.pusher;
   }

@@ -10,7 +10,7 @@
 namespace clca::measure {
 namespace {
 
-using automaton::State;
+using grains::State;
 using lattice::kColumnPitch;
 using lattice::Shape;
 using lattice::Site;
@@ -34,7 +34,7 @@ State bed() {
 
 /// The middle third goes up by one, the outer sixths down; all by `drift` more.
 State rolled(State state, int drift) {
-  for (automaton::Particle& particle : state.particles) {
+  for (grains::Particle& particle : state.particles) {
     const bool inside = particle.column >= 6 && particle.column < 12;
     const bool at_walls = particle.column < 3 || particle.column >= 15;
     particle.row += drift + (inside ? 1 : at_walls ? -1 : 0);

@@ -7,7 +7,7 @@
 namespace clca::measure {
 namespace {
 
-using automaton::State;
+using grains::State;
 using lattice::kColumnPitch;
 using lattice::Shape;
 using testing::particle_at;
@@ -93,7 +93,7 @@ TEST(Fields, ADriftOfAllHasNoFluctuationAndRunsOnAcrossASeam) {
   }
   const FieldWindow window(state);
   state.step += 3;
-  for (automaton::Particle& particle : state.particles) {
+  for (grains::Particle& particle : state.particles) {
     const lattice::Site moved = particle.site() + lattice::Axial{6, 0};
     particle.column = moved.column;
     particle.row = moved.row;
@@ -153,7 +153,7 @@ TEST(Fields, ConserveParticlesAndMomentum) {
       EXPECT_LE(each.packing, 1);
       EXPECT_GE(each.fluctuation, 0);
     }
-    EXPECT_EQ(particles, automaton::present_count(after));
+    EXPECT_EQ(particles, grains::present_count(after));
   }
   EXPECT_GT(fluctuation_energy(window.fields(after, 1000)), 0);
 }

@@ -9,8 +9,8 @@
 namespace clca::measure {
 namespace {
 
-using automaton::Occupancy;
-using automaton::State;
+using grains::Occupancy;
+using grains::State;
 using lattice::Direction;
 
 ForceSummary summary_of(const State& state) {
@@ -52,7 +52,7 @@ TEST(Force, OfAnIdlePlateIsNothing) {
   State state = testing::pushed_state();
   state.particles.clear();
   state.pushes.clear();
-  state.walls.insert(state.walls.begin(), automaton::Wall{.sites = {{0, 0}}});
+  state.walls.insert(state.walls.begin(), grains::Wall{.sites = {{0, 0}}});
   const ForceSummary summary = summary_of(state);
   EXPECT_EQ(summary.sites, 0U);
   EXPECT_FALSE(summary.cone_share.has_value());
@@ -113,7 +113,7 @@ TEST(Force, TheConeRunsOnAcrossASeam) {
 
 TEST(Penetration, IsTheDepthOfTheForemostPointUnderTheOldSurface) {
   State state = testing::pushed_state();
-  automaton::Wall& plate = state.walls[0];
+  grains::Wall& plate = state.walls[0];
   const std::vector<double> flat(40, 10.0);
   EXPECT_DOUBLE_EQ(penetration(state, plate, flat).value(), -2);
   plate.travel.offset = 4;  // its lower edge is 8 above the floor
@@ -135,7 +135,7 @@ TEST(Penetration, OfAPlateThatRisesIsToItsUpperEdge) {
 
 TEST(Penetration, IsNoneForAWallOverNoBedOrOneThatMovesSideways) {
   State state = testing::pushed_state();
-  automaton::Wall plate = state.walls[0];
+  grains::Wall plate = state.walls[0];
   EXPECT_FALSE(penetration(state, plate, std::vector<double>(40, 0.0)).has_value());
   const std::vector<double> flat(40, 10.0);
   plate.motion->direction = Direction::down_left;

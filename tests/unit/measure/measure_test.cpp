@@ -12,7 +12,7 @@
 namespace clca::measure {
 namespace {
 
-using automaton::State;
+using grains::State;
 using lattice::kColumnPitch;
 using lattice::Shape;
 using testing::empty_state;
@@ -165,7 +165,7 @@ TEST(Outflow, OfNothingIsZero) {
 State silo() {
   State state = empty_state(20, 40);
   state.kinds = {{Shape::hexagon(2), 0}};
-  automaton::Wall floor;
+  grains::Wall floor;
   for (int column = 0; column < 20; ++column) {
     if (column < 8 || column > 12) {
       floor.sites.push_back({column, 10});
@@ -178,11 +178,11 @@ State silo() {
 
 TEST(Blocked, OnlyWhenSomethingHangsOverEveryOpenColumn) {
   State state = silo();
-  EXPECT_FALSE(blocked(state, automaton::Occupancy(state)));  // empty: nothing hangs
-  state.particles = {{.column = 8, .row = 14}};               // over columns 6 to 10
-  EXPECT_FALSE(blocked(state, automaton::Occupancy(state)));
+  EXPECT_FALSE(blocked(state, grains::Occupancy(state)));  // empty: nothing hangs
+  state.particles = {{.column = 8, .row = 14}};            // over columns 6 to 10
+  EXPECT_FALSE(blocked(state, grains::Occupancy(state)));
   state.particles.push_back({.column = 13, .row = 14});  // over columns 11 to 15
-  EXPECT_TRUE(blocked(state, automaton::Occupancy(state)));
+  EXPECT_TRUE(blocked(state, grains::Occupancy(state)));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@
 namespace clca::measure {
 namespace {
 
-using automaton::Occupancy;
-using automaton::State;
+using grains::Occupancy;
+using grains::State;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

@@ -7,11 +7,11 @@
 
 namespace clca::testing {
 
-inline automaton::Wall plate(std::vector<lattice::Site> sites,
-                             lattice::Direction direction = lattice::Direction::down) {
+inline grains::Wall plate(std::vector<lattice::Site> sites,
+                          lattice::Direction direction = lattice::Direction::down) {
   return {.sites = std::move(sites),
-          .motion = automaton::Motion{.direction = direction, .program = automaton::Drive{}},
-          .passive = automaton::Passive::overlap};
+          .motion = grains::Motion{.direction = direction, .program = grains::Drive{}},
+          .passive = grains::Passive::overlap};
 }
 
 /// One row of sites, columns `first` to `last`.
@@ -25,20 +25,20 @@ inline std::vector<lattice::Site> row_of_sites(int first, int last, int row) {
 
 /// A pair of hexagons of radius 1, one above the other, that share the site (column, row). The
 /// upper one was pushed down onto the lower one, from wall 0.
-inline void add_pair(automaton::State& state, int column, int row) {
+inline void add_pair(grains::State& state, int column, int row) {
   const auto upper = static_cast<std::uint32_t>(state.particles.size());
   state.particles.push_back(particle_at(column, row + 1));
   state.particles.push_back(particle_at(column, row - 1));
-  state.pushes.push_back({.pushed = upper + 1, .pusher = static_cast<automaton::Owner>(upper)});
+  state.pushes.push_back({.pushed = upper + 1, .pusher = static_cast<grains::Owner>(upper)});
 }
 
 /// A plate over columns 8 to 12 at row 12, moving down, that has come onto particle 0 at (10, 12),
 /// and this onto particle 1 at (10, 10); hexagons of radius 1.
-inline automaton::State pushed_state() {
-  automaton::State state = empty_state(40, 40);
+inline grains::State pushed_state() {
+  grains::State state = empty_state(40, 40);
   state.kinds = {{lattice::Shape::hexagon(1), 0}};
   state.walls = {plate(row_of_sites(8, 12, 12))};
-  state.pushes = {{.pushed = 0, .pusher = automaton::kFirstWall}};
+  state.pushes = {{.pushed = 0, .pusher = grains::kFirstWall}};
   add_pair(state, 10, 10);
   return state;
 }

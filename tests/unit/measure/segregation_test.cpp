@@ -11,7 +11,7 @@
 namespace clca::measure {
 namespace {
 
-using automaton::State;
+using grains::State;
 using lattice::Shape;
 using testing::particle_at;
 

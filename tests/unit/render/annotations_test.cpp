@@ -112,12 +112,12 @@ TEST(LegendLines, LeaveOutThoseBeforeTheLast) {
 }
 
 TEST_F(Annotations, StandAboveAndBelowTheView) {
-  const automaton::State state = empty_state(60, 40, false);
+  const grains::State state = empty_state(60, 40, false);
   Style style;
   style.width = 640;
   style.height = 360;
   Painter painter(style, state.lattice, state.kinds);
-  const automaton::Occupancy occupancy(state);
+  const grains::Occupancy occupancy(state);
   const Layout layout = arrange(640, 360, whole_box(state.lattice), true);
   const int below = layout.panel.y + layout.panel.height;
   const Image titled = painter.draw(state, occupancy, {}, {"Größe µ²", "step 1"});

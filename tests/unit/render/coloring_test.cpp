@@ -14,11 +14,11 @@ int distance(Rgb a, Rgb b) {
   return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
-automaton::State tower(int particles) {
-  automaton::State state = empty_state(9, 10 * particles + 10, false);
+grains::State tower(int particles) {
+  grains::State state = empty_state(9, 10 * particles + 10, false);
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   for (int i = 0; i < particles; ++i) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = 4;
     particle.row = 10 * i + 4;
     particle.kind = i % 2 == 0 ? 0 : 1;
@@ -55,8 +55,8 @@ TEST(ColorMap, GrowsLighterAllTheWay) {
   }
 }
 
-std::vector<Rgb> colors_of(const Coloring& coloring, const automaton::State& state) {
-  const automaton::Occupancy occupancy(state);
+std::vector<Rgb> colors_of(const Coloring& coloring, const grains::State& state) {
+  const grains::Occupancy occupancy(state);
   std::vector<Rgb> colors;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     colors.push_back(color(coloring, state, occupancy, id));
@@ -66,7 +66,7 @@ std::vector<Rgb> colors_of(const Coloring& coloring, const automaton::State& sta
 
 TEST(Coloring, BySpeciesTakesTheNamedColors) {
   const NamedColor species[] = {{"small", {1, 2, 3}}, {"large", {4, 5, 6}}};
-  const automaton::State state = tower(3);
+  const grains::State state = tower(3);
   const Coloring coloring = color_by_species(state.kinds, species);
   EXPECT_EQ(colors_of(coloring, state), (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
   ASSERT_EQ(coloring.legend.patches.size(), 2U);
@@ -74,13 +74,13 @@ TEST(Coloring, BySpeciesTakesTheNamedColors) {
 }
 
 TEST(Coloring, BySpeciesFallsBackOnThePalette) {
-  const automaton::State state = tower(2);
+  const grains::State state = tower(2);
   EXPECT_EQ(colors_of(color_by_species(state.kinds, {}), state),
             (std::vector<Rgb>{palette_color(0), palette_color(1)}));
 }
 
 TEST(Coloring, ByLayerSetsNeighbouringLayersApart) {
-  automaton::State state = tower(8);
+  grains::State state = tower(8);
   const Coloring coloring = color_by_layer(state.kinds, 8, layer_range(state));
   const std::vector<Rgb> colors = colors_of(coloring, state);
   ASSERT_EQ(coloring.legend.patches.size(), 8U);
@@ -95,7 +95,7 @@ TEST(Coloring, ByLayerSetsNeighbouringLayersApart) {
 }
 
 TEST(Coloring, ByLayerGivesThoseOutsideOfTheRangeTheNearestLayer) {
-  const automaton::State state = tower(8);
+  const grains::State state = tower(8);
   const LayerRange range = {30, 60};
   const std::vector<Rgb> colors = colors_of(color_by_layer(state.kinds, 3, range), state);
   EXPECT_EQ(colors[0], colors[3]);
@@ -105,14 +105,14 @@ TEST(Coloring, ByLayerGivesThoseOutsideOfTheRangeTheNearestLayer) {
 
 TEST(Coloring, ByLayerTakesNoneOrEqualHeights) {
   EXPECT_TRUE(colors_of(color_by_layer({}, 3, {}), tower(0)).empty());
-  const automaton::State one = tower(1);
+  const grains::State one = tower(1);
   const Coloring coloring = color_by_layer(one.kinds, 3, layer_range(one));
   EXPECT_EQ(colors_of(coloring, one), std::vector<Rgb>{coloring.palette[0]});
   EXPECT_THROW(color_by_layer(one.kinds, 0, {}), std::invalid_argument);
 }
 
 TEST(Coloring, LayersReachToWhereSourcesEmit) {
-  automaton::State state = tower(2);
+  grains::State state = tower(2);
   const LayerRange alone = layer_range(state);
   state.sources.resize(2);
   state.sources[0].sites = {{4, 25}, {4, 28}};
@@ -126,7 +126,7 @@ TEST(Coloring, LayersReachToWhereSourcesEmit) {
 }
 
 TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
-  automaton::State state = tower(3);
+  grains::State state = tower(3);
   state.particles[1].row += 5;
   state.particles[2].row += 13;
   const Coloring coloring = color_by_displacement(10);
@@ -140,10 +140,10 @@ TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
 }
 
 TEST(Coloring, ByDisplacementHasTheColorsOfTheMapToOneStepOfAChannel) {
-  automaton::State state = empty_state(4, 400, false);
+  grains::State state = empty_state(4, 400, false);
   state.kinds = {{lattice::Shape::hexagon(0), 0}};
   for (int row = 0; row < 350; ++row) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.row = row;
     state.particles.push_back(particle);
     state.origins.push_back({0, 0});
@@ -155,29 +155,29 @@ TEST(Coloring, ByDisplacementHasTheColorsOfTheMapToOneStepOfAChannel) {
 }
 
 /// Hexagons of radius 1 in a row, one pushed onto its left neighbour by so many columns.
-automaton::State pushed_row() {
-  automaton::State state = empty_state(40, 10, false);
+grains::State pushed_row() {
+  grains::State state = empty_state(40, 10, false);
   state.kinds = {{lattice::Shape::hexagon(1), 0}};
   for (const int column : {2, 4, 10, 11, 20}) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = column;
     particle.row = 4;
     state.particles.push_back(particle);
     state.origins.push_back(particle.site());
   }
-  automaton::Wall wall;
+  grains::Wall wall;
   wall.sites = {{20, 4}, {21, 4}};
-  wall.motion = automaton::Motion{lattice::Direction::up, automaton::Drive{1, 1000}};
-  wall.passive = automaton::Passive::overlap;
+  wall.motion = grains::Motion{lattice::Direction::up, grains::Drive{1, 1000}};
+  wall.passive = grains::Passive::overlap;
   state.walls = {wall};
   state.pushes = {{1, 0, 0, lattice::Direction::up},
                   {3, 2, 0, lattice::Direction::up},
-                  {4, automaton::wall_code(0), 0, lattice::Direction::up}};
+                  {4, grains::wall_code(0), 0, lattice::Direction::up}};
   return state;
 }
 
 TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
-  const automaton::State state = pushed_row();
+  const grains::State state = pushed_row();
   const Coloring coloring = color_by_force(3);
   ASSERT_EQ(coloring.palette.size(), 4U);
   // Two columns apart hexagons of radius 1 share 2 sites, next to each other 4; two of the wall.
@@ -187,7 +187,7 @@ TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
 }
 
 TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
-  const automaton::State state = tower(4);
+  const grains::State state = tower(4);
   const Coloring coloring = color_by_force(10);
   ASSERT_EQ(coloring.legend.patches.size(), 1U);
   for (const Rgb color : colors_of(coloring, state)) {
@@ -204,7 +204,7 @@ TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
 }
 
 TEST(Coloring, BySpeedTellsMovingFromResting) {
-  automaton::State state = tower(2);
+  grains::State state = tower(2);
   state.particles[1].previous = 3;
   const Coloring coloring = color_by_speed();
   EXPECT_EQ(colors_of(coloring, state)[1], coloring.legend.patches[0].color);

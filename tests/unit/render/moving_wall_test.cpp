@@ -18,15 +18,15 @@ std::size_t count_of(const Image& image, Rgb color) {
   return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
 }
 
-automaton::Wall moving_wall(const automaton::State& state, const lattice::Rectangle& place) {
-  automaton::Wall wall;
+grains::Wall moving_wall(const grains::State& state, const lattice::Rectangle& place) {
+  grains::Wall wall;
   wall.sites = lattice::sites_in(state.lattice, place);
-  wall.motion = automaton::Motion{lattice::Direction::up, automaton::Drive{1, 1000}};
+  wall.motion = grains::Motion{lattice::Direction::up, grains::Drive{1, 1000}};
   return wall;
 }
 
-automaton::State with_moving_wall(bool periodic) {
-  automaton::State state = empty_state(40, 40, periodic);
+grains::State with_moving_wall(bool periodic) {
+  grains::State state = empty_state(40, 40, periodic);
   state.kinds = {{lattice::Shape::hexagon(1), 0}};
   state.walls = {{lattice::sites_in(state.lattice, {10, 3, 20, 6}), true},
                  moving_wall(state, {-1, 12, 12, 15})};
@@ -34,9 +34,9 @@ automaton::State with_moving_wall(bool periodic) {
 }
 
 /// The state without motions.
-automaton::State at_rest(automaton::State state) {
-  for (automaton::Wall& wall : state.walls) {
-    wall.sites = automaton::sites_now(state.lattice, wall);
+grains::State at_rest(grains::State state) {
+  for (grains::Wall& wall : state.walls) {
+    wall.sites = grains::sites_now(state.lattice, wall);
     wall.motion.reset();
   }
   return state;
@@ -45,7 +45,7 @@ automaton::State at_rest(automaton::State state) {
 constexpr lattice::Rectangle kView = {-2, -2, 38, 42};
 
 /// Ten pixels a spacing.
-Image seen(const automaton::State& state, Drawing drawing) {
+Image seen(const grains::State& state, Drawing drawing) {
   return picture(state, drawing, 400, 440, 1, kView);
 }
 
@@ -56,7 +56,7 @@ Rgb at(const Image& image, double x, double y) {
 
 TEST(MovingWall, HasAColorOfItsOwnWhereItStandsNow) {
   for (const bool periodic : {false, true}) {
-    automaton::State state = with_moving_wall(periodic);
+    grains::State state = with_moving_wall(periodic);
     for (const int offset : {0, 7}) {
       state.walls[1].travel.offset = offset;
       for (const Drawing drawing : kBothWays) {
@@ -73,7 +73,7 @@ TEST(MovingWall, HasAColorOfItsOwnWhereItStandsNow) {
 
 TEST(MovingWall, HasTheFormOfAWallThatStands) {
   for (const bool periodic : {false, true}) {
-    automaton::State state = with_moving_wall(periodic);
+    grains::State state = with_moving_wall(periodic);
     state.walls[1].travel.offset = 5;
     for (const Drawing drawing : kBothWays) {
       Image image = seen(state, drawing);
@@ -84,7 +84,7 @@ TEST(MovingWall, HasTheFormOfAWallThatStands) {
 }
 
 TEST(MovingWall, IsDrawnInsideTheBoxOnly) {
-  automaton::State state = with_moving_wall(false);
+  grains::State state = with_moving_wall(false);
   for (const int offset : {-14, 26, 500}) {
     state.walls[1].travel.offset = offset;
     for (const Drawing drawing : kBothWays) {
@@ -96,7 +96,7 @@ TEST(MovingWall, IsDrawnInsideTheBoxOnly) {
 }
 
 TEST(MovingWall, CrossesThePeriodicSeamInOneColor) {
-  automaton::State state = with_moving_wall(true);
+  grains::State state = with_moving_wall(true);
   state.walls = {moving_wall(state, {-0.1, 12, 0.1, 18})};  // column 0
   for (const lattice::Site site : lattice::sites_in(state.lattice, {33, 12, 34, 18})) {
     state.walls[0].sites.push_back(site);  // column 39
@@ -115,7 +115,7 @@ TEST(MovingWall, CrossesThePeriodicSeamInOneColor) {
 }
 
 TEST(MovingWall, IsNotThereWhenItIsTakenAway) {
-  automaton::State state = with_moving_wall(false);
+  grains::State state = with_moving_wall(false);
   state.walls[1].present = false;
   for (const Drawing drawing : kBothWays) {
     EXPECT_EQ(count_of(picture(state, drawing, 300, 300, 1), kMovingWallColor), 0U);
@@ -128,20 +128,20 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
   style.height = 300;
   style.drawing = Drawing::polygons;
   style.annotations = false;
-  automaton::State state = with_moving_wall(false);
+  grains::State state = with_moving_wall(false);
   Painter painter(style, state.lattice, state.kinds);
   for (int step = 0; step < 6; ++step) {
     ++state.walls[1].travel.clock;
     state.walls[1].travel.offset = step / 2;
-    EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), {}, {}),
+    EXPECT_EQ(painter.draw(state, grains::Occupancy(state), {}, {}),
               picture(state, Drawing::polygons, 300, 300, 2));
   }
 }
 
 TEST(SeenWalls, MatchWhenTheSameIsSeen) {
-  const automaton::State state = with_moving_wall(false);
+  const grains::State state = with_moving_wall(false);
   const SeenWalls seen(state);
-  automaton::State other = state;
+  grains::State other = state;
   other.walls[1].travel.clock = 17;
   other.walls[1].travel.stalls = 3;
   other.walls[1].travel.active = true;
@@ -174,26 +174,26 @@ TEST(MovingWall, HasAColorUnlikeAnyOther) {
 }
 
 /// Two particles of which one has come onto the other, and one that a wall has entered.
-automaton::State overlapping() {
-  automaton::State state = empty_state(24, 20, false);
+grains::State overlapping() {
+  grains::State state = empty_state(24, 20, false);
   state.kinds = {{lattice::Shape::hexagon(2), 0}};
   for (const lattice::Site site : {lattice::Site{6, 6}, {9, 8}, {17, 14}}) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = site.column;
     particle.row = site.row;
     state.particles.push_back(particle);
     state.origins.push_back(site);
   }
   state.walls = {moving_wall(state, {14, 14, 30, 16})};
-  state.walls[0].passive = automaton::Passive::overlap;
+  state.walls[0].passive = grains::Passive::overlap;
   state.pushes = {{1, 0, 0, lattice::Direction::up},
-                  {2, automaton::wall_code(0), 0, lattice::Direction::down}};
+                  {2, grains::wall_code(0), 0, lattice::Direction::down}};
   return state;
 }
 
 TEST(Painter, DrawsOverlappingParticlesTheLowerIdOnTop) {
-  const automaton::State state = overlapping();
-  automaton::State alone = state;
+  const grains::State state = overlapping();
+  grains::State alone = state;
   alone.particles.resize(1);
   alone.origins.resize(1);
   alone.pushes.clear();
@@ -210,7 +210,7 @@ TEST(Painter, DrawsOverlappingParticlesTheLowerIdOnTop) {
 }
 
 TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
-  automaton::State state = overlapping();
+  grains::State state = overlapping();
   state.particles.resize(2);
   state.origins.resize(2);
   state.pushes.resize(1);
@@ -220,7 +220,7 @@ TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
 }
 
 TEST(Painter, DrawsAWallInAParticleBothWays) {
-  const automaton::State state = overlapping();
+  const grains::State state = overlapping();
   const Rgb grain = color_by_id().palette[2];
   for (const Drawing drawing : kBothWays) {
     const Image image = picture(state, drawing, 480, 440, 1);

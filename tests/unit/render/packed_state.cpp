@@ -6,13 +6,13 @@
 
 namespace clca::render {
 
-automaton::State empty_state(int columns, int rows, bool periodic) {
-  return {lattice::Lattice(columns, rows, periodic), {}, 2001, 0, {}, {}, {}, {}, {}, {}};
+grains::State empty_state(int columns, int rows, bool periodic) {
+  return {.lattice = lattice::Lattice(columns, rows, periodic), .seed = 2001};
 }
 
 automaton::Automaton packed(int columns, int rows, bool periodic) {
   constexpr std::array<lattice::Axial, 3> kTriangle = {{{0, 0}, {3, 0}, {0, 3}}};
-  automaton::State state = empty_state(columns, rows, periodic);
+  grains::State state = empty_state(columns, rows, periodic);
   state.kinds = {{lattice::Shape::hexagon(1), 0},
                  {lattice::Shape::hexagon(2), 1},
                  {lattice::Shape::rod(0, 4).rotated(1), 2},
@@ -33,7 +33,7 @@ automaton::Automaton packed(int columns, int rows, bool periodic) {
   return automaton;
 }
 
-Image picture(const automaton::State& state, Drawing drawing, int width, int height, int samples,
+Image picture(const grains::State& state, Drawing drawing, int width, int height, int samples,
               const lattice::Rectangle& view) {
   Style style;
   style.width = width;
@@ -43,7 +43,7 @@ Image picture(const automaton::State& state, Drawing drawing, int width, int hei
   style.view = view;
   style.annotations = false;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, automaton::Occupancy(state), color_by_id(), {});
+  return painter.draw(state, grains::Occupancy(state), color_by_id(), {});
 }
 
 }  // namespace clca::render

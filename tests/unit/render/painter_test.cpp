@@ -24,10 +24,10 @@ std::size_t count_of(const Image& image, Rgb color) {
   return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
 }
 
-automaton::State one_hexagon(int radius) {
-  automaton::State state = empty_state(40, 40, false);
+grains::State one_hexagon(int radius) {
+  grains::State state = empty_state(40, 40, false);
   state.kinds = {{lattice::Shape::hexagon(radius), 0}};
-  automaton::Particle particle;
+  grains::Particle particle;
   particle.column = 20;
   particle.row = 20;
   state.particles = {particle};
@@ -48,7 +48,7 @@ TEST(Painter, DrawsAHexagonWithTheAreaOfItsBody) {
 }
 
 TEST(Painter, MovesThePictureWithTheView) {
-  const automaton::State state = packed(60, 40, false).state();
+  const grains::State state = packed(60, 40, false).state();
   for (const Drawing drawing : kBothWays) {
     const Image low = picture(state, drawing, 400, 300, 1, {5, 2, 25, 17});
     const Image high = picture(state, drawing, 400, 300, 1, {5, 5, 25, 20});  // 60 pixels up
@@ -64,12 +64,12 @@ TEST(Painter, MovesThePictureWithTheView) {
 
 TEST(Painter, DrawsAMirroredStateAsAMirroredPicture) {
   // Hexagons in a box with an odd number of columns, where mirrored columns stand equally high.
-  automaton::State state = packed(61, 40, false).state();
+  grains::State state = packed(61, 40, false).state();
   std::erase_if(state.particles, [](const auto& particle) { return particle.kind > 1; });
   state.walls.clear();
   state.origins.resize(state.particles.size());
-  automaton::State mirrored = state;
-  for (automaton::Particle& particle : mirrored.particles) {
+  grains::State mirrored = state;
+  for (grains::Particle& particle : mirrored.particles) {
     particle.column = 60 - particle.column;
   }
   for (const Drawing drawing : kBothWays) {
@@ -95,9 +95,9 @@ TEST(Painter, LeavesTheLidOffAndDrawsFloorAndSideWalls) {
 }
 
 TEST(Painter, DrawsWallBlocksWithoutInnerSeams) {
-  automaton::State one = empty_state(40, 40, false);
+  grains::State one = empty_state(40, 40, false);
   one.walls = {{lattice::sites_in(one.lattice, {5, 5, 20, 20}), true}};
-  automaton::State two = one;
+  grains::State two = one;
   two.walls = {{lattice::sites_in(one.lattice, {5, 5, 12, 20}), true},
                {lattice::sites_in(one.lattice, {12, 5, 20, 20}), true}};
   for (const Drawing drawing : kBothWays) {
@@ -113,23 +113,23 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
   style.annotations = false;
   for (const Drawing drawing : kBothWays) {
     style.drawing = drawing;
-    automaton::State state = automaton.state();
+    grains::State state = automaton.state();
     Painter painter(style, state.lattice, state.kinds);
     const Coloring coloring = color_by_id();
-    const Image before = painter.draw(state, automaton::Occupancy(state), coloring, {});
-    EXPECT_EQ(painter.draw(state, automaton::Occupancy(state), coloring, {}), before);
+    const Image before = painter.draw(state, grains::Occupancy(state), coloring, {});
+    EXPECT_EQ(painter.draw(state, grains::Occupancy(state), coloring, {}), before);
     state.walls[0].present = false;
-    const Image after = painter.draw(state, automaton::Occupancy(state), coloring, {});
+    const Image after = painter.draw(state, grains::Occupancy(state), coloring, {});
     EXPECT_NE(after, before);
     EXPECT_EQ(after, picture(state, drawing, 200, 150, 2));
   }
 }
 
 TEST(Painter, ChoosesPolygonsForFewAndLookupForManyParticles) {
-  const automaton::State few = one_hexagon(1);
+  const grains::State few = one_hexagon(1);
   EXPECT_EQ(picture(few, Drawing::automatic, 300, 200, 1),
             picture(few, Drawing::polygons, 300, 200, 1));
-  const automaton::State many = packed(300, 200, false).state();
+  const grains::State many = packed(300, 200, false).state();
   EXPECT_EQ(picture(many, Drawing::automatic, 30, 20, 1),
             picture(many, Drawing::lookup, 30, 20, 1));
 }
@@ -158,7 +158,7 @@ TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
 }
 
 TEST(Painter, DrawsTinyPictures) {
-  const automaton::State state = packed(60, 40, false).state();
+  const grains::State state = packed(60, 40, false).state();
   for (const auto& [width, height] :
        {std::pair{1, 1}, {64, 64}, {3, 200}, {200, 3}, {90, 110}, {160, 120}}) {
     Style style;
@@ -166,7 +166,7 @@ TEST(Painter, DrawsTinyPictures) {
     style.height = height;
     Painter painter(style, state.lattice, state.kinds);
     const Image image =
-        painter.draw(state, automaton::Occupancy(state), color_by_displacement(5),
+        painter.draw(state, grains::Occupancy(state), color_by_displacement(5),
                      {"A title that is much too long for this", "and a detail too"});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -174,7 +174,7 @@ TEST(Painter, DrawsTinyPictures) {
 }
 
 TEST(Painter, RefusesAPictureBeyondTheDriver) {
-  const automaton::State state = one_hexagon(1);
+  const grains::State state = one_hexagon(1);
   EXPECT_THAT([&] { picture(state, Drawing::automatic, 10000, 100, 2); },
               ThrowsMessage<RenderError>(
                   AllOf(HasSubstr("10000 x 100"), HasSubstr("16384"), HasSubstr("2"))));
@@ -182,7 +182,7 @@ TEST(Painter, RefusesAPictureBeyondTheDriver) {
 }
 
 TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
-  const automaton::State state = one_hexagon(1);
+  const grains::State state = one_hexagon(1);
   EXPECT_THROW(picture(state, Drawing::automatic, 0, 100, 1), RenderError);
   EXPECT_THROW(picture(state, Drawing::automatic, 100, -1, 1), RenderError);
   EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 0), RenderError);
@@ -192,7 +192,7 @@ TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
 }
 
 TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
-  const automaton::State state = packed(60, 40, true).state();
+  const grains::State state = packed(60, 40, true).state();
   for (const Drawing drawing : kBothWays) {
     const Image outside = picture(state, drawing, 50, 50, 2, {1e12, 1e12, 2e12, 2e12});
     EXPECT_EQ(count_of(outside, kWhite), outside.pixels.size());
@@ -203,15 +203,15 @@ TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
 }
 
 TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
-  const automaton::State state = one_hexagon(1);
+  const grains::State state = one_hexagon(1);
   Painter painter({}, state.lattice, state.kinds);
-  const automaton::Occupancy occupancy(state);
+  const grains::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
   Coloring coloring = color_by_id();
   coloring.palette.resize(kMostShades + 1);
   EXPECT_THROW(painter.draw(state, occupancy, coloring, {}), std::invalid_argument);
-  const automaton::State other = packed(60, 40, false).state();
-  EXPECT_THROW(painter.draw(other, automaton::Occupancy(other), color_by_id(), {}),
+  const grains::State other = packed(60, 40, false).state();
+  EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(), {}),
                std::invalid_argument);
 }
 
@@ -223,15 +223,15 @@ TEST(Painter, DrawsAnEmptyBox) {
 }
 
 TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
-  const automaton::State first = packed(60, 40, false).state();
-  const automaton::State second = packed(50, 50, true).state();
+  const grains::State first = packed(60, 40, false).state();
+  const grains::State second = packed(50, 50, true).state();
   Style style;
   style.width = 320;
   style.height = 200;
   Painter one(style, first.lattice, first.kinds);
   Painter two(style, second.lattice, second.kinds);
-  const auto draw = [](Painter& painter, const automaton::State& state) {
-    return painter.draw(state, automaton::Occupancy(state), color_by_id(), {"a", "b"});
+  const auto draw = [](Painter& painter, const grains::State& state) {
+    return painter.draw(state, grains::Occupancy(state), color_by_id(), {"a", "b"});
   };
   const Image one_alone = draw(one, first);
   const Image two_alone = draw(two, second);

@@ -14,7 +14,7 @@ constexpr int kTolerance = 2;
 // One pixel in 1000: of some 60 000 pixels beside an edge or an outline, about one in 256.
 constexpr std::size_t kMostPixels = kWidth * kHeight / 1000;
 
-void expect_same(const automaton::State& state, int samples, const lattice::Rectangle& view = {}) {
+void expect_same(const grains::State& state, int samples, const lattice::Rectangle& view = {}) {
   const Image polygons = picture(state, Drawing::polygons, kWidth, kHeight, samples, view);
   const Image lookup = picture(state, Drawing::lookup, kWidth, kHeight, samples, view);
   const Difference difference = compare(polygons, lookup, kTolerance);
@@ -41,10 +41,10 @@ TEST(Painter, DrawsTheSamePictureBothWaysFromFar) {
 }
 
 TEST(Painter, DrawsTheSamePictureBothWaysFarFromTheOrigin) {
-  automaton::State state = empty_state(200, 100000, false);
+  grains::State state = empty_state(200, 100000, false);
   state.kinds = {{lattice::Shape::hexagon(2), 0}};
   for (int i = 0; i < 20; ++i) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = 5 + 9 * i;
     particle.row = 99000 + i % 7;
     state.particles.push_back(particle);
@@ -54,10 +54,10 @@ TEST(Painter, DrawsTheSamePictureBothWaysFarFromTheOrigin) {
 }
 
 TEST(Painter, ShowsACrossingParticleAtBothEndsOfAPeriodicBox) {
-  automaton::State state = empty_state(20, 16, true);
+  grains::State state = empty_state(20, 16, true);
   state.kinds = {{lattice::Shape::hexagon(3), 0}};
   for (const int column : {0, 20, -40}) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = column;
     particle.row = 8;
     state.particles = {particle};

@@ -14,7 +14,7 @@
 namespace clca::render {
 namespace {
 
-using automaton::Owner;
+using grains::Owner;
 
 constexpr Owner kSomeWall = -100;
 constexpr Owner kMovingWall = -200;
@@ -27,7 +27,7 @@ double weight(const Eigen::Vector2d& away) {
 }
 
 /// Whose weight counts together at a site, by the words of painter.hpp.
-Owner whole_owner(const automaton::State& state, const automaton::Occupancy& occupancy,
+Owner whole_owner(const grains::State& state, const grains::Occupancy& occupancy,
                   lattice::Site site) {
   const lattice::Lattice& lattice = state.lattice;
   const bool beside = !lattice.periodic() && (site.column < 0 || site.column >= lattice.columns());
@@ -35,13 +35,13 @@ Owner whole_owner(const automaton::State& state, const automaton::Occupancy& occ
     return kSomeWall;
   }
   if (site.row >= lattice.rows()) {
-    return automaton::kFree;
+    return grains::kFree;
   }
   const Owner owner = occupancy.owner(lattice.index(site));
-  if (!automaton::is_wall(owner)) {
+  if (!grains::is_wall(owner)) {
     return owner;
   }
-  return moves(state.walls[automaton::wall_number(owner)]) ? kMovingWall : kSomeWall;
+  return moves(state.walls[grains::wall_number(owner)]) ? kMovingWall : kSomeWall;
 }
 
 struct Expected {
@@ -49,7 +49,7 @@ struct Expected {
   bool sure = false;  ///< not within rounding of an edge
 };
 
-Expected expected_at(const automaton::State& state, const automaton::Occupancy& occupancy,
+Expected expected_at(const grains::State& state, const grains::Occupancy& occupancy,
                      const Coloring& coloring, const Projection& projection, int x, int y) {
   constexpr double kRounding = 1e-7;
   const Eigen::Vector2d place =
@@ -70,9 +70,9 @@ Expected expected_at(const automaton::State& state, const automaton::Occupancy& 
     const double edge = projection.outline_width / lattice::kColumnPitch;
     result.sure =
         result.sure && std::abs(inside) > kRounding && std::abs(inside - edge) > kRounding;
-    if (inside >= 0 && owner != automaton::kFree) {
+    if (inside >= 0 && owner != grains::kFree) {
       const bool outlined = projection.outline_strength > 0 && inside < edge;
-      if (automaton::is_particle(owner)) {
+      if (grains::is_particle(owner)) {
         const Rgb fill = color(coloring, state, occupancy, static_cast<std::size_t>(owner));
         const auto shade = std::find(coloring.palette.begin(), coloring.palette.end(), fill);
         result.code = code_of(static_cast<std::size_t>(shade - coloring.palette.begin()), outlined);
@@ -84,7 +84,7 @@ Expected expected_at(const automaton::State& state, const automaton::Occupancy& 
   return result;
 }
 
-Projection shown(const automaton::State& state, int width, int height, int samples,
+Projection shown(const grains::State& state, int width, int height, int samples,
                  const lattice::Rectangle& view) {
   const Style style = {.width = width, .height = height, .view = view, .annotations = false};
   const lattice::Rectangle box = checked_view(style, state.lattice);
@@ -102,17 +102,17 @@ Coloring distinct(const ShadeRule& rule) {
   return coloring;
 }
 
-SampleGrid looked_up(const automaton::State& state, const Coloring& coloring,
+SampleGrid looked_up(const grains::State& state, const Coloring& coloring,
                      const Projection& projection, int threads) {
   SampleGrid grid(projection.width, projection.height);
   SiteLookup(state.lattice, projection, threads)
-      .particles(state, automaton::Occupancy(state), coloring, grid);
+      .particles(state, grains::Occupancy(state), coloring, grid);
   return grid;
 }
 
-void expect_as_defined(const automaton::State& state, const Coloring& coloring,
+void expect_as_defined(const grains::State& state, const Coloring& coloring,
                        const Projection& projection) {
-  const automaton::Occupancy occupancy(state);
+  const grains::Occupancy occupancy(state);
   const SampleGrid grid = looked_up(state, coloring, projection, 1);
   const SampleBox box = projection.samples_in(whole_box(state.lattice));
   std::size_t sure = 0;
@@ -134,7 +134,7 @@ void expect_as_defined(const automaton::State& state, const Coloring& coloring,
 
 TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
   for (const bool periodic : {false, true}) {
-    const automaton::State state = packed(60, 40, periodic).state();
+    const grains::State state = packed(60, 40, periodic).state();
     const Coloring coloring = distinct(ById{});
     expect_as_defined(state, coloring, shown(state, 300, 200, 1, {}));
     expect_as_defined(state, coloring, shown(state, 60, 50, 2, {-4, -3, 20, 17}));
@@ -144,7 +144,7 @@ TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
 }
 
 TEST(SiteLookup, TellsShadesByEveryRule) {
-  automaton::State state = packed(60, 40, true).state();
+  grains::State state = packed(60, 40, true).state();
   const Projection projection = shown(state, 150, 100, 1, {});
   const std::vector<ShadeRule> rules = {
       BySpecies{}, BySpeed{}, ByForce{}, ByDisplacement{15},
@@ -155,29 +155,29 @@ TEST(SiteLookup, TellsShadesByEveryRule) {
 }
 
 TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
-  automaton::State state = empty_state(24, 20, false);
+  grains::State state = empty_state(24, 20, false);
   state.kinds = {{lattice::Shape::hexagon(2), 0}};
   for (const lattice::Site site : {lattice::Site{6, 6}, {9, 8}, {17, 14}}) {
-    automaton::Particle particle;
+    grains::Particle particle;
     particle.column = site.column;
     particle.row = site.row;
     state.particles.push_back(particle);
     state.origins.push_back(site);
   }
-  automaton::Wall moving;
+  grains::Wall moving;
   moving.sites = lattice::sites_in(state.lattice, {14, 14, 30, 16});
-  moving.motion = automaton::Motion{lattice::Direction::up, automaton::Drive{1, 1000}};
-  moving.passive = automaton::Passive::overlap;
+  moving.motion = grains::Motion{lattice::Direction::up, grains::Drive{1, 1000}};
+  moving.passive = grains::Passive::overlap;
   state.walls = {moving, {lattice::sites_in(state.lattice, {2, 14, 5, 17})}};
   state.pushes = {{1, 0, 0, lattice::Direction::up},
-                  {2, automaton::wall_code(0), 0, lattice::Direction::down}};
+                  {2, grains::wall_code(0), 0, lattice::Direction::down}};
   for (const ShadeRule& rule : {ShadeRule(ById{}), ShadeRule(ByForce{})}) {
     expect_as_defined(state, distinct(rule), shown(state, 240, 220, 1, {}));
   }
 }
 
 TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
-  const automaton::State state = packed(120, 90, false).state();
+  const grains::State state = packed(120, 90, false).state();
   const Projection projection = shown(state, 320, 240, 2, {});
   const SampleGrid one = looked_up(state, distinct(ById{}), projection, 1);
   for (const int threads : {2, 3, 8}) {

@@ -142,10 +142,10 @@ TEST(Stroke, FromFarAwayCrossesThePicture) {
   EXPECT_EQ(image.at(30, 10), kWhite);
 }
 
-automaton::State one_grain() {
-  automaton::State state = empty_state(40, 40, false);
+grains::State one_grain() {
+  grains::State state = empty_state(40, 40, false);
   state.kinds = {{lattice::Shape::hexagon(3), 0}};
-  automaton::Particle particle;
+  grains::Particle particle;
   particle.column = 20;
   particle.row = 20;
   state.particles = {particle};
@@ -153,23 +153,23 @@ automaton::State one_grain() {
   return state;
 }
 
-Image overlaid(const automaton::State& state, const Overlay& overlay, bool annotations = false) {
+Image overlaid(const grains::State& state, const Overlay& overlay, bool annotations = false) {
   Style style;
   style.width = 400;
   style.height = 300;
   style.view = {0, 5, 40, 35};  // without annotations, ten pixels a spacing
   style.annotations = annotations;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, automaton::Occupancy(state), color_by_id(), {}, overlay);
+  return painter.draw(state, grains::Occupancy(state), color_by_id(), {}, overlay);
 }
 
 TEST(Overlay, ThatIsEmptyChangesNothing) {
-  const automaton::State state = one_grain();
+  const grains::State state = one_grain();
   EXPECT_EQ(overlaid(state, {}), picture(state, Drawing::automatic, 400, 300, 2, {0, 5, 40, 35}));
 }
 
 TEST(Overlay, StandsWhereTheParticlesStand) {
-  const automaton::State state = one_grain();
+  const grains::State state = one_grain();
   const Eigen::Vector2d middle = centre(state, state.particles[0]);
   const Image image = overlaid(state, {{{middle, {30, 20}, 1, kRed, false}}, 0});
   const int x = static_cast<int>(middle.x() * 10);
@@ -179,7 +179,7 @@ TEST(Overlay, StandsWhereTheParticlesStand) {
 }
 
 TEST(Overlay, FadesWhatLiesBeneath) {
-  const automaton::State state = one_grain();
+  const grains::State state = one_grain();
   const Image plain = overlaid(state, {});
   const Image half = overlaid(state, {{{{5, 20}, {9, 20}, 1, kRed, false}}, 0.5});
   EXPECT_NEAR(half.at(173, 150).red, (plain.at(173, 150).red + 255) / 2, 1);
@@ -191,7 +191,7 @@ TEST(Overlay, FadesWhatLiesBeneath) {
 }
 
 TEST(Overlay, StaysInsideThePanel) {
-  const automaton::State state = one_grain();
+  const grains::State state = one_grain();
   const Image image = overlaid(state, {{{{-1000, 20}, {1000, 20}, 300, kRed, false}}, 0}, true);
   const Layout layout = arrange(400, 300, {0, 5, 40, 35}, font_problem().empty());
   for (int y = 0; y < image.height; ++y) {

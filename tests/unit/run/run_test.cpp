@@ -48,13 +48,13 @@ nlohmann::json json_of(const fs::path& file) {
 }
 
 TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
-  const automaton::State state = initial_state(small_scene());
+  const grains::State state = initial_state(small_scene());
   ASSERT_EQ(state.kinds.size(), 1U + 3U);  // the hexagon, and the rod in three directions
   EXPECT_EQ(state.kinds[3].species, 1);
 }
 
 TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
-  const automaton::State state = initial_state(small_scene(
+  const grains::State state = initial_state(small_scene(
       {"walls={plate: {box: [1, 70, 9, 74], motion: {direction: down, distance: 30}, passive: "
        "overlap}, post: {box: [2, 0, 4, 3]}}",
        "stages=[{name: first, fill: {region: [10, 0, 20, 40], counts: {small: 1, rod: 1}}}, {name: "
@@ -62,8 +62,8 @@ TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
   ASSERT_EQ(state.walls.size(), 2U);
   EXPECT_FALSE(state.walls[0].present);
   EXPECT_EQ(state.walls[0].motion,
-            (automaton::Motion{lattice::Direction::down, automaton::Drive{1, 30}}));
-  EXPECT_EQ(state.walls[0].passive, automaton::Passive::overlap);
+            (grains::Motion{lattice::Direction::down, grains::Drive{1, 30}}));
+  EXPECT_EQ(state.walls[0].passive, grains::Passive::overlap);
   EXPECT_FALSE(state.walls[0].sites.empty()) << "outside the box at home";
   EXPECT_TRUE(state.walls[1].present);
   EXPECT_FALSE(state.walls[1].motion.has_value());

@@ -14,7 +14,7 @@ namespace clca::scene {
 
 namespace {
 
-using automaton::Motion;
+using grains::Motion;
 using lattice::Direction;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -58,37 +58,37 @@ constexpr std::string_view kTray =
 
 TEST(ParseMotion, ReadsADriveOneSiteAStepUnlessThePeriodSaysOtherwise) {
   EXPECT_EQ(motion_of("{direction: down, distance: 30}"),
-            (Motion{Direction::down, automaton::Drive{1, 30}}));
+            (Motion{Direction::down, grains::Drive{1, 30}}));
   EXPECT_EQ(motion_of("{direction: up_left, period: 4, distance: 1000000}"),
-            (Motion{Direction::up_left, automaton::Drive{4, 1'000'000}}));
+            (Motion{Direction::up_left, grains::Drive{4, 1'000'000}}));
 }
 
 TEST(ParseMotion, ReadsWavesDownToTheShortestPeriod) {
   EXPECT_EQ(motion_of("{wave: {amplitude: 2, period: 14}}"),
-            (Motion{Direction::up, automaton::Wave{automaton::Waveform::sine, 2, 14}}));
+            (Motion{Direction::up, grains::Wave{grains::Waveform::sine, 2, 14}}));
   EXPECT_EQ(motion_of("{direction: down_left, wave: {form: triangle, amplitude: 3, period: 12}}"),
-            (Motion{Direction::down_left, automaton::Wave{automaton::Waveform::triangle, 3, 12}}));
+            (Motion{Direction::down_left, grains::Wave{grains::Waveform::triangle, 3, 12}}));
 }
 
 TEST(ParseMotion, TheWidestAndLongestWaveStaysWithinItsAmplitude) {
   const Motion motion = motion_of("{wave: {amplitude: 10000, period: 10000000}}");
-  const auto& wave = std::get<automaton::Wave>(motion.program);
-  EXPECT_EQ(automaton::target(wave, 2'500'000), 10'000);
-  EXPECT_EQ(automaton::target(wave, 5'000'000), 0);
-  EXPECT_EQ(automaton::target(wave, 7'500'000), -10'000);
+  const auto& wave = std::get<grains::Wave>(motion.program);
+  EXPECT_EQ(grains::target(wave, 2'500'000), 10'000);
+  EXPECT_EQ(grains::target(wave, 5'000'000), 0);
+  EXPECT_EQ(grains::target(wave, 7'500'000), -10'000);
 }
 
 TEST(ParseMotion, ReadsShakesThatWaitUntilSettledOrSoManySteps) {
-  EXPECT_EQ(motion_of("{shake: {amplitude: 2}}"), (Motion{Direction::up, automaton::Shake{2, {}}}));
+  EXPECT_EQ(motion_of("{shake: {amplitude: 2}}"), (Motion{Direction::up, grains::Shake{2, {}}}));
   EXPECT_EQ(motion_of("{shake: {amplitude: 2, wait: settled}}"),
             motion_of("{shake: {amplitude: 2}}"));
   EXPECT_EQ(motion_of("{direction: up_right, shake: {amplitude: 1, wait: 50}}"),
-            (Motion{Direction::up_right, automaton::Shake{1, 50}}));
+            (Motion{Direction::up_right, grains::Shake{1, 50}}));
 }
 
 TEST(ParseMotion, ReadsPathsAsSteepAsOneSiteAStep) {
   EXPECT_EQ(motion_of("{path: [[3, 3], [4, 2], [100, -50]]}"),
-            (Motion{Direction::up, automaton::Path{{{3, 3}, {4, 2}, {100, -50}}}}));
+            (Motion{Direction::up, grains::Path{{{3, 3}, {4, 2}, {100, -50}}}}));
 }
 
 TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
@@ -96,9 +96,9 @@ TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
   const Wall& tray = scene.walls[0];
   EXPECT_THAT(tray.parts, ElementsAre(WallPart(lattice::Rectangle{0, 0, 100, 2}),
                                       WallPart(lattice::Segment{{0, 2}, {0, 60}, 1})));
-  EXPECT_EQ(tray.passive, automaton::Passive::overlap);
+  EXPECT_EQ(tray.passive, grains::Passive::overlap);
   EXPECT_EQ(tray.place, "scene.yaml:9:5");
-  EXPECT_EQ(scene.walls[1].passive, automaton::Passive::rigid);
+  EXPECT_EQ(scene.walls[1].passive, grains::Passive::rigid);
   EXPECT_FALSE(scene.walls[2].motion.has_value());
 }
 

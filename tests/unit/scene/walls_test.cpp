@@ -34,7 +34,7 @@ std::string refusal(const Scene& scene) {
 
 /// The sites of the box that are covered after some step, all tried one by one.
 std::set<Site> plain_way(const lattice::Lattice& lattice, const Wall& wall) {
-  const automaton::Range range = automaton::range_of(*wall.motion);
+  const grains::Range range = grains::range_of(*wall.motion);
   const lattice::Axial step = lattice::unit(wall.motion->direction);
   std::set<Site> way;
   for (const Site home : wall_sites(lattice, wall)) {
@@ -78,10 +78,9 @@ TEST(WallSites, AreThoseOfAllPartsOnce) {
 }
 
 TEST(WallSites, OfAWallThatMovesMayBeginOutsideTheBox) {
-  const Wall above = {
-      .name = "plate",
-      .parts = {lattice::Rectangle{0, 60, 0.5, 1e6}},
-      .motion = automaton::Motion{lattice::Direction::down, automaton::Drive{1, 15}}};
+  const Wall above = {.name = "plate",
+                      .parts = {lattice::Rectangle{0, 60, 0.5, 1e6}},
+                      .motion = grains::Motion{lattice::Direction::down, grains::Drive{1, 15}}};
   const lattice::Lattice lattice(116, 50, false);
   EXPECT_THAT(wall_sites(lattice, above),
               ElementsAre(Site{0, 60}, Site{0, 61}, Site{0, 62}, Site{0, 63}, Site{0, 64}));
@@ -106,11 +105,11 @@ TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
     const lattice::Lattice lattice(12, 9, periodic);
     for (const lattice::Direction direction : lattice::kDirections) {
       for (const std::int32_t amplitude : {1, 3, 20}) {
-        const automaton::Wave wave = {automaton::Waveform::sine, amplitude, 200};
-        const automaton::Drive drive = {1, amplitude};
+        const grains::Wave wave = {grains::Waveform::sine, amplitude, 200};
+        const grains::Drive drive = {1, amplitude};
         for (const WallPart& form : forms) {
           Wall wall = {.name = "plate", .parts = {form, lattice::Rectangle{0, 0, 1, 2}}};
-          wall.motion = automaton::Motion{direction, wave};
+          wall.motion = grains::Motion{direction, wave};
           EXPECT_EQ(way_of(lattice, wall), plain_way(lattice, wall));
           wall.motion->program = drive;
           EXPECT_EQ(way_of(lattice, wall), plain_way(lattice, wall));

@@ -37,7 +37,7 @@ std::filesystem::path only_part(const std::filesystem::path& run) {
 void write_plate(const std::filesystem::path& run) {
   const scene::Scene scene = testing::plate_scene();
   TrajectoryWriter writer(OutputFolder(run), scene, run::initial_state(scene), {});
-  testing::play(scene, 10, [&](const automaton::State& state, std::size_t stage, bool begins) {
+  testing::play(scene, 10, [&](const grains::State& state, std::size_t stage, bool begins) {
     if (stage == 1) {
       writer.add(state, stage, begins);
     }

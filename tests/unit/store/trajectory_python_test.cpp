@@ -27,13 +27,13 @@ std::string output_of(const std::string& command) {
 }
 
 /// As the column mean_height of series.csv has it.
-double mean_height(const automaton::State& state) {
+double mean_height(const grains::State& state) {
   double sum = 0;
   double weight = 0;
-  for (const automaton::Particle& particle : state.particles) {
+  for (const grains::Particle& particle : state.particles) {
     if (particle.present) {
       const auto sites = static_cast<double>(state.shape(particle).size());
-      sum += sites * automaton::centre(state, particle).y();
+      sum += sites * grains::centre(state, particle).y();
       weight += sites;
     }
   }
@@ -50,7 +50,7 @@ class TrajectoryInPython : public ::testing::Test {
 
   void write(const scene::Scene& scene) {
     TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), {});
-    testing::play(scene, 5, [&](const automaton::State& state, std::size_t stage, bool begins) {
+    testing::play(scene, 5, [&](const grains::State& state, std::size_t stage, bool begins) {
       writer.add(state, stage, begins);
       if (++frames_ % 4 == 0) {
         writer.flush();

@@ -22,7 +22,7 @@ constexpr double kMuch = 1e9;
 
 /// What a run has shown: states and where they belong.
 struct Shown {
-  std::vector<automaton::State> states;
+  std::vector<grains::State> states;
   std::vector<std::size_t> stages;
 };
 
@@ -30,10 +30,10 @@ class TrajectoryTest : public ::testing::Test {
  protected:
   /// Plays a scene; a part has `frames_per_part` frames.
   Shown write(const scene::Scene& scene, std::uint64_t every, std::size_t frames_per_part) const {
-    const automaton::State fixed = run::initial_state(scene);
+    const grains::State fixed = run::initial_state(scene);
     TrajectoryWriter writer(OutputFolder(run()), scene, fixed, {});
     Shown shown;
-    testing::play(scene, every, [&](const automaton::State& state, std::size_t stage, bool begins) {
+    testing::play(scene, every, [&](const grains::State& state, std::size_t stage, bool begins) {
       writer.add(state, stage, begins);
       shown.states.push_back(kept_of(state, fixed));
       shown.stages.push_back(stage);
@@ -50,7 +50,7 @@ class TrajectoryTest : public ::testing::Test {
     const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
     ASSERT_EQ(trajectory.frames().size(), shown.states.size());
     for (std::size_t frame = 0; frame < shown.states.size(); ++frame) {
-      const automaton::State state = trajectory.state(frame);
+      const grains::State state = trajectory.state(frame);
       ASSERT_EQ(state, shown.states[frame]) << "frame " << frame;
       EXPECT_EQ(trajectory.frames()[frame].step, state.step);
       EXPECT_EQ(trajectory.frames()[frame].stage, shown.stages[frame]);
@@ -88,7 +88,7 @@ TEST_F(TrajectoryTest, StatesOfAPlateThatEntersABedAreReadAsTheyWere) {
 TEST_F(TrajectoryTest, StatesOfAnHourglassWithAPeriodicSeamAreReadAsTheyWere) {
   const scene::Scene scene = testing::hourglass_scene();
   const Shown shown = write(scene, 3, 7);
-  const automaton::State& last = shown.states.back();
+  const grains::State& last = shown.states.back();
   EXPECT_LT(present_count(last), last.particles.size()) << "nothing has left";
   EXPECT_TRUE(std::any_of(last.particles.begin(), last.particles.end(), [&](const auto& particle) {
     return particle.column < 0 || particle.column >= last.lattice.columns();
@@ -115,7 +115,7 @@ TEST_F(TrajectoryTest, AnAutomatonCanBeMadeOfAnyFrame) {
   write(scene, 4, 10);
   const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
-    EXPECT_NO_THROW(automaton::Automaton(trajectory.state(frame)).step());
+    EXPECT_NO_THROW(automaton::Automaton(trajectory.state(frame), scene.rules).step());
   }
 }
 
@@ -131,7 +131,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
     EXPECT_TRUE(std::filesystem::exists(run() / "trajectory" / "notes.txt"));
     EXPECT_EQ(writer.written().frames, 12U);
     std::size_t frame = 0;
-    testing::play(scene, 5, [&](const automaton::State& state, std::size_t stage, bool begins) {
+    testing::play(scene, 5, [&](const grains::State& state, std::size_t stage, bool begins) {
       if (frame++ >= kept.frames) {
         writer.add(state, stage, begins);
       }
@@ -173,7 +173,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
-  automaton::Automaton automaton(run::initial_state(scene));
+  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
   run::prepare_stage(automaton, scene, scene.stages.front());
   TrajectoryWriter writer(OutputFolder(run()), scene, automaton.state(), {});
   constexpr std::size_t kMostFrames = (std::size_t{16} << 20U) / (80 * 33);

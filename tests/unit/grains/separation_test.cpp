@@ -1,4 +1,4 @@
-#include "clca/automaton/separation.hpp"
+#include "clca/grains/separation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 namespace {
 
 using lattice::Axial;
@@ -160,4 +160,4 @@ TEST(NearestVector, IsThePlainOneInABoxWithSides) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,10 +1,10 @@
-#include "clca/automaton/separation.hpp"
+#include "clca/grains/separation.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -119,4 +119,4 @@ Axial nearest_vector(const lattice::Lattice& lattice, lattice::Site from, lattic
   return to - from;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// Sites in a window (see SiteBits) whose lower left corner lies so far from a reference site.
 struct Patch {
@@ -48,8 +48,8 @@ struct Footprint {
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
   PerDirection<Exchanges> exchanges;  ///< both, away from a seam
-  /// Sites whose owners may gain a free direction when the particle has moved that way (seen from
-  /// where it stood before).
+  /// Sites whose owners may gain a free candidate direction when the particle has moved that way
+  /// (seen from where it stood before).
   PerDirection<lattice::Offset> wake;
   // The same by windows: one that is the same for all moves, where that is enough, or several.
   bool one_window = false;
@@ -62,13 +62,10 @@ struct Footprint {
   PerDirection<Patch> swapped_patches;
 };
 
-/// Directions that the rules allow: gravity first, then its neighbours clockwise and
-/// anticlockwise, then the rest.
-std::span<const lattice::Direction> candidate_directions(const Rules& rules);
-
 class FootprintTable {
  public:
-  explicit FootprintTable(const State& state);
+  /// `candidates`: directions in which particles move by themselves, see Footprint::wake.
+  FootprintTable(const State& state, std::span<const lattice::Direction> candidates);
 
   const Footprint& of(const Particle& particle) const { return of(particle.kind, particle.column); }
   const Footprint& of(std::uint16_t kind, int column) const {
@@ -81,4 +78,4 @@ class FootprintTable {
   std::vector<Footprint> table_;
 };
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

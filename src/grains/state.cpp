@@ -1,10 +1,10 @@
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
 #include <algorithm>
 
 #include "clca/fields/hash.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 Eigen::Vector2d centre(const State& state, const Particle& particle) {
   return lattice::position(particle.site()) + state.shape(particle).centroid();
@@ -41,8 +41,16 @@ std::size_t present_count(const State& state) {
                                                 [](const Particle& p) { return p.present; }));
 }
 
+const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher) {
+  const std::pair key(pushed, pusher);
+  const auto found =
+      std::lower_bound(state.pushes.begin(), state.pushes.end(), key,
+                       [](const Push& push, const auto& sought) { return push.key() < sought; });
+  return found != state.pushes.end() && found->key() == key ? &*found : nullptr;
+}
+
 std::uint64_t hash(const State& state) {
   return fields::hash(state);
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

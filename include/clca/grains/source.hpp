@@ -1,10 +1,10 @@
 #pragma once
 // Sources: particles that enter during a run.
 
-#include "clca/automaton/occupancy.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 struct SourceReport {
   /// Some open source will give more without anything else changing.
@@ -15,4 +15,4 @@ struct SourceReport {
 /// next step's share.
 SourceReport run_sources(State& state, Occupancy& occupancy);
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -4,16 +4,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "clca/automaton/motion.hpp"
-#include "clca/automaton/rules.hpp"
 #include "clca/fields/fields.hpp"
+#include "clca/grains/motion.hpp"
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// A species in one of its orientations.
 struct Kind {
@@ -89,6 +89,8 @@ struct Push {
   std::uint32_t source = 0;
   lattice::Direction direction = lattice::Direction::down;
 
+  /// By which State::pushes are in order.
+  std::pair<std::uint32_t, Owner> key() const { return {pushed, pusher}; }
   bool operator==(const Push&) const = default;
   static constexpr auto fields() {
     using fields::field;
@@ -131,7 +133,6 @@ struct Outlet {
 
 struct State {
   lattice::Lattice lattice;
-  Rules rules = {};
   std::uint64_t seed = 0;
   std::uint64_t step = 0;
   std::vector<Kind> kinds = {};
@@ -141,7 +142,7 @@ struct State {
   std::vector<Wall> walls = {};
   std::vector<Source> sources = {};
   std::vector<Outlet> outlets = {};
-  /// By `pushed`, then `pusher`; one for each pair.
+  /// By Push::key; one for each pair.
   std::vector<Push> pushes = {};
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
@@ -167,10 +168,13 @@ std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall
 /// True when some wall may come to overlap with particles.
 bool may_overlap(const State& state);
 
+/// The push by which `pusher` came onto particle `pushed`; null where there is none.
+const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher);
+
 /// 64 bits over everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 
-/// Throws std::invalid_argument, with the reason, unless an automaton can work with the state: the
+/// Throws std::invalid_argument, with the reason, unless a model can work with the state: the
 /// shape of a kind has a site at its reference, what refers to others refers to some that are
 /// there, motions have positive periods and rise, a source has sites and one weight for each kind,
 /// not all 0. Whether particles have room is for Occupancy to say.
@@ -179,4 +183,4 @@ void check_valid(const State& state);
 /// Throws likewise unless the state is one that a run which began as `beginning` may come to.
 void check_reachable(const State& state, const State& beginning);
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// Depths of one shape in another for every way they can overlap, found once from their Minkowski
 /// difference.
@@ -53,4 +53,4 @@ class Separation {
 lattice::Axial nearest_vector(const lattice::Lattice& lattice, lattice::Site from,
                               lattice::Site to);
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,17 +1,14 @@
 #pragma once
-// Placing particles at random where there is room.
+// Single particles: where there is room for them, and putting them there.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "clca/automaton/automaton.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
+#include "clca/lattice/region.hpp"
 
-namespace clca::automaton {
-
-/// See Automaton::fill. New particles are appended to `state` and entered in `occupancy`.
-FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
-                       std::span<const std::size_t> counts);
+namespace clca::grains {
 
 /// True when the particle stands in the box on free sites only.
 bool fits(const State& state, const Occupancy& occupancy, const Particle& particle);
@@ -29,4 +26,4 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
 /// box are neighbours in memory.
 void renumber(State& state, Occupancy& occupancy, std::size_t first);
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

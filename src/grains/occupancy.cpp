@@ -1,19 +1,17 @@
-#include "clca/automaton/occupancy.hpp"
+#include "clca/grains/occupancy.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "automaton/push_book.hpp"
-
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
 /// Whether `id` may stand on a place that has `owner` already.
 bool may_share(const State& state, std::uint32_t id, Owner owner) {
-  return PushBook::find(state, id, owner) != nullptr ||
-         (is_particle(owner) && PushBook::find(state, static_cast<std::uint32_t>(owner),
-                                               static_cast<Owner>(id)) != nullptr);
+  return find_push(state, id, owner) != nullptr ||
+         (is_particle(owner) &&
+          find_push(state, static_cast<std::uint32_t>(owner), static_cast<Owner>(id)) != nullptr);
 }
 
 void put(Occupancy& occupancy, const State& state, std::size_t index, std::uint32_t id) {
@@ -132,4 +130,4 @@ bool Occupancy::operator==(const Occupancy& other) const {
          seconds_ == other.seconds_;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

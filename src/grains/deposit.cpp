@@ -1,4 +1,4 @@
-#include "automaton/deposit.hpp"
+#include "clca/grains/deposit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "automaton/fill.hpp"
-#include "clca/automaton/footprint.hpp"
+#include "clca/grains/footprint.hpp"
 #include "clca/random/draw.hpp"
+#include "grains/placement.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -97,7 +97,7 @@ class Coins {
 class Deposit {
  public:
   Deposit(State& state, Occupancy& occupancy, const lattice::Rectangle& region)
-      : state_(state), occupancy_(occupancy), region_(region), footprints_(state) {
+      : state_(state), occupancy_(occupancy), region_(region), footprints_(state, {}) {
     rooms_.reserve(state.kinds.size());
     for (const Kind& kind : state.kinds) {
       rooms_.push_back(room_of(kind.shape));
@@ -212,7 +212,7 @@ class Deposit {
     }
   }
 
-  /// None at rest. As the active rule without inertia.
+  /// Down, or else down to a side that is free, both alike. None at rest.
   std::optional<Direction> way_down(const Particle& particle, Coins& coins) const {
     if (free(particle, Direction::down)) {
       return Direction::down;
@@ -297,4 +297,4 @@ FillResult deposit_in(State& state, Occupancy& occupancy, const lattice::Rectang
   return result;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

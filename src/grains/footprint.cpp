@@ -1,11 +1,11 @@
-#include "clca/automaton/footprint.hpp"
+#include "clca/grains/footprint.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "clca/automaton/site_bits.hpp"
+#include "clca/grains/site_bits.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -101,8 +101,8 @@ std::vector<Exchanges> exchanges(const std::vector<lattice::Offset>& lead,
   return result;
 }
 
-Footprint make_footprint(const State& state, const lattice::Shape& shape, bool odd_column) {
-  const std::span<const Direction> candidates = candidate_directions(state.rules);
+Footprint make_footprint(const lattice::Lattice& lattice, const lattice::Shape& shape,
+                         std::span<const Direction> candidates, bool odd_column) {
   Footprint::PerDirection<Axial> wake;
   std::vector<Axial> all = shape.sites();
   for (const Direction direction : lattice::kDirections) {
@@ -114,15 +114,15 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
   Footprint footprint;
   footprint.one_window = extent.fits_a_window();
   footprint.corner = extent.low;
-  footprint.body = offsets(state.lattice, shape.sites(), odd_column);
+  footprint.body = offsets(lattice, shape.sites(), odd_column);
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
     const std::vector<Axial> lead = shape.lead(direction);
     const std::vector<Axial> trail = shape.trail(direction);
-    footprint.lead[d] = offsets(state.lattice, lead, odd_column);
-    footprint.trail[d] = offsets(state.lattice, trail, odd_column);
+    footprint.lead[d] = offsets(lattice, lead, odd_column);
+    footprint.trail[d] = offsets(lattice, trail, odd_column);
     footprint.exchanges[d] = exchanges(footprint.lead[d], footprint.trail[d]);
-    footprint.wake[d] = offsets(state.lattice, wake[d], odd_column);
+    footprint.wake[d] = offsets(lattice, wake[d], odd_column);
     footprint.lead_patches[d] = patches(lead, odd_column, extent.low);
     footprint.swapped_patches[d] = patches(merged(lead, trail), odd_column, extent.low);
     if (footprint.one_window) {
@@ -137,27 +137,12 @@ Footprint make_footprint(const State& state, const lattice::Shape& shape, bool o
 
 }  // namespace
 
-std::span<const Direction> candidate_directions(const Rules& rules) {
-  static constexpr auto kOrdered = [] {
-    std::array<std::array<Direction, lattice::kDirectionCount>, lattice::kDirectionCount> table{};
-    for (const Direction gravity : lattice::kDirections) {
-      constexpr std::array<int, lattice::kDirectionCount> kTurns = {0, 1, -1, 2, -2, 3};
-      for (std::size_t i = 0; i < kTurns.size(); ++i) {
-        table[index_of(gravity)][i] = rotated(gravity, kTurns[i]);
-      }
-    }
-    return table;
-  }();
-  const auto& ordered = kOrdered[index_of(rules.gravity)];
-  return {ordered.data(), rules.candidates == Candidates::all ? ordered.size() : 3};
-}
-
-FootprintTable::FootprintTable(const State& state) {
+FootprintTable::FootprintTable(const State& state, std::span<const Direction> candidates) {
   table_.reserve(2 * state.kinds.size());
   for (const Kind& kind : state.kinds) {
-    table_.push_back(make_footprint(state, kind.shape, false));
-    table_.push_back(make_footprint(state, kind.shape, true));
+    table_.push_back(make_footprint(state.lattice, kind.shape, candidates, false));
+    table_.push_back(make_footprint(state.lattice, kind.shape, candidates, true));
   }
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -9,7 +9,7 @@
 #include <new>
 #include <type_traits>
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// A fixed number of zeros. The system gives memory, a page at a time, only to what is written.
 template <class T>
@@ -60,4 +60,4 @@ class LazyArray {
   std::unique_ptr<T, Unmap> data_;
 };
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,14 +1,13 @@
 // What a state that was loaded has to keep to, so that nobody who works with it goes astray.
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "clca/automaton/state.hpp"
+#include "clca/grains/state.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -94,11 +93,10 @@ void check_pushes(const State& state) {
                 push.source < state.walls.size() && is_direction(push.direction),
             "a push is between nobody");
   }
-  const bool ascending =
-      std::adjacent_find(state.pushes.begin(), state.pushes.end(),
-                         [](const Push& a, const Push& b) {
-                           return std::pair(a.pushed, a.pusher) >= std::pair(b.pushed, b.pusher);
-                         }) == state.pushes.end();
+  const bool ascending = std::adjacent_find(state.pushes.begin(), state.pushes.end(),
+                                            [](const Push& a, const Push& b) {
+                                              return a.key() >= b.key();
+                                            }) == state.pushes.end();
   require(ascending, "pushes are out of order");
 }
 
@@ -112,18 +110,9 @@ void check_source(const Source& source, std::size_t kinds) {
           "all weights of a source are 0");
 }
 
-void check_rules(const Rules& rules) {
-  require(is_direction(rules.gravity), "gravity has no direction");
-  std::array<UpdateClass, 3> classes = rules.update_priority;
-  std::sort(classes.begin(), classes.end());
-  require(classes == std::array{UpdateClass::rest, UpdateClass::inertia, UpdateClass::gravity},
-          "the update priority does not name each class once");
-}
-
 }  // namespace
 
 void check_valid(const State& state) {
-  check_rules(state.rules);
   check_kinds(state);
   check_particles(state);
   for (const Wall& wall : state.walls) {
@@ -145,4 +134,4 @@ void check_reachable(const State& state, const State& beginning) {
   check_valid(state);
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

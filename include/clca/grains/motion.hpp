@@ -9,7 +9,7 @@
 #include "clca/fields/fields.hpp"
 #include "clca/lattice/direction.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// One site every `period` steps, `distance` sites in all. What a stall costs is not made up for.
 struct Drive {
@@ -121,4 +121,4 @@ void take_step(const Motion& motion, Travel& travel, int wished, bool done, std:
 /// Ends the step, in which particles moved or did not: what waits for them may go on.
 void end_step(const Motion& motion, Travel& travel, bool particles_moved);
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,12 +1,12 @@
-#include "automaton/source.hpp"
+#include "clca/grains/source.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "automaton/fill.hpp"
 #include "clca/random/draw.hpp"
+#include "grains/placement.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -72,4 +72,4 @@ SourceReport run_sources(State& state, Occupancy& occupancy) {
   return report;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

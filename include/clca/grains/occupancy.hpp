@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "clca/automaton/footprint.hpp"
-#include "clca/automaton/lazy_array.hpp"
-#include "clca/automaton/site_bits.hpp"
-#include "clca/automaton/state.hpp"
+#include "clca/grains/footprint.hpp"
+#include "clca/grains/lazy_array.hpp"
+#include "clca/grains/site_bits.hpp"
+#include "clca/grains/state.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// Besides particles and walls (see Owner) a place may be free or on the border of the box.
 inline constexpr Owner kFree = -1;
@@ -99,4 +99,4 @@ class Occupancy {
   std::vector<Owner> seconds_;   // empty where nothing may overlap
 };
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

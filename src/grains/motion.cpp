@@ -1,9 +1,9 @@
-#include "clca/automaton/motion.hpp"
+#include "clca/grains/motion.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -177,4 +177,4 @@ void end_step(const Motion& motion, Travel& travel, bool particles_moved) {
   ++travel.waited;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

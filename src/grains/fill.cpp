@@ -1,11 +1,14 @@
-#include "automaton/fill.hpp"
+#include "clca/grains/fill.hpp"
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "clca/random/draw.hpp"
+#include "grains/placement.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 namespace {
 
@@ -62,52 +65,13 @@ std::size_t place_species(State& state, Occupancy& occupancy, const lattice::Rec
 
 }  // namespace
 
-std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
-  std::vector<std::uint16_t> kinds;
-  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
-    if (state.kinds[kind].species == species) {
-      kinds.push_back(static_cast<std::uint16_t>(kind));
-    }
+void check_counts(const State& state, std::span<const std::size_t> counts) {
+  std::size_t species = 0;
+  for (const Kind& kind : state.kinds) {
+    species = std::max<std::size_t>(species, kind.species + 1U);
   }
-  return kinds;
-}
-
-bool fits(const State& state, const Occupancy& occupancy, const Particle& particle) {
-  const auto& parts = state.shape(particle).sites();
-  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-    const lattice::Site site = particle.site() + part;
-    return state.lattice.contains(site) && !occupancy.taken(state.lattice.index(site));
-  });
-}
-
-bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
-  const auto& parts = state.shape(particle).sites();
-  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-    const lattice::Site site = particle.site() + part;
-    return region.contains(
-        lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
-  });
-}
-
-void insert(State& state, Occupancy& occupancy, const Particle& particle) {
-  const auto id = static_cast<Owner>(state.particles.size());
-  for (const lattice::Axial part : state.shape(particle).sites()) {
-    occupancy.take(state.lattice.index(particle.site() + part), id);
-  }
-  state.particles.push_back(particle);
-  state.origins.push_back(particle.site());
-}
-
-void renumber(State& state, Occupancy& occupancy, std::size_t first) {
-  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(begin, state.particles.end(),
-            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
-  for (std::size_t id = first; id < state.particles.size(); ++id) {
-    const Particle& particle = state.particles[id];
-    state.origins[id] = particle.site();
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
-    }
+  if (counts.size() != species) {
+    throw std::invalid_argument("a fill needs one count for each species");
   }
 }
 
@@ -129,4 +93,4 @@ FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectan
   return result;
 }
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

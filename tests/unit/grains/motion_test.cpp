@@ -1,4 +1,4 @@
-#include "clca/automaton/motion.hpp"
+#include "clca/grains/motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace clca::automaton {
+namespace clca::grains {
 namespace {
 
 using Phase = Travel::Phase;
@@ -188,4 +188,4 @@ TEST(Motion, RangeIsWhatTheOffsetCanReach) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,17 +1,16 @@
-#include "clca/automaton/site_bits.hpp"
+#include "clca/grains/site_bits.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <random>
 #include <vector>
 
-#include "automaton/awake_set.hpp"
-#include "automaton/strips.hpp"
-#include "clca/automaton/footprint.hpp"
+#include "clca/grains/footprint.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 namespace {
 
 using lattice::Site;
@@ -122,103 +121,17 @@ TEST(SiteBits, AWindowThatIsWipedHasNothingLeftAndNothingFarAwayIsLost) {
 }
 
 TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
+  using enum lattice::Direction;
+  constexpr std::array kCandidates = {down, down_right, down_left};
   State state{.lattice = lattice::Lattice(40, 40, false)};
   for (const int radius : {0, 1, 2, 3}) {
     state.kinds = {{lattice::Shape::hexagon(radius), 0}};
-    const FootprintTable table(state);
+    const FootprintTable table(state, kCandidates);
     for (const int column : {10, 11}) {
       EXPECT_EQ(table.of({.column = column}).one_window, radius < 3) << radius;
     }
   }
 }
 
-std::vector<std::uint32_t> listed(const AwakeSet& set) {
-  return {set.listed().begin(), set.listed().end()};
-}
-
-TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
-  AwakeSet set;
-  set.resize(100'000);
-  for (const std::uint32_t id : {99'999U, 64U, 0U, 4096U, 63U, 4095U, 64U}) {
-    set.insert(id);
-  }
-  const std::vector<std::uint32_t> expected = {99'999, 64, 0, 4096, 63, 4095};
-  EXPECT_EQ(listed(set), expected);
-  EXPECT_TRUE(set.contains(63));
-  EXPECT_FALSE(set.contains(62));
-  set.clear();
-  EXPECT_TRUE(set.empty());
-  EXPECT_FALSE(set.contains(63));
-}
-
-TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
-  AwakeSet set;
-  set.resize(100);
-  set.mark(7);
-  set.insert(7);
-  set.insert(8);
-  EXPECT_TRUE(set.contains(7));
-  EXPECT_EQ(listed(set), std::vector<std::uint32_t>{8});
-  set.list_marked();
-  EXPECT_EQ(listed(set), (std::vector<std::uint32_t>{8, 7}));
-  set.mark(9);
-  set.clear();
-  EXPECT_TRUE(set.empty());
-  EXPECT_FALSE(set.contains(7) || set.contains(8) || set.contains(9));
-}
-
-/// What 800 columns or rows of a box have to do, shared out among four.
-std::vector<Load> loads_of(const Strips& strips, bool columns) {
-  std::vector<Load> loads(4, strips.no_load());
-  for (int line = 800; line < 1600; ++line) {
-    const Site site = columns ? Site{line, 5} : Site{5, line};
-    loads[static_cast<std::size_t>(line) % 4].note(site, 1);
-  }
-  return loads;
-}
-
-TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
-  for (const bool columns : {true, false}) {
-    State state{.lattice = columns ? lattice::Lattice(1600, 10, false)
-                                   : lattice::Lattice(10, 1600, false)};
-    state.kinds = {{lattice::Shape::hexagon(1), 0}};
-    Strips strips(state.lattice, FootprintTable(state), 4);
-    std::vector<Load> loads = loads_of(strips, columns);
-    std::vector<Load*> all;
-    for (Load& load : loads) {
-      all.push_back(&load);
-    }
-    strips.balance(all);
-    for (std::size_t strip = 0; strip < 4; ++strip) {
-      const int line = 800 + 200 * static_cast<int>(strip) + 100;
-      const Site middle = columns ? Site{line, 5} : Site{5, line};
-      EXPECT_EQ(strips.of(middle), strip);
-      EXPECT_TRUE(strips.inner(strip).contains(middle));
-      EXPECT_EQ(strips.inner(strip).axis, columns ? Axis::columns : Axis::rows);
-      if (strip > 0) {
-        EXPECT_LT(strips.inner(strip - 1).end + kWindow, strips.inner(strip).first);
-      }
-    }
-    for (const Load& load : loads) {
-      EXPECT_EQ(load.lines, strips.no_load().lines);
-    }
-  }
-}
-
-// A bar that lies to the right of its reference site, in windows of its own.
-TEST(Strips, KeepAsFarApartAsWindowsReach) {
-  State state{.lattice = lattice::Lattice(400, 400, true)};
-  state.kinds = {{lattice::Shape({{0, 0}, {1, 0}, {2, 0}}), 0}};
-  const FootprintTable footprints(state);
-  const Strips strips(state.lattice, footprints, 2);
-  for (const Footprint& footprint : footprints.all()) {
-    ASSERT_TRUE(footprint.one_window);
-    const int last = footprint.corner.column + kWindow - 1;
-    EXPECT_GT(last, 4);
-    EXPECT_TRUE(strips.at_seam({400 - last, 9}));
-    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * kWindow);
-  }
-}
-
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "clca/automaton/lazy_array.hpp"
+#include "clca/grains/lazy_array.hpp"
 #include "clca/lattice/lattice.hpp"
 
-namespace clca::automaton {
+namespace clca::grains {
 
 /// Columns and rows of a window.
 inline constexpr int kWindow = 8;
@@ -213,4 +213,4 @@ class SiteBits {
   LazyArray<std::uint64_t> words_;
 };
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

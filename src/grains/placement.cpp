@@ -1,0 +1,56 @@
+#include "grains/placement.hpp"
+
+#include <algorithm>
+
+namespace clca::grains {
+
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
+  std::vector<std::uint16_t> kinds;
+  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
+    if (state.kinds[kind].species == species) {
+      kinds.push_back(static_cast<std::uint16_t>(kind));
+    }
+  }
+  return kinds;
+}
+
+bool fits(const State& state, const Occupancy& occupancy, const Particle& particle) {
+  const auto& parts = state.shape(particle).sites();
+  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+    const lattice::Site site = particle.site() + part;
+    return state.lattice.contains(site) && !occupancy.taken(state.lattice.index(site));
+  });
+}
+
+bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
+  const auto& parts = state.shape(particle).sites();
+  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+    const lattice::Site site = particle.site() + part;
+    return region.contains(
+        lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
+  });
+}
+
+void insert(State& state, Occupancy& occupancy, const Particle& particle) {
+  const auto id = static_cast<Owner>(state.particles.size());
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    occupancy.take(state.lattice.index(particle.site() + part), id);
+  }
+  state.particles.push_back(particle);
+  state.origins.push_back(particle.site());
+}
+
+void renumber(State& state, Occupancy& occupancy, std::size_t first) {
+  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, state.particles.end(),
+            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
+  for (std::size_t id = first; id < state.particles.size(); ++id) {
+    const Particle& particle = state.particles[id];
+    state.origins[id] = particle.site();
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
+    }
+  }
+}
+
+}  // namespace clca::grains

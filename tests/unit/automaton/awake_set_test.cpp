@@ -1,0 +1,47 @@
+#include "automaton/awake_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace clca::automaton {
+namespace {
+
+std::vector<std::uint32_t> listed(const AwakeSet& set) {
+  return {set.listed().begin(), set.listed().end()};
+}
+
+TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
+  AwakeSet set;
+  set.resize(100'000);
+  for (const std::uint32_t id : {99'999U, 64U, 0U, 4096U, 63U, 4095U, 64U}) {
+    set.insert(id);
+  }
+  const std::vector<std::uint32_t> expected = {99'999, 64, 0, 4096, 63, 4095};
+  EXPECT_EQ(listed(set), expected);
+  EXPECT_TRUE(set.contains(63));
+  EXPECT_FALSE(set.contains(62));
+  set.clear();
+  EXPECT_TRUE(set.empty());
+  EXPECT_FALSE(set.contains(63));
+}
+
+TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
+  AwakeSet set;
+  set.resize(100);
+  set.mark(7);
+  set.insert(7);
+  set.insert(8);
+  EXPECT_TRUE(set.contains(7));
+  EXPECT_EQ(listed(set), std::vector<std::uint32_t>{8});
+  set.list_marked();
+  EXPECT_EQ(listed(set), (std::vector<std::uint32_t>{8, 7}));
+  set.mark(9);
+  set.clear();
+  EXPECT_TRUE(set.empty());
+  EXPECT_FALSE(set.contains(7) || set.contains(8) || set.contains(9));
+}
+
+}  // namespace
+}  // namespace clca::automaton

@@ -1,0 +1,74 @@
+#include "automaton/strips.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "clca/automaton/rules.hpp"
+#include "clca/grains/footprint.hpp"
+#include "clca/grains/site_bits.hpp"
+
+namespace clca::automaton {
+namespace {
+
+using lattice::Site;
+
+grains::FootprintTable footprints_of(const grains::State& state) {
+  return {state, candidate_directions({})};
+}
+
+/// What 800 columns or rows of a box have to do, shared out among four.
+std::vector<Load> loads_of(const Strips& strips, bool columns) {
+  std::vector<Load> loads(4, strips.no_load());
+  for (int line = 800; line < 1600; ++line) {
+    const Site site = columns ? Site{line, 5} : Site{5, line};
+    loads[static_cast<std::size_t>(line) % 4].note(site, 1);
+  }
+  return loads;
+}
+
+TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
+  for (const bool columns : {true, false}) {
+    grains::State state{.lattice = columns ? lattice::Lattice(1600, 10, false)
+                                           : lattice::Lattice(10, 1600, false)};
+    state.kinds = {{lattice::Shape::hexagon(1), 0}};
+    Strips strips(state.lattice, footprints_of(state), 4);
+    std::vector<Load> loads = loads_of(strips, columns);
+    std::vector<Load*> all;
+    for (Load& load : loads) {
+      all.push_back(&load);
+    }
+    strips.balance(all);
+    for (std::size_t strip = 0; strip < 4; ++strip) {
+      const int line = 800 + 200 * static_cast<int>(strip) + 100;
+      const Site middle = columns ? Site{line, 5} : Site{5, line};
+      EXPECT_EQ(strips.of(middle), strip);
+      EXPECT_TRUE(strips.inner(strip).contains(middle));
+      EXPECT_EQ(strips.inner(strip).axis, columns ? Axis::columns : Axis::rows);
+      if (strip > 0) {
+        EXPECT_LT(strips.inner(strip - 1).end + grains::kWindow, strips.inner(strip).first);
+      }
+    }
+    for (const Load& load : loads) {
+      EXPECT_EQ(load.lines, strips.no_load().lines);
+    }
+  }
+}
+
+// A bar that lies to the right of its reference site, in windows of its own.
+TEST(Strips, KeepAsFarApartAsWindowsReach) {
+  grains::State state{.lattice = lattice::Lattice(400, 400, true)};
+  state.kinds = {{lattice::Shape({{0, 0}, {1, 0}, {2, 0}}), 0}};
+  const grains::FootprintTable footprints = footprints_of(state);
+  const Strips strips(state.lattice, footprints, 2);
+  for (const grains::Footprint& footprint : footprints.all()) {
+    ASSERT_TRUE(footprint.one_window);
+    const int last = footprint.corner.column + grains::kWindow - 1;
+    EXPECT_GT(last, 4);
+    EXPECT_TRUE(strips.at_seam({400 - last, 9}));
+    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * grains::kWindow);
+  }
+}
+
+}  // namespace
+}  // namespace clca::automaton
