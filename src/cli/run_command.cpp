@@ -54,7 +54,7 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   const scene::AnyScene scene = load_any_scene(options.scene, options.run.threads);
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
-        "{}: error: a scene of the automaton, which clca run takes; clca boltzmann wants a block "
+        "{}: error: a scene of grains, which clca run takes; clca boltzmann wants a block "
         "boltzmann in place of box to stages",
         automaton->box.place));
   }

@@ -37,6 +37,14 @@ void add_run_options(CLI::App& command, RunCommonOptions& options) {
                   "Save and stop after this time, as in 90, 30min or 2h; resume goes on from there")
       ->type_name("TIME")
       ->transform(time_span());
+  command
+      .add_option_function<std::string>(
+          "--engine",
+          [&options](const std::string& name) { options.reference = name == "reference"; },
+          "fast, or reference: steps of the contact model as they are defined, for checks")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"fast", "reference"}))
+      ->default_str("fast");
   command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
 }
 
@@ -54,6 +62,7 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
   const std::atomic<int>& stop = catch_stop_signals();
   const store::RunSummary summary = run_it({.folder = folder,
                                             .threads = options.threads,
+                                            .reference = options.reference,
                                             .stop = &stop,
                                             .time_limit = options.time_limit},
                                            events);

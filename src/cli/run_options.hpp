@@ -13,6 +13,7 @@ namespace clca::cli {
 struct RunCommonOptions {
   int threads = machine_threads();
   std::optional<double> time_limit;  ///< seconds
+  bool reference = false;
   bool quiet = false;
 };
 

@@ -1,6 +1,7 @@
 #include "clca/contact/contact_model.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -61,8 +62,7 @@ State valid(State state, const Parameters& parameters) {
 
 double gravity(const Parameters& parameters) {
   constexpr double kMost = 0.25;
-  const double value =
-      parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
+  const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
   if (!(parameters.fall_height > 0 && value <= kMost && value * kSpacing >= 1)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
@@ -83,7 +83,8 @@ Energy energy(const State& state, double gravity) {
     const double y = velocity.y / kUnit;
     const double spin = velocity.spin / kUnit;
     sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
-    sum.potential += mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit);
+    sum.potential +=
+        mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit);
   }
   return sum;
 }
@@ -131,14 +132,15 @@ void check_valid(const State& state) {
     if (!there) {
       fail("a contact is not one of two bodies");
     }
-    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kStrongest) || !in_range(contact.impulse.shear, kStrongest) ||
+    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kStrongest) ||
+        !in_range(contact.impulse.shear, kStrongest) ||
         !in_range(contact.impulse.rolling, kStrongest)) {
       fail("an impulse is out of range");
     }
     const auto upper = static_cast<grains::Owner>(contact.upper);
-    pairs.emplace_back(static_cast<std::uint32_t>(with_grain ? std::min(upper, contact.other)
-                                                             : upper),
-                       with_grain ? std::max(upper, contact.other) : contact.other);
+    pairs.emplace_back(
+        static_cast<std::uint32_t>(with_grain ? std::min(upper, contact.other) : upper),
+        with_grain ? std::max(upper, contact.other) : contact.other);
   }
   std::sort(pairs.begin(), pairs.end());
   if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) {
@@ -160,14 +162,25 @@ class ContactModel::Impl {
   }
 
   const State& state() {
-    if (engine_ && !contacts_written_) {
-      engine_->write_contacts();
-      contacts_written_ = true;
+    if (engine_ && !written_back_) {
+      engine_->write_back();
+      written_back_ = true;
     }
     return state_;
   }
   const grains::State& grains() const { return state_.grains; }
   const grains::Occupancy& occupancy() const { return occupancy_; }
+
+  template <class Change>
+  auto whole(Change change) {
+    if (half_changed_) {
+      throw std::logic_error("a contact model cannot go on after a change that failed");
+    }
+    half_changed_ = true;
+    auto result = change();
+    half_changed_ = false;
+    return result;
+  }
 
   StepReport step() {
     return whole([this] {
@@ -175,16 +188,18 @@ class ContactModel::Impl {
       const std::size_t before = state_.grains.particles.size();
       const grains::SourceReport sources = run_sources(state_.grains, occupancy_);
       report.emitted = state_.grains.particles.size() - before;
-      welcome();
+      add_motions();
+      if (engine_) {
+        engine_->add_grains();
+      }
       std::vector<std::uint32_t> moved = move();
-      for (std::size_t id = before; id < state_.motions.size(); ++id) {
+      for (std::size_t id = before; id < state_.grains.particles.size(); ++id) {
         moved.push_back(static_cast<std::uint32_t>(id));
       }
       report.removed = remove_at_outlets(moved);
-      report.settled =
-          state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
+      report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
       report.moved = moved_;
-      contacts_written_ = false;
+      written_back_ = false;
       return report;
     });
   }
@@ -195,8 +210,8 @@ class ContactModel::Impl {
     return whole([&] {
       state();
       auto result = change(state_.grains, occupancy_);
-      state_.motions.resize(state_.grains.particles.size());
-      std::vector<std::uint32_t> all(state_.motions.size());
+      add_motions();
+      std::vector<std::uint32_t> all(state_.grains.particles.size());
       std::iota(all.begin(), all.end(), 0U);
       remove_at_outlets(all);
       state_.changed = true;
@@ -216,23 +231,10 @@ class ContactModel::Impl {
   }
 
  private:
-  template <class Change>
-  auto whole(Change change) {
-    if (half_changed_) {
-      throw std::logic_error("a contact model cannot go on after a change that failed");
-    }
-    half_changed_ = true;
-    auto result = change();
-    half_changed_ = false;
-    return result;
-  }
-
-  void welcome() {
-    const std::size_t first = state_.motions.size();
-    state_.motions.resize(state_.grains.particles.size());
-    if (engine_) {
-      engine_->add_grains(first);
-    }
+  /// Of new grains, which are at rest.
+  void add_motions() {
+    state_.velocities.resize(state_.grains.particles.size());
+    state_.remainders.resize(state_.grains.particles.size());
   }
 
   /// Those that moved, once each.
@@ -271,7 +273,8 @@ class ContactModel::Impl {
     }
     grain.present = false;
     grain.previous = grains::kRest;
-    state_.motions[id] = {};
+    state_.velocities[id] = {};
+    state_.remainders[id] = {};
     if (engine_) {
       engine_->remove_grain(id);
     }
@@ -284,7 +287,7 @@ class ContactModel::Impl {
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
   std::size_t moved_ = 0;
-  bool contacts_written_ = true;
+  bool written_back_ = true;  // of the engine, to the state
   bool half_changed_ = false;
 };
 

@@ -198,6 +198,15 @@ bool Shape::congruent(const Shape& other) const {
   return sites_ == shifted(other.sites_, sites_.front() - other.sites_.front());
 }
 
+std::optional<int> Shape::hexagon_radius() const {
+  const int radius = (sites_.back().x - sites_.front().x) / 2;
+  const auto wide = static_cast<std::size_t>(radius);
+  if (size() != 3 * wide * (wide + 1) + 1 || !congruent(hexagon(radius))) {
+    return std::nullopt;
+  }
+  return radius;
+}
+
 Eigen::Vector2d Shape::centroid() const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Axial site : sites_) {

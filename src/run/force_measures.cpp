@@ -47,11 +47,11 @@ store::MeasureValue value_or_null(const std::optional<double>& value) {
 
 }  // namespace
 
-void add_force(std::vector<store::NamedMeasure>& results, const automaton::Automaton& automaton,
+void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
                const std::vector<double>& surface_at_start, const ForceRecord& record) {
-  const grains::State& state = automaton.state();
-  const auto contacts = measure::contacts(state, automaton.occupancy());
-  const auto summary = measure::force_summary(state, automaton.occupancy(), contacts);
+  const grains::State& state = model.state();
+  const auto contacts = measure::contacts(state, model.occupancy());
+  const auto summary = measure::force_summary(state, model.occupancy(), contacts);
   const auto distribution = record.distribution(contacts);
   const WallsTogether walls = together(state, summary, surface_at_start);
   const auto add = [&](const char* name, const store::MeasureValue& value) {
@@ -69,14 +69,13 @@ void add_force(std::vector<store::NamedMeasure>& results, const automaton::Autom
   add("stalled_since", value_or_null(walls.stalled_since));
 }
 
-std::vector<std::string> stall_lines(const scene::Scene& scene,
-                                     const automaton::Automaton& automaton,
+std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
                                      const std::vector<double>& surface_at_start) {
-  const grains::State& state = automaton.state();
-  const auto contacts = measure::contacts(state, automaton.occupancy());
+  const grains::State& state = model.state();
+  const auto contacts = measure::contacts(state, model.occupancy());
   std::vector<std::string> lines;
   for (const measure::WallForce& wall :
-       measure::force_summary(state, automaton.occupancy(), contacts).walls) {
+       measure::force_summary(state, model.occupancy(), contacts).walls) {
     const grains::Wall& one = state.walls[wall.wall];
     if (!is_stalled(one)) {
       continue;

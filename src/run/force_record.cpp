@@ -23,9 +23,9 @@ std::string name_of(const scene::Scene& scene, grains::Owner owner) {
 
 }  // namespace
 
-void ForceRecord::after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage) {
+void ForceRecord::after_step(const Model& model, std::uint64_t steps_in_stage) {
   if (sampling_ && steps_in_stage % sampling_->every == 0) {
-    average_.add(measure::contacts(automaton.state(), automaton.occupancy()));
+    average_.add(measure::contacts(model.state(), model.occupancy()));
   }
 }
 

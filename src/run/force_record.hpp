@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/force_distribution.hpp"
 #include "clca/scene/scene.hpp"
+#include "run/model.hpp"
 
 namespace clca::run {
 
@@ -20,7 +20,7 @@ class ForceRecord {
 
   void begin_stage() { average_ = {}; }
   /// Call after each step.
-  void after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage);
+  void after_step(const Model& model, std::uint64_t steps_in_stage);
 
   /// Of the averages where contacts are sampled, of the present overlaps otherwise.
   std::optional<measure::ForceDistribution> distribution(

@@ -109,18 +109,17 @@ void Outputs::write_rows(Records& records, std::size_t least) {
   }
 }
 
-void Outputs::begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                          const Records& records) {
+void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const Records& records) {
   if (pictures_) {
-    pictures_->begin_stage(stage, automaton.state());
+    pictures_->begin_stage(stage, model.state());
   }
   if (pictures_ && !last_picture_only_) {
-    pictures_->draw(automaton, records, *folder_);
+    pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, automaton, 0, true);
+    series_->add(stage.name, model, 0, true);
   }
-  add_to_trajectory(stage, automaton.state(), true);
+  add_to_trajectory(stage, model.state(), true);
 }
 
 void Outputs::add_to_trajectory(const scene::Stage& stage, const grains::State& state,
@@ -131,36 +130,36 @@ void Outputs::add_to_trajectory(const scene::Stage& stage, const grains::State& 
   }
 }
 
-void Outputs::after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
-                         Records& records, std::uint64_t steps_in_stage, std::size_t moving) {
+void Outputs::after_step(const scene::Stage& stage, const Model& model, Records& records,
+                         std::uint64_t steps_in_stage, std::size_t moving) {
   if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
-    pictures_->draw(automaton, records, *folder_);
+    pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, automaton, moving, false);
+    series_->add(stage.name, model, moving, false);
   }
   if (trajectory_ && steps_in_stage % scene_.output.trajectory->every == 0) {
-    add_to_trajectory(stage, automaton.state(), false);
+    add_to_trajectory(stage, model.state(), false);
   }
   write_rows(records, kBlock);
 }
 
-void Outputs::end_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                        Records& records, std::size_t moving, const StageHistory& history) {
+void Outputs::end_stage(const scene::Stage& stage, const Model& model, Records& records,
+                        std::size_t moving, const StageHistory& history) {
   if (pictures_ && (!last_picture_only_ || &stage == &scene_.stages.back())) {
-    pictures_->draw(automaton, records, *folder_);
+    pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, automaton, moving, true);
+    series_->add(stage.name, model, moving, true);
   }
-  add_to_trajectory(stage, automaton.state(), false);
+  add_to_trajectory(stage, model.state(), false);
   write_rows(records, 0);
-  write_tables(stage, automaton, records, history);
+  write_tables(stage, model, records, history);
 }
 
-void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
-                           const Records& records, const StageHistory& history) {
-  const grains::State& state = automaton.state();
+void Outputs::write_tables(const scene::Stage& stage, const Model& model, const Records& records,
+                           const StageHistory& history) {
+  const grains::State& state = model.state();
   const auto write = [&](const char* kind, const std::string& csv) {
     folder_->files().write(store::table_name(kind, stage.name), csv);
   };
@@ -174,8 +173,8 @@ void Outputs::write_tables(const scene::Stage& stage, const automaton::Automaton
     write("fluctuation", records.fields()->fluctuation_csv());
   }
   if (wants(scene::Measure::force) && records.forces()) {
-    const auto contacts = measure::contacts(state, automaton.occupancy());
-    const auto summary = measure::force_summary(state, automaton.occupancy(), contacts);
+    const auto contacts = measure::contacts(state, model.occupancy());
+    const auto summary = measure::force_summary(state, model.occupancy(), contacts);
     write("contacts", records.forces()->contacts_csv(scene_, contacts));
     write("forces", distribution_csv(records.forces()->distribution(contacts)));
     write("loads", loads_csv(scene_, state, contacts));

@@ -4,12 +4,12 @@
 
 #include <optional>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/growing_file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/trajectory.hpp"
+#include "run/model.hpp"
 #include "run/pictures.hpp"
 #include "run/records.hpp"
 #include "run/series.hpp"
@@ -53,12 +53,11 @@ class Outputs {
   /// The same for a run that goes on: what came after `history` is removed.
   void reopen(const store::RunFolder& folder, const grains::State& state,
               const OutputHistory& history);
-  void begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                   const Records& records);
-  void after_step(const scene::Stage& stage, const automaton::Automaton& automaton,
-                  Records& records, std::uint64_t steps_in_stage, std::size_t moving);
+  void begin_stage(const scene::Stage& stage, const Model& model, const Records& records);
+  void after_step(const scene::Stage& stage, const Model& model, Records& records,
+                  std::uint64_t steps_in_stage, std::size_t moving);
   /// The last picture of the stage, its tables, and those of the run so far.
-  void end_stage(const scene::Stage& stage, const automaton::Automaton& automaton, Records& records,
+  void end_stage(const scene::Stage& stage, const Model& model, Records& records,
                  std::size_t moving, const StageHistory& history);
   /// Writes all that is waiting and tells how far it has come.
   OutputHistory settle(Records& records);
@@ -76,8 +75,8 @@ class Outputs {
     void take(store::Table& table, std::size_t least);
   };
 
-  void write_tables(const scene::Stage& stage, const automaton::Automaton& automaton,
-                    const Records& records, const StageHistory& history);
+  void write_tables(const scene::Stage& stage, const Model& model, const Records& records,
+                    const StageHistory& history);
   void write_rows(Records& records, std::size_t least);
   void add_to_trajectory(const scene::Stage& stage, const grains::State& state, bool begins);
   bool wants(scene::Measure measure) const;

@@ -11,14 +11,13 @@ void Pictures::begin_stage(const scene::Stage& stage, const grains::State& state
   run::begin_stage(history_, stage, state);
 }
 
-void Pictures::draw(const automaton::Automaton& automaton, const Records& records,
-                    const store::RunFolder& folder) {
-  const grains::State& state = automaton.state();
+void Pictures::draw(const Model& model, const Records& records, const store::RunFolder& folder) {
+  const grains::State& state = model.state();
   if (history_.last_step == state.step) {
     return;
   }
   history_.last_step = state.step;
-  Negative negative = painter_.expose({state, automaton.occupancy(), &records.cycles()}, history_);
+  Negative negative = painter_.expose({state, model.occupancy(), &records.cycles()}, history_);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step),
                 [this, negative = std::move(negative)] { return painter_.develop(negative); });

@@ -1,12 +1,12 @@
 #pragma once
 // Draws the frames that a scene asks for.
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_writer.hpp"
+#include "run/model.hpp"
 #include "run/records.hpp"
 
 namespace clca::run {
@@ -20,8 +20,7 @@ class Pictures {
   void begin_stage(const scene::Stage& stage, const grains::State& state);
   /// Takes what the picture needs of the state; drawing and writing it is for another thread. A
   /// step is drawn once.
-  void draw(const automaton::Automaton& automaton, const Records& records,
-            const store::RunFolder& folder);
+  void draw(const Model& model, const Records& records, const store::RunFolder& folder);
   /// Waits until all pictures are written.
   void finish() { writer_.finish(); }
 

@@ -31,23 +31,23 @@ Records::Records(const scene::Scene& scene)
   }
 }
 
-void Records::begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton) {
-  cycles_.begin_stage(scene_, stage, automaton.state());
+void Records::begin_stage(const scene::Stage& stage, const Model& model) {
+  cycles_.begin_stage(scene_, stage, model.state());
   if (fields_) {
-    fields_->begin_stage(stage.name, automaton.state());
+    fields_->begin_stage(stage.name, model.state());
   }
   if (forces_) {
     forces_->begin_stage();
   }
 }
 
-void Records::after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage) {
-  cycles_.after_step(automaton.state());
+void Records::after_step(const Model& model, std::uint64_t steps_in_stage) {
+  cycles_.after_step(model.state());
   if (fields_) {
-    fields_->after_step(automaton.state());
+    fields_->after_step(model.state());
   }
   if (forces_) {
-    forces_->after_step(automaton, steps_in_stage);
+    forces_->after_step(model, steps_in_stage);
   }
 }
 
@@ -61,9 +61,9 @@ void Records::save(fields::Columns& columns) const {
   }
 }
 
-void Records::resume_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
+void Records::resume_stage(const scene::Stage& stage, const Model& model,
                            const fields::Columns& columns, double most_bytes) {
-  const grains::State& now = automaton.state();
+  const grains::State& now = model.state();
   cycles_.resume_stage(scene_, stage, now);
   load(kCycles, columns, most_bytes, cycles_, now);
   if (fields_) {
@@ -75,9 +75,9 @@ void Records::resume_stage(const scene::Stage& stage, const automaton::Automaton
   }
 }
 
-void Records::end_stage(const automaton::Automaton& automaton) {
+void Records::end_stage(const Model& model) {
   if (fields_) {
-    fields_->end_stage(automaton.state());
+    fields_->end_stage(model.state());
   }
 }
 

@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/fields/columns.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/cycle_record.hpp"
 #include "run/field_record.hpp"
 #include "run/force_record.hpp"
+#include "run/model.hpp"
 
 namespace clca::run {
 
@@ -16,9 +16,9 @@ class Records {
  public:
   explicit Records(const scene::Scene& scene);
 
-  void begin_stage(const scene::Stage& stage, const automaton::Automaton& automaton);
-  void after_step(const automaton::Automaton& automaton, std::uint64_t steps_in_stage);
-  void end_stage(const automaton::Automaton& automaton);
+  void begin_stage(const scene::Stage& stage, const Model& model);
+  void after_step(const Model& model, std::uint64_t steps_in_stage);
+  void end_stage(const Model& model);
 
   const CycleRecord& cycles() const { return cycles_; }
   const std::optional<FieldRecord>& fields() const { return fields_; }
@@ -31,8 +31,8 @@ class Records {
   void save(fields::Columns& columns) const;
   /// Goes on with a stage. Throws fields::Mismatch for what no run can have recorded that has come
   /// to the state of `automaton`.
-  void resume_stage(const scene::Stage& stage, const automaton::Automaton& automaton,
-                    const fields::Columns& columns, double most_bytes);
+  void resume_stage(const scene::Stage& stage, const Model& model, const fields::Columns& columns,
+                    double most_bytes);
 
  private:
   const scene::Scene& scene_;

@@ -34,8 +34,8 @@ class Run {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
-      : Run(scene, options, events, initial_state(scene)) {
-    prepare_stage(automaton_, scene, scene.stages.front());
+      : Run(scene, options, events, first_state(scene)) {
+    prepare_stage(model_, scene, scene.stages.front());
     folder_.emplace(folder ? std::move(*folder)
                            : begin_run(options, events, checkpoint(), outputs_.file_names()));
     log_.emplace(*folder_, 0, events);
@@ -52,12 +52,13 @@ class Run {
 
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
-      grains::State state)
+      ModelState state)
       : scene_(scene),
         options_(options),
         events_(events),
-        automaton_(std::move(state), scene.rules, {.threads = options.threads}),
-        outputs_(scene, automaton_.state(), options),
+        model_(scene, std::move(state),
+               {.threads = options.threads, .reference = options.reference}),
+        outputs_(scene, model_.state(), options),
         records_(scene),
         saver_(scene.output.checkpoint) {}
 
@@ -105,7 +106,7 @@ class Run {
   const RunEvents& events_;
   WallClock wall_clock_;  // since this run began or went on
   Stopwatch step_clock_;
-  automaton::Automaton automaton_;
+  Model model_;
   Outputs outputs_;
   Records records_;
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
@@ -143,15 +144,15 @@ void Run::go_on(SavedRun& saved, SavedParts& parts) {
   course_ = parts.course;
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
-  records_.resume_stage(stage(), automaton_, saved.checkpoint.fields, saved.most_bytes);
+  records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.most_bytes);
   log_.emplace(*folder_, course_.log_bytes, events_);
-  outputs_.reopen(*folder_, automaton_.state(), parts.outputs);
+  outputs_.reopen(*folder_, model_.state(), parts.outputs);
   in_stage_ = true;
 }
 
 void Run::run_stages() {
   if (!in_stage_) {
-    outputs_.open(*folder_, automaton_.state());
+    outputs_.open(*folder_, model_.state());
   }
   if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
     log_->warning(render::font_problem());
@@ -166,13 +167,13 @@ void Run::run_stages() {
 
 void Run::begin_stage() {
   if (course_.stage > 0) {
-    prepare_stage(automaton_, scene_, stage());
+    prepare_stage(model_, scene_, stage());
   }
-  history_ = {.profile_at_start = measure::surface_profile(automaton_.state()),
-              .particles_at_start = grains::present_count(automaton_.state()),
-              .outflow = measure::Outflow(measure::discharge(automaton_.state()))};
-  records_.begin_stage(stage(), automaton_);
-  outputs_.begin_stage(stage(), automaton_, records_);
+  history_ = {.profile_at_start = measure::surface_profile(model_.state()),
+              .particles_at_start = grains::present_count(model_.state()),
+              .outflow = measure::Outflow(measure::discharge(model_.state()))};
+  records_.begin_stage(stage(), model_);
+  outputs_.begin_stage(stage(), model_, records_);
 }
 
 void Run::run_stage() {
@@ -192,21 +193,21 @@ StageEnd Run::run_steps() {
   Forecast forecast;
   double most_moving = 0;
   while (true) {
-    if (const auto ended = stage_end(stage(), automaton_.state(), history_)) {
+    if (const auto ended = stage_end(stage(), model_.state(), history_)) {
       return *ended;
     }
     if (stop_asked()) {
       return StageEnd::interrupted;
     }
     step();
-    const auto particles = static_cast<double>(automaton_.state().particles.size());
+    const auto particles = static_cast<double>(model_.state().particles.size());
     const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
     most_moving = std::max(most_moving, moving_share);
     if (ticker_.due()) {
       forecast.update(done_share(stage(), history_, moving_share, most_moving));
       show_progress(moving_share, forecast.seconds_left());
     }
-    if (saver_.due(automaton_.state().step)) {
+    if (saver_.due(model_.state().step)) {
       save();
     }
   }
@@ -214,30 +215,30 @@ StageEnd Run::run_steps() {
 
 void Run::step() {
   step_clock_.start();
-  const automaton::StepReport report = automaton_.step();
+  const Model::Report report = model_.step();
   step_clock_.stop();
   ++history_.steps;
   history_.resting = report.settled;
   history_.emitted += report.emitted;
-  history_.outflow.add(measure::discharge(automaton_.state()));
+  history_.outflow.add(measure::discharge(model_.state()));
   course_.moving = report.moved;
-  course_.updates += static_cast<double>(automaton_.state().particles.size());
-  records_.after_step(automaton_, history_.steps);
+  course_.updates += static_cast<double>(model_.state().particles.size());
+  records_.after_step(model_, history_.steps);
   history_.cycles = records_.cycles().cycles();
-  outputs_.after_step(stage(), automaton_, records_, history_.steps, report.moved);
+  outputs_.after_step(stage(), model_, records_, history_.steps, report.moved);
 }
 
 void Run::end_stage(StageEnd end) {
   history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
-  records_.end_stage(automaton_);
-  outputs_.end_stage(stage(), automaton_, records_, course_.moving, history_);
+  records_.end_stage(model_);
+  outputs_.end_stage(stage(), model_, records_, course_.moving, history_);
   stages_.push_back({.name = stage().name,
                      .steps = history_.steps,
                      .ended = to_text(end),
-                     .measures = stage_measures(scene_, automaton_, history_, records_)});
+                     .measures = stage_measures(scene_, model_, history_, records_)});
   log_->info(
       fmt::format("stage {}: {} steps, ended: {}", stage().name, history_.steps, to_text(end)));
-  for (const std::string& line : stall_lines(scene_, automaton_, history_.profile_at_start)) {
+  for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
     log_->info(line);
   }
   if (end == StageEnd::bound) {
@@ -261,7 +262,7 @@ void Run::save() {
   course.step_seconds = step_seconds();
   course.log_bytes = log_->bytes();
   store::Checkpoint saved = checkpoint();
-  fields::encode(kSavedState, automaton_.state(), saved.fields);
+  model_.save(saved.fields);
   fields::encode(kSavedCourse, course, saved.fields);
   fields::encode(kSavedHistory, history_, saved.fields);
   fields::encode(kSavedOutputs, outputs, saved.fields);
@@ -274,8 +275,8 @@ void Run::show_progress(double moving_share, std::optional<double> seconds_left)
     events_.progress({.stage = stage().name,
                       .stage_number = course_.stage + 1,
                       .stage_count = scene_.stages.size(),
-                      .step = automaton_.state().step,
-                      .particles = automaton_.state().particles.size(),
+                      .step = model_.state().step,
+                      .particles = model_.state().particles.size(),
                       .moving_share = moving_share,
                       .updates_per_second = rate(),
                       .seconds_left = seconds_left});
@@ -288,12 +289,12 @@ store::RunSummary Run::summary(const std::string& status) const {
   summary.seed = scene_.seed;
   summary.threads = options_.threads;
   summary.status = status;
-  summary.particles = automaton_.state().particles.size();
-  summary.steps = automaton_.state().step;
+  summary.particles = model_.state().particles.size();
+  summary.steps = model_.state().step;
   summary.wall_seconds = wall_seconds();
   summary.step_seconds = step_seconds();
   summary.rate = rate();
-  summary.state_hash = grains::hash(automaton_.state());
+  summary.state_hash = model_.hash();
   summary.stages = stages_;
   return summary;
 }
@@ -315,10 +316,10 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& op
 
 void check_beginning(const scene::Scene& scene) {
   scene::check_room(scene);
-  automaton::Automaton automaton(initial_state(scene), scene.rules);
-  prepare_stage(automaton, scene, scene.stages.front());
+  Model model(scene, first_state(scene), {});
+  prepare_stage(model, scene, scene.stages.front());
   if (scene.output.frames) {
-    const FramePainter painter(scene, automaton.state(), 1);
+    const FramePainter painter(scene, model.state(), 1);
   }
 }
 

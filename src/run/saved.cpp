@@ -82,14 +82,6 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
   }
 }
 
-grains::State saved_state(const scene::Scene& scene, const SavedRun& saved) {
-  const grains::State beginning = initial_state(scene);
-  grains::State state = beginning;
-  fields::decode(kSavedState, saved.checkpoint.fields, saved.most_bytes, state);
-  grains::check_reachable(state, beginning);
-  return state;
-}
-
 }  // namespace
 
 SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
@@ -125,15 +117,19 @@ store::StoreError not_of_this_run(const std::filesystem::path& folder, const std
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
-  SavedParts parts = {
-      .state = saved_state(scene, saved), .course = {}, .history = {}, .outputs = {}, .stages = {}};
+  SavedParts parts = {.state = saved_state(scene, saved.checkpoint.fields, saved.most_bytes),
+                      .course = {},
+                      .history = {},
+                      .outputs = {},
+                      .stages = {}};
   const fields::Columns& columns = saved.checkpoint.fields;
   fields::decode(kSavedCourse, columns, saved.most_bytes, parts.course);
   fields::decode(kSavedHistory, columns, saved.most_bytes, parts.history);
   fields::decode(kSavedOutputs, columns, saved.most_bytes, parts.outputs);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
-  const auto columns_of_lattice = static_cast<std::size_t>(parts.state.lattice.columns());
-  if (!parts.history.outflow.precedes(parts.state)) {
+  const grains::State& grains = grains_of(parts.state);
+  const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
+  if (!parts.history.outflow.precedes(grains)) {
     throw fields::Mismatch("what has left is not of this run");
   }
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||

@@ -1,9 +1,9 @@
 #pragma once
-// What a run of the automaton keeps in its checkpoint, besides its records and outputs.
+// What a run of grains keeps in its checkpoint, besides its records and outputs.
 
-#include "clca/grains/state.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "run/model.hpp"
 #include "run/outputs.hpp"
 #include "run/stage_measures.hpp"
 
@@ -27,14 +27,13 @@ struct RunCourse {
   }
 };
 
-inline constexpr const char* kSavedState = "state";
 inline constexpr const char* kSavedCourse = "course";
 inline constexpr const char* kSavedHistory = "stage";
 inline constexpr const char* kSavedOutputs = "outputs";
 
 /// What of a checkpoint is not left to records.
 struct SavedParts {
-  grains::State state;
+  ModelState state;
   RunCourse course;
   StageHistory history;
   OutputHistory outputs;

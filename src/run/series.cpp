@@ -29,6 +29,9 @@ std::vector<std::string> columns(const scene::Scene& scene) {
                                     "mean_height",
                                     "discharged_particles",
                                     "discharged_sites"};
+  if (scene.model == scene::Model::contact) {
+    names.insert(names.end(), {"kinetic_energy", "potential_energy"});
+  }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
@@ -41,13 +44,13 @@ std::vector<std::string> columns(const scene::Scene& scene) {
 }
 
 /// Sites that overlap by wall: in all contacts that began there.
-std::vector<std::uint64_t> indices(const automaton::Automaton& automaton) {
-  const grains::State& state = automaton.state();
+std::vector<std::uint64_t> indices(const Model& model) {
+  const grains::State& state = model.state();
   std::vector<std::uint64_t> sites(state.walls.size(), 0);
   if (state.pushes.empty()) {
     return sites;
   }
-  for (const measure::Contact& contact : measure::contacts(state, automaton.occupancy())) {
+  for (const measure::Contact& contact : measure::contacts(state, model.occupancy())) {
     if (contact.source) {
       sites[*contact.source] += static_cast<std::uint64_t>(contact.sites);
     }
@@ -60,9 +63,9 @@ std::vector<std::uint64_t> indices(const automaton::Automaton& automaton) {
 SeriesTable::SeriesTable(const scene::Scene& scene)
     : every_(scene.output.series->every), table_(columns(scene)) {}
 
-void SeriesTable::add(const std::string& stage, const automaton::Automaton& automaton,
-                      std::size_t moving, bool always) {
-  const grains::State& state = automaton.state();
+void SeriesTable::add(const std::string& stage, const Model& model, std::size_t moving,
+                      bool always) {
+  const grains::State& state = model.state();
   if ((!always && state.step % every_ != 0) || last_step_ == state.step) {
     return;
   }
@@ -74,7 +77,10 @@ void SeriesTable::add(const std::string& stage, const automaton::Automaton& auto
   std::vector<store::Cell> cells = {
       state.step,         stage,         present,  std::uint64_t{moving}, share,
       mean_height(state), out.particles, out.sites};
-  const std::vector<std::uint64_t> sites = indices(automaton);
+  if (const auto energy = model.energy()) {
+    cells.insert(cells.end(), {energy->kinetic, energy->potential});
+  }
+  const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
       cells.emplace_back(static_cast<double>(state.walls[wall].travel.offset));

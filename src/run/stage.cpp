@@ -10,11 +10,11 @@ namespace clca::run {
 
 namespace {
 
-void fill(automaton::Automaton& automaton, const scene::Scene& scene, const scene::Stage& stage) {
+void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
   const grains::FillResult result = fill.method == scene::FillMethod::deposition
-                                        ? automaton.deposit(fill.region, fill.counts)
-                                        : automaton.fill(fill.region, fill.counts);
+                                        ? model.deposit(fill.region, fill.counts)
+                                        : model.fill(fill.region, fill.counts);
   if (result.complete) {
     return;
   }
@@ -31,10 +31,9 @@ void fill(automaton::Automaton& automaton, const scene::Scene& scene, const scen
                   fill.place, stage.name, fitted));
 }
 
-void insert_walls(automaton::Automaton& automaton, const scene::Scene& scene,
-                  const scene::Stage& stage) {
+void insert_walls(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.insert) {
-    if (!automaton.insert_wall(wall)) {
+    if (!model.insert_wall(wall)) {
       throw ScenePlaceError(fmt::format(
           "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
           "it, or insert it before they come",
@@ -57,24 +56,23 @@ bool has_stalled(const grains::State& state) {
 
 }  // namespace
 
-void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
-                   const scene::Stage& stage) {
+void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.remove) {
-    automaton.remove_wall(wall);
+    model.remove_wall(wall);
   }
-  insert_walls(automaton, scene, stage);
+  insert_walls(model, scene, stage);
   if (stage.fill) {
-    fill(automaton, scene, stage);
+    fill(model, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    automaton.set_source(source, contains(stage.sources, source));
+    model.set_source(source, contains(stage.sources, source));
   }
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     if (scene.walls[wall].motion) {
-      automaton.set_motion(wall, contains(stage.move, wall));
+      model.set_motion(wall, contains(stage.move, wall));
     }
   }
-  automaton.mark_origins();
+  model.mark_origins();
 }
 
 std::string to_text(StageEnd end) {

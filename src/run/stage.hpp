@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/scene/scene.hpp"
+#include "run/model.hpp"
 #include "run/stage_measures.hpp"
 
 namespace clca::run {
@@ -14,8 +14,7 @@ namespace clca::run {
 /// Removes and inserts walls, fills, opens and closes sources, sets walls in motion, marks the
 /// origins. Throws ScenePlaceError when a wall would stand inside particles or the fill does not
 /// fit.
-void prepare_stage(automaton::Automaton& automaton, const scene::Scene& scene,
-                   const scene::Stage& stage);
+void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage);
 
 /// Why a stage has ended.
 /// `stalled`: settled with a wall that wants to move and cannot.

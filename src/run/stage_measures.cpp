@@ -42,13 +42,12 @@ void add_moved(Results& results, const grains::State& state) {
   results.emplace_back("moved_share_2", measure::moved_share(state, 2));
 }
 
-void add_outflow(Results& results, const automaton::Automaton& automaton,
-                 const StageHistory& history) {
+void add_outflow(Results& results, const Model& model, const StageHistory& history) {
   results.emplace_back("outflow_sites_per_step", history.outflow.sites_per_step());
-  if (!automaton.state().outlets.empty()) {
+  if (!model.state().outlets.empty()) {
     results.emplace_back("discharged_share", history.discharged_share());
-    results.emplace_back(
-        "clogged", history.settled && measure::blocked(automaton.state(), automaton.occupancy()));
+    results.emplace_back("clogged",
+                         history.settled && measure::blocked(model.state(), model.occupancy()));
   }
 }
 
@@ -94,9 +93,9 @@ double StageHistory::discharged_share() const {
   return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
 }
 
-Results stage_measures(const scene::Scene& scene, const automaton::Automaton& automaton,
-                       const StageHistory& history, const Records& records) {
-  const grains::State& state = automaton.state();
+Results stage_measures(const scene::Scene& scene, const Model& model, const StageHistory& history,
+                       const Records& records) {
+  const grains::State& state = model.state();
   Results results;
   for (const scene::Measure measure : scene.measures) {
     switch (measure) {
@@ -115,11 +114,11 @@ Results stage_measures(const scene::Scene& scene, const automaton::Automaton& au
         add_moved(results, state);
         break;
       case scene::Measure::outflow:
-        add_outflow(results, automaton, history);
+        add_outflow(results, model, history);
         break;
       case scene::Measure::force:
         if (records.forces()) {
-          add_force(results, automaton, history.profile_at_start, *records.forces());
+          add_force(results, model, history.profile_at_start, *records.forces());
         }
         break;
       case scene::Measure::segregation:

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "clca/automaton/automaton.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
+#include "run/model.hpp"
 #include "run/records.hpp"
 
 namespace clca::run {
@@ -35,8 +35,7 @@ struct StageHistory {
   }
 };
 
-std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene,
-                                                const automaton::Automaton& automaton,
+std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const Model& model,
                                                 const StageHistory& history,
                                                 const Records& records);
 

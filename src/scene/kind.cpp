@@ -16,7 +16,7 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// A misspelt `boltzmann` makes no scene of the automaton.
+/// A misspelt `boltzmann` makes no scene of grains.
 bool stands_for_boltzmann(const Entry& entry) {
   constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
   return nearest(entry.key, kBlock).has_value();
@@ -39,7 +39,7 @@ Kind kind_of(const Value& root) {
       const Entry& other = automaton == &entry ? *boltzmann : *automaton;
       fail(entry.place,
            fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
-                       "{}; one of the automaton has {}",
+                       "{}; one of grains has {}",
                        entry.key, other.key, fmt::join(kBoltzmannSceneKeys, ", "),
                        fmt::join(kSceneKeys, ", ")));
     }

@@ -45,6 +45,15 @@ inline constexpr int kMostSupersampling = 4;
 inline constexpr double kLargestCell = 1000;
 inline constexpr double kLongestWait = 1e9;  ///< seconds
 
+// Of the contact model.
+inline constexpr double kGreatestContactFriction = 1e9;  ///< of rolling, too
+inline constexpr double kGreatestContactRestitution = 0.99;
+inline constexpr int kFewestSweeps = 2;
+inline constexpr int kMostSweeps = 64;
+inline constexpr double kFinestResolution = 0.01;
+inline constexpr double kCoarsestResolution = 1;
+inline constexpr double kHighestFall = 1e6;
+
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kFewestInGas = 2;
 inline constexpr std::uint64_t kMostInGas = 100'000'000;

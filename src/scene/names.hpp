@@ -9,9 +9,9 @@
 
 namespace clca::scene {
 
-inline constexpr std::array<std::string_view, 12> kSceneKeys = {
-    "clca",  "title",   "seed",    "box",    "species", "rules",
-    "walls", "sources", "outlets", "stages", "measure", "output"};
+inline constexpr std::array<std::string_view, 14> kSceneKeys = {
+    "clca",    "title", "seed",    "model",   "box",    "species", "rules",
+    "contact", "walls", "sources", "outlets", "stages", "measure", "output"};
 inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
 inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
 inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
@@ -19,8 +19,11 @@ inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites
 inline constexpr std::array<std::string_view, 2> kRodKeys = {"radius", "length"};
 inline constexpr std::array<std::string_view, 6> kRulesKeys = {
     "inertia", "scatter", "candidates", "gravity", "update_priority", "ties"};
-inline constexpr std::array<std::string_view, 5> kWallKeys = {"box", "line", "parts", "motion",
-                                                              "passive"};
+inline constexpr std::array<std::string_view, 8> kContactModelKeys = {
+    "friction",    "wall_friction", "rolling",    "rolling_friction",
+    "restitution", "sweeps",        "resolution", "fall_height"};
+inline constexpr std::array<std::string_view, 6> kWallKeys = {"box",    "line",    "parts",
+                                                              "motion", "passive", "friction"};
 inline constexpr std::array<std::string_view, 2> kPartKeys = {"box", "line"};
 inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
 inline constexpr std::array<std::string_view, 6> kMotionKeys = {"direction", "period", "distance",
@@ -62,6 +65,14 @@ struct Named {
   T value;
 };
 
+inline constexpr std::array<Named<Model>, 2> kModelNames = {
+    {{"automaton", Model::automaton}, {"contact", Model::contact}}};
+inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
+    {{"none", contact::Rolling::none},
+     {"resistance", contact::Rolling::resistance},
+     {"free", contact::Rolling::free}}};
+/// For a height of fall that is estimated.
+inline constexpr std::string_view kAutoHeight = "auto";
 inline constexpr std::array<Named<automaton::Candidates>, 2> kCandidateNames = {
     {{"downward", automaton::Candidates::downward}, {"all", automaton::Candidates::all}}};
 inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {

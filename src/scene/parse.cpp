@@ -44,10 +44,13 @@ std::string name_of_file(const std::string& file, const Place& place) {
   return name;
 }
 
-std::vector<Measure> all_measures() {
+/// All that the model has.
+std::vector<Measure> default_measures(Model model) {
   std::vector<Measure> measures;
   for (const auto& named : kMeasureNames) {
-    measures.push_back(named.value);
+    if (model == Model::automaton || named.value != Measure::force) {
+      measures.push_back(named.value);
+    }
   }
   return measures;
 }
@@ -76,11 +79,14 @@ AScene read_head(const KeyedMap& fields, const std::string& file) {
 Scene read_scene(const Value& root, const std::string& file) {
   const KeyedMap fields(root, "", kSceneKeys);
   auto scene = read_head<Scene>(fields, file);
-  scene.measures = all_measures();
+  scene.model = fields.choice("model", kModelNames, scene.model);
+  scene.measures = default_measures(scene.model);
   scene.box = read_box(fields.at("box"));
   scene.species = read_species(fields.at("species"), scene.box);
   read_into(scene.rules, fields, "rules", read_rules);
+  read_into(scene.contact, fields, "contact", read_contact);
   read_into(scene.walls, fields, "walls", read_walls, scene);
+  check_model(scene, root);
   read_into(scene.sources, fields, "sources", read_sources, scene);
   read_into(scene.outlets, fields, "outlets", read_outlets, scene);
   scene.stages = read_stages(fields.at("stages"), scene);
@@ -103,12 +109,11 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
   return scene;
 }
 
-/// The scene where it is one of the automaton.
-Scene of_automaton(AnyScene any) {
+/// The scene where it is one of grains.
+Scene of_grains(AnyScene any) {
   if (const auto* boltzmann = std::get_if<BoltzmannScene>(&any)) {
     throw SceneError(boltzmann->place +
-                     ": error: expected a scene of the automaton, found one of the Boltzmann "
-                     "equation");
+                     ": error: expected a scene of grains, found one of the Boltzmann equation");
   }
   return std::get<Scene>(std::move(any));
 }
@@ -153,12 +158,12 @@ AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Ove
 
 Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
             const std::vector<Override>& varied) {
-  return of_automaton(parse_any(text, file, overrides, varied));
+  return of_grains(parse_any(text, file, overrides, varied));
 }
 
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                  const std::vector<Override>& varied) {
-  return of_automaton(parse_any_file(file, overrides, varied));
+  return of_grains(parse_any_file(file, overrides, varied));
 }
 
 }  // namespace clca::scene

@@ -96,6 +96,9 @@ Wall read_wall(const Entry& entry, const Box& box) {
                      fields.path("passive")));
   }
   wall.passive = fields.choice("passive", kPassiveNames, wall.passive);
+  if (fields.find("friction") != nullptr) {
+    wall.friction = fields.number("friction", 0, kGreatestContactFriction);
+  }
   return wall;
 }
 

@@ -158,11 +158,13 @@ std::string section(std::string_view title, const std::vector<Thing>& things, Te
 std::string to_yaml(const Scene& scene) {
   const auto measure = [](Measure one) { return name_of(kMeasureNames, one); };
   std::string text =
-      fmt::format("clca: 1\ntitle: {}\nseed: {}\n\n", scene::quoted(scene.title), scene.seed);
-  text += fmt::format("box: {{width: {}, height: {}, periodic: {}}}\n", scene.box.width,
+      fmt::format("clca: 1\ntitle: {}\nseed: {}\n", scene::quoted(scene.title), scene.seed);
+  const bool contact = scene.model == Model::contact;
+  text += contact ? fmt::format("model: {}\n", name_of(kModelNames, scene.model)) : "";
+  text += fmt::format("\nbox: {{width: {}, height: {}, periodic: {}}}\n", scene.box.width,
                       scene.box.height, scene.box.periodic);
   text += section("species", scene.species, species_line);
-  text += rules_block(scene.rules);
+  text += contact ? contact_block(scene.contact) : rules_block(scene.rules);
   text += section("walls", scene.walls, wall_line);
   text += section("sources", scene.sources,
                   [&](const Source& source) { return source_line(source, scene); });

@@ -21,6 +21,9 @@ std::string point(const Eigen::Vector2d& place);
 /// `  NAME: {...}` and a line end.
 std::string wall_line(const Wall& wall);
 
+/// `contact:` and a line for each key.
+std::string contact_block(const contact::Parameters& contact);
+
 /// `open`, the texts of the items with commas between, `close`.
 template <class Items, class Text>
 std::string enclosed(char open, const Items& items, char close, Text text) {

@@ -51,6 +51,9 @@ std::string wall_line(const Wall& wall) {
                     std::visit([](const auto& one) { return program(one); }, wall.motion->program),
                     name_of(kPassiveNames, wall.passive));
   }
+  if (wall.friction) {
+    line += fmt::format(", friction: {}", *wall.friction);
+  }
   return line + "}\n";
 }
 

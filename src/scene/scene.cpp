@@ -17,7 +17,7 @@ auto content(const Fill& fill) {
 }
 
 auto content(const Wall& wall) {
-  return std::tie(wall.name, wall.parts, wall.motion, wall.passive);
+  return std::tie(wall.name, wall.parts, wall.motion, wall.passive, wall.friction);
 }
 
 auto content(const Stage& stage) {
@@ -36,8 +36,9 @@ auto content(const Frames& frames) {
 }
 
 auto content(const Scene& scene) {
-  return std::tie(scene.title, scene.seed, scene.box, scene.species, scene.rules, scene.walls,
-                  scene.sources, scene.outlets, scene.stages, scene.measures, scene.output);
+  return std::tie(scene.title, scene.seed, scene.model, scene.box, scene.species, scene.rules,
+                  scene.contact, scene.walls, scene.sources, scene.outlets, scene.stages,
+                  scene.measures, scene.output);
 }
 
 }  // namespace

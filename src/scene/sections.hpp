@@ -20,6 +20,7 @@ struct ReadShape {
 ReadShape read_shape(const Value& value, const std::string& path);
 std::vector<Species> read_species(const Value& value, const Box& box);
 automaton::Rules read_rules(const Value& value);
+contact::Parameters read_contact(const Value& value);
 
 /// [left, bottom, right, top], not empty.
 lattice::Rectangle read_rectangle(const Value& value, const std::string& path);
@@ -61,6 +62,9 @@ void read_boltzmann_output(const Value* output, const Value& block, BoltzmannSce
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
 void check_history(const Scene& scene, const Value& list);
+/// What the model has and can do, of a scene that has been read as far as its walls. It comes
+/// before what stages and output need, so that nobody is told to add what the model cannot do.
+void check_model(const Scene& scene, const Value& root);
 /// What concerns the scene as a whole: every species, source and motion is used, there are
 /// particles.
 void check_use(const Scene& scene, const Value& root);

@@ -21,6 +21,8 @@ constexpr double kAwakeBytes = 150;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
 // waits for it. All are looked at once, though.
 constexpr double kAwakeOfDeposited = 1.0 / 8;
+// Of the contact model: velocities, spin and impulses of a grain, and about four contacts of 40.
+constexpr double kContactGrainBytes = 100 + 4 * 40;
 constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
@@ -145,6 +147,9 @@ Size size_of(const Scene& scene) {
                  automaton::Claims::bytes_for(places) + kParticleBytes * particles +
                  kAwakeBytes * awake + fill_bytes(scene, lattice) + picture_bytes(scene.output) +
                  trajectory_bytes(scene.output, particles);
+  if (scene.model == Model::contact) {
+    bytes += kContactGrainBytes * particles;
+  }
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }

@@ -9,13 +9,14 @@ namespace clca::contact {
 enum class Rolling : std::uint8_t { none, resistance, free };
 
 struct Parameters {
-  double friction = 0.4;          ///< between grains
-  double wall_friction = 0.4;     ///< of walls that have none of their own, and of the box
+  double friction = 0.4;       ///< between grains
+  double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
   Rolling rolling = Rolling::resistance;
-  double rolling_friction = 0.5;  ///< for Rolling::resistance; times the radius, as in discrete elements
-  double restitution = 0.4;       ///< in [0, 1)
-  int sweeps = 2;                 ///< over all contacts in a step, forwards and backwards in turn; even
-  double resolution = 0.4;        ///< sites a step after a fall of the bed's height; sets the time step
+  /// For Rolling::resistance; times the radius, as in discrete elements.
+  double rolling_friction = 0.5;
+  double restitution = 0.4;  ///< in [0, 1)
+  int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn; even
+  double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
   /// Height of that fall in lattice spacings; 0: estimated from the fills.
   double fall_height = 0;
 

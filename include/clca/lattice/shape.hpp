@@ -2,6 +2,7 @@
 // Particle shapes: connected sets of sites without holes (Sakaguchi et al. 2001, section 3).
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,9 @@ class Shape {
   Shape rotated(int sixths) const;
   /// True when `other` is this shape but for a translation.
   bool congruent(const Shape& other) const;
+
+  /// Of the hexagon that this shape is, wherever its reference site; none where it is no hexagon.
+  std::optional<int> hexagon_radius() const;
 
   /// Mean of the sites, in lattice spacings from the reference site.
   Eigen::Vector2d centroid() const;

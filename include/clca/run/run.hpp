@@ -52,6 +52,8 @@ struct GasProgress {
 struct RunOptions {
   std::filesystem::path folder = {};
   int threads = 1;
+  /// Steps as the model is defined, not as they are fast; of the contact model.
+  bool reference = false;
   /// Looked at once a step: when it is not zero the run saves itself and ends with what it has,
   /// written whole.
   const std::atomic<int>* stop = nullptr;

@@ -28,7 +28,7 @@ inline constexpr std::size_t kMostSceneBytes = std::size_t{4} << 20U;
 /// The value is YAML. An error in it names `--set KEY=VALUE` as its place.
 using Override = std::string;
 
-/// A scene of the automaton, or one of the Boltzmann equation (a block `boltzmann`).
+/// A scene of grains, or one of the Boltzmann equation (a block `boltzmann`).
 using AnyScene = std::variant<Scene, BoltzmannScene>;
 
 /// Parses scene text. `file` names the place in messages and gives the scene its name. Overrides
@@ -43,7 +43,7 @@ AnyScene parse_any_file(const std::filesystem::path& file,
                         const std::vector<Override>& overrides = {},
                         const std::vector<Override>& varied = {});
 
-/// As parse_any and parse_any_file, for the automaton alone: the other kind is an error.
+/// As parse_any and parse_any_file, for grains alone: the other kind is an error.
 Scene parse(std::string_view text, const std::string& file,
             const std::vector<Override>& overrides = {}, const std::vector<Override>& varied = {});
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {},

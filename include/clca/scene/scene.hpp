@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clca/automaton/rules.hpp"
+#include "clca/contact/parameters.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
@@ -68,6 +69,9 @@ struct Species {
   bool operator==(const Species&) const = default;
 };
 
+/// What moves the grains.
+enum class Model : std::uint8_t { automaton, contact };
+
 using WallPart = std::variant<lattice::Rectangle, lattice::Segment>;
 
 /// One body. Without motion each of its parts has a site in the box; see check_walls for the rest.
@@ -76,6 +80,7 @@ struct Wall {
   std::vector<WallPart> parts;
   std::optional<grains::Motion> motion = {};
   grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
+  std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
   std::string place = {};
 
   bool operator==(const Wall& other) const;
@@ -152,9 +157,11 @@ struct Scene {
   std::string name;   ///< of the file, without folder and ending
   std::string title;  ///< the name where the file gives none
   std::uint64_t seed = 0;
+  Model model = Model::automaton;
   Box box;
   std::vector<Species> species;  ///< in the order of the file, as all lists here
-  automaton::Rules rules;
+  automaton::Rules rules;        ///< of Model::automaton
+  contact::Parameters contact;   ///< of Model::contact
   std::vector<Wall> walls;
   std::vector<Source> sources;
   std::vector<Outlet> outlets;

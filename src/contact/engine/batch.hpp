@@ -13,19 +13,25 @@ namespace clca::contact {
 
 inline constexpr std::size_t kLanes = 8;
 
-/// Eight contacts. An empty lane is a contact of the last body with itself, without any effect.
+/// Numbers of bodies: a wall, then grains by id.
+inline constexpr std::int32_t kWallBody = 0;
+inline std::int32_t body_of(grains::Owner grain) {
+  return grain + 1;
+}
+
+/// Eight contacts. An empty lane is a contact of the wall with itself, without any effect.
 struct alignas(32) Batch {
   template <class T>
   using PerLane = std::array<T, kLanes>;
 
-  PerLane<std::int32_t> upper;  ///< body
-  PerLane<std::int32_t> other;
-  PerLane<std::int32_t> normal_x;
-  PerLane<std::int32_t> normal_y;
-  Impulse<PerLane<std::int32_t>> impulse;
-  PerLane<std::int32_t> bounce;
-  PerLane<std::int32_t> friction;
-  Coefficients<PerLane<std::int32_t>> pair;
+  PerLane<std::int32_t> upper = {};  ///< body
+  PerLane<std::int32_t> other = {};
+  PerLane<std::int32_t> normal_x = {};
+  PerLane<std::int32_t> normal_y = {};
+  Impulse<PerLane<std::int32_t>> impulse = {};
+  PerLane<std::int32_t> bounce = {};
+  PerLane<std::int32_t> friction = {};
+  Coefficients<PerLane<std::int32_t>> pair = {};
 };
 
 /// The velocity of a grain where it is loaded and stored at once.
@@ -33,7 +39,7 @@ struct alignas(16) Body {
   Velocity<std::int32_t> velocity;
 };
 
-/// How batches are carried out. `bodies`: grains by id, and behind them a wall.
+/// How batches are carried out.
 struct BatchFunctions {
   /// Gives the bodies the impulses that the contacts remember.
   void (*apply)(Batch* batches, std::size_t count, Body* bodies, bool turns);

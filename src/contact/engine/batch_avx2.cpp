@@ -61,8 +61,7 @@ __m256i scaled(__m256i longs, int bits) {
   constexpr std::int64_t kOffset = std::int64_t{1} << 62;
   const __m256i positive =
       _mm256_add_epi64(longs, _mm256_set1_epi64x(kOffset + (std::int64_t{1} << (bits - 1))));
-  return _mm256_sub_epi64(_mm256_srli_epi64(positive, bits),
-                          _mm256_set1_epi64x(kOffset >> bits));
+  return _mm256_sub_epi64(_mm256_srli_epi64(positive, bits), _mm256_set1_epi64x(kOffset >> bits));
 }
 Longs scaled(Longs longs, int bits) {
   return {scaled(longs.even, bits), scaled(longs.odd, bits)};

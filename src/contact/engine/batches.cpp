@@ -26,7 +26,6 @@ void Batches::clear(std::size_t grains) {
   used_.clear();
   next_batch_.assign(grains, 0);
   first_open_ = 0;
-  wall_ = static_cast<std::int32_t>(grains);
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
@@ -42,10 +41,6 @@ std::int32_t Batches::add(const LaneContent& content) {
   if (at >= batches_.size()) {
     batches_.resize(at + 1);
     used_.resize(at + 1, 0);
-    for (std::int32_t& body : batches_[at].upper) {
-      body = wall_;
-    }
-    batches_[at].other = batches_[at].upper;
   }
   const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
   while (first_open_ < used_.size() && used_[first_open_] == kLanes) {
@@ -59,21 +54,23 @@ std::int32_t Batches::add(const LaneContent& content) {
 void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
-  batch.upper[i] = static_cast<std::int32_t>(content.upper);
-  batch.other[i] = grains::is_particle(content.other) ? content.other : wall_;
+  batch.upper[i] = body_of(static_cast<grains::Owner>(content.upper));
+  batch.other[i] = grains::is_particle(content.other) ? body_of(content.other) : kWallBody;
   batch.normal_x[i] = content.normal.x;
   batch.normal_y[i] = content.normal.y;
   batch.impulse.normal[i] = content.impulse.normal;
   batch.impulse.shear[i] = content.impulse.shear;
   batch.impulse.rolling[i] = content.impulse.rolling;
   batch.friction[i] = content.friction;
-  for_each_coefficient(batch, *content.pair, [i](auto& all, std::int32_t value) { all[i] = value; });
+  for_each_coefficient(batch, *content.pair,
+                       [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 
 void Batches::remove(std::int32_t lane) {
   constexpr Pair kNone = {};
-  const auto wall = static_cast<std::uint32_t>(wall_);
-  set(lane, {.upper = wall, .other = wall_, .pair = &kNone});
+  set(lane, {.pair = &kNone});
+  batch(lane).upper[in_batch(lane)] = kWallBody;
+  batch(lane).other[in_batch(lane)] = kWallBody;
 }
 
 Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {
@@ -82,8 +79,7 @@ Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {
   return {impulse.normal[i], impulse.shear[i], impulse.rolling[i]};
 }
 
-Touching<std::int32_t> Batches::touching(std::int32_t lane,
-                                         const std::vector<Body>& bodies) const {
+Touching<std::int32_t> Batches::touching(std::int32_t lane, const std::vector<Body>& bodies) const {
   const Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
   const auto velocity = [&](std::int32_t body) {

@@ -12,8 +12,8 @@ namespace clca::contact {
 struct LaneContent {
   std::uint32_t upper = 0;
   grains::Owner other = 0;
-  UnitVector normal;
-  Impulse<std::int32_t> impulse;
+  UnitVector normal = {};
+  Impulse<std::int32_t> impulse = {};
   std::int32_t friction = 0;
   const Pair* pair = nullptr;
 };
@@ -22,8 +22,10 @@ struct LaneContent {
 /// give: each contact is in a later batch than those before it that it shares a grain with.
 class Batches {
  public:
-  /// Forgets all contacts. Body `grains` is the wall.
+  /// Forgets all contacts.
   void clear(std::size_t grains);
+  /// There are more grains.
+  void add_grains(std::size_t grains) { next_batch_.resize(grains, 0); }
   /// Adds a contact behind the others. Returns its lane, counted through all batches.
   std::int32_t add(const LaneContent& content);
   /// Changes what a lane holds; the grains stay the same two, maybe turned over.
@@ -53,7 +55,6 @@ class Batches {
   std::vector<std::uint8_t> used_;         // lanes by batch
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
   std::size_t first_open_ = 0;             // all batches before it are full
-  std::int32_t wall_ = 0;
 };
 
 }  // namespace clca::contact

@@ -119,9 +119,7 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
       }
     }
   }
-  slots.for_each(id, [&](std::int32_t at) {
-    at_wall = at_wall || is_fixed(slots.at(at).other);
-  });
+  slots.for_each(id, [&](std::int32_t at) { at_wall = at_wall || is_fixed(slots.at(at).other); });
   if (at_wall) {
     check_walls(id, slots);
   }

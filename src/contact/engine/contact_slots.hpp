@@ -23,7 +23,10 @@ class ContactSlots {
  public:
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.
-  void add_grains(std::size_t grains);
+  void add_grains(std::size_t grains) {
+    first_.resize(grains, -1);
+    batches_.add_grains(grains);
+  }
   void add(const LaneContent& content);
   /// Empties a slot. It keeps its place in the order.
   void remove(std::int32_t at);

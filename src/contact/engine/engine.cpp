@@ -9,8 +9,8 @@
 
 namespace clca::contact {
 
-Engine::Engine(State& state, grains::Occupancy& occupancy,
-               const grains::FootprintTable& footprints, const Rule& rule)
+Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
+               const Rule& rule)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
@@ -21,35 +21,26 @@ Engine::Engine(State& state, grains::Occupancy& occupancy,
 }
 
 void Engine::add_grains() {
-  const std::size_t before = bodies_.size() - 1;
-  const std::size_t now = state_.grains.particles.size();
-  if (now == before) {
-    return;
-  }
-  // The wall has another number then.
-  write_back();
-  state_.velocities.resize(now);
-  state_.remainders.resize(now);
-  std::vector<std::uint32_t> moved = std::move(moved_);
-  reload();
-  moved_ = std::move(moved);
-  for (std::size_t id = before; id < now; ++id) {
+  const std::size_t grains = state_.grains.particles.size();
+  for (std::size_t id = bodies_.size() - 1; id < grains; ++id) {
     moved_.push_back(static_cast<std::uint32_t>(id));
   }
+  bodies_.resize(grains + 1);
+  slots_.add_grains(grains);
 }
 
 void Engine::remove_grain(std::uint32_t id) {
-  bodies_[id] = {};
-  state_.remainders[id] = {};
+  velocity(id) = {};
   moved_.push_back(id);
 }
 
 void Engine::reload() {
-  bodies_.assign(state_.velocities.size() + 1, {});
-  std::transform(state_.velocities.begin(), state_.velocities.end(), bodies_.begin(),
-                 [](const Velocity<std::int32_t>& velocity) { return Body{velocity}; });
+  bodies_.assign(1, {});
+  for (const Velocity<std::int32_t>& velocity : state_.velocities) {
+    bodies_.push_back({velocity});
+  }
   finder_.load(state_.contacts, slots_);
-  moved_.resize(state_.velocities.size());
+  moved_.resize(state_.grains.particles.size());
   std::iota(moved_.begin(), moved_.end(), 0U);
 }
 
@@ -79,7 +70,7 @@ void Engine::update_contacts() {
 void Engine::accelerate_all() {
   for (std::size_t id = 0; id < state_.grains.particles.size(); ++id) {
     if (state_.grains.particles[id].present) {
-      accelerate(bodies_[id].velocity, rule_.gravity);
+      accelerate(velocity(id), rule_.gravity);
     }
   }
 }
@@ -88,8 +79,8 @@ void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches().all();
   batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
   for (const std::int32_t lane : new_) {
-    slots_.batches().bounce(lane) = bounce(
-        -separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
+    slots_.batches().bounce(lane) =
+        bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
@@ -109,7 +100,7 @@ void Engine::advance_and_move() {
     if (!state_.grains.particles[id].present) {
       continue;
     }
-    quiet = advance(state_.remainders[id], bodies_[id].velocity, slow) && quiet;
+    quiet = advance(state_.remainders[id], velocity(id), slow) && quiet;
     if (squared(state_.remainders[id]) > kNear * kNear) {
       far_.push_back(id);
     }
@@ -125,7 +116,7 @@ void Engine::advance_and_move() {
 }
 
 void Engine::write_back() {
-  std::transform(bodies_.begin(), bodies_.end() - 1, state_.velocities.begin(),
+  std::transform(bodies_.begin() + 1, bodies_.end(), state_.velocities.begin(),
                  [](const Body& body) { return body.velocity; });
   state_.contacts.clear();
   for (const Slot& slot : slots_.all()) {

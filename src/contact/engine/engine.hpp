@@ -13,8 +13,8 @@ namespace clca::contact {
 
 class Engine {
  public:
-  /// All outlive the engine. While it is there, velocities and contacts of the state are as they were
-  /// at write_back() last.
+  /// All outlive the engine. While it is there, velocities and contacts of the state are as they
+  /// were at write_back() last.
   Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
          const Rule& rule);
 
@@ -33,6 +33,7 @@ class Engine {
   void write_back();
 
  private:
+  Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[id + 1].velocity; }
   void update_contacts();
   void accelerate_all();
   void sweep_contacts();
@@ -45,7 +46,7 @@ class Engine {
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
-  std::vector<Body> bodies_;        // by id; the last is the wall
+  std::vector<Body> bodies_;          // a wall, then grains by id
   std::vector<std::int32_t> new_;     // lanes of contacts that are new in this step
   std::vector<std::uint32_t> moved_;  // since contacts were last brought in line
   std::vector<std::uint32_t> far_;    // grains whose remainder may ask for a move

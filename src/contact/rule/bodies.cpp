@@ -58,11 +58,8 @@ Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_
 }
 
 bool is_hexagon(const lattice::Shape& shape) {
-  int radius = 0;
-  while (shape.contains({0, radius + 1})) {
-    ++radius;
-  }
-  return shape == lattice::Shape::hexagon(radius);
+  const std::optional<int> radius = shape.hexagon_radius();
+  return radius && shape == lattice::Shape::hexagon(*radius);
 }
 
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,

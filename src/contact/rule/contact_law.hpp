@@ -29,9 +29,9 @@ struct Touching {
 /// Velocity of the upper body away from the other one, along the normal.
 template <class Int>
 [[gnu::always_inline]] inline Int separation_velocity(const Touching<Int>& at) {
-  return lower(scaled(product(at.upper.x - at.other.x, at.normal_x) +
-                          product(at.upper.y - at.other.y, at.normal_y),
-                      kUnitBits));
+  return lower(scaled(
+      product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
+      kUnitBits));
 }
 
 /// The same along the rims of the bodies, across the normal turned anticlockwise.
@@ -46,10 +46,10 @@ template <class Int>
 /// Changes the velocities of both bodies by impulses.
 template <class Int>
 [[gnu::always_inline]] inline void apply(Touching<Int>& at, const Impulse<Int>& by, bool turns) {
-  const Int x = lower(
-      scaled(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits));
-  const Int y = lower(
-      scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
+  const Int x =
+      lower(scaled(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits));
+  const Int y =
+      lower(scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
   const auto pushed = [](Int velocity, Int impulse, Int inverse_mass) {
     return clamped(velocity + lower(scaled(product(impulse, inverse_mass), kUnitBits)), -kFastest,
                    kFastest);
@@ -66,22 +66,23 @@ template <class Int>
     };
     const auto upper_force = product(by.shear, at.pair.upper_inverse_mass);
     const auto other_force = product(by.shear, at.pair.other_inverse_mass);
-    at.upper.spin =
-        turned(at.upper.spin, product(by.rolling, at.pair.upper_turning) - upper_force - upper_force);
-    at.other.spin = turned(at.other.spin, -product(by.rolling, at.pair.other_turning) -
-                                              other_force - other_force);
+    at.upper.spin = turned(at.upper.spin,
+                           product(by.rolling, at.pair.upper_turning) - upper_force - upper_force);
+    at.other.spin = turned(at.other.spin,
+                           -product(by.rolling, at.pair.other_turning) - other_force - other_force);
   }
 }
 
 /// Changes the impulses of a contact so that its bodies part with the velocity `bounce` along the
 /// normal and neither slide nor roll, as far as friction allows. `friction` in 2^-16.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, Touching<Int>& at, Int bounce, Int friction,
-           const Turning& turning) {
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, Touching<Int>& at, Int bounce,
+                                         Int friction, const Turning& turning) {
   const Impulse<Int> before = impulse;
-  impulse.normal = clamped(
-      wide(before.normal) - scaled(product(separation_velocity(at) - bounce, at.pair.mass), kMassBits),
-      0, kStrongest);
+  impulse.normal =
+      clamped(wide(before.normal) -
+                  scaled(product(separation_velocity(at) - bounce, at.pair.mass), kMassBits),
+              0, kStrongest);
 
   const auto bound = [&](const auto& wanted, const auto& most) {
     const Int limit = clamped(scaled(most, kRatioBits), 0, kStrongest);

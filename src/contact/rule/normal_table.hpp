@@ -25,8 +25,8 @@ class NormalTable {
     }
     UnitVector& normal = table.normals[static_cast<std::size_t>(at.x * table.rows + at.q)];
     if (normal == kUnknown) {
-      normal = normal_between(kinds_[first].shape, kinds_[second].shape, apart)
-                   .value_or(UnitVector());
+      normal =
+          normal_between(kinds_[first].shape, kinds_[second].shape, apart).value_or(UnitVector());
     }
     return normal;
   }

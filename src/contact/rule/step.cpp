@@ -11,7 +11,6 @@ namespace clca::contact {
 
 namespace {
 
-
 /// Calls `visit` with a contact and its bodies, whose velocities it may change.
 class Contacts {
  public:

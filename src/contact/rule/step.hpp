@@ -14,11 +14,11 @@ namespace clca::contact {
 
 /// What does not change in a run, in whole numbers. Ratios in 2^-16.
 struct Rule {
-  std::int32_t gravity = 0;      ///< per step
+  std::int32_t gravity = 0;  ///< per step
   std::int32_t restitution = 0;
   int sweeps = 2;
-  std::int32_t friction = 0;                   ///< between grains
-  std::int32_t side_friction = 0;              ///< of the sides of the box
+  std::int32_t friction = 0;                     ///< between grains
+  std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
   Turning turning = {};
   Bodies bodies;

@@ -75,8 +75,8 @@ std::uint64_t order_key(const grains::State& state, std::uint32_t id) {
   constexpr int kStripBits = 24;
   const lattice::Site site = state.particles[id].site();
   const auto column = static_cast<std::uint64_t>(state.lattice.wrapped(site.column));
-  const auto depth = static_cast<std::uint64_t>(2 * state.lattice.rows() -
-                                                lattice::doubled_height(site));
+  const auto depth =
+      static_cast<std::uint64_t>(2 * state.lattice.rows() - lattice::doubled_height(site));
   const std::uint64_t strip = column / kStripColumns;
   const std::uint64_t strip_order = strip % 2 << (kStripBits - 1) | strip / 2;
   return (strip_order << kHeightBits | depth) * kStripColumns | column % kStripColumns;
@@ -87,8 +87,7 @@ std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupa
   std::vector<Touch> result;
   for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
     if (const Axial blocked = sum(directions); !grains::is_particle(owner) && blocked != Axial()) {
-      result.push_back(
-          {.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)});
+      result.push_back({.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)});
     }
   }
   return result;

@@ -53,6 +53,9 @@ std::vector<BadText> bad_scenes() {
       all.push_back({bad.what, scene_with(bad.part), bad.message, bad.judge});
     }
   }
+  for (const BadScene& bad : bad_contacts()) {
+    all.push_back({bad.what, contact_with(bad.part), bad.message, bad.judge});
+  }
   for (const auto& some : {bad_gases(), bad_gas_outputs()}) {
     for (const BadScene& bad : some) {
       all.push_back({bad.what, gas_with(bad.part), bad.message, bad.judge});
@@ -77,6 +80,12 @@ output: {frames: {every: 10}, series: {every: 1}}
 )";
 }
 
+std::string small_contact() {
+  std::string text = small_scene();
+  constexpr std::string_view kRules = "rules: {inertia: 0.9}";
+  return text.replace(text.find(kRules), kRules.size(), "model: contact");
+}
+
 std::string small_gas() {
   return R"(clca: 1
 title: Test
@@ -88,6 +97,10 @@ output: {series: {every: 0.5}}
 
 std::string scene_with(std::string_view part) {
   return text_with(small_scene(), part);
+}
+
+std::string contact_with(std::string_view part) {
+  return text_with(small_contact(), part);
 }
 
 std::string gas_with(std::string_view part) {

@@ -27,6 +27,7 @@ std::string refusal(const std::string& text) {
 
 TEST(BadScenes, DifferFromASceneThatIsRight) {
   EXPECT_EQ(refusal(small_scene()), "accepted");
+  EXPECT_EQ(refusal(small_contact()), "accepted");
   EXPECT_EQ(refusal(small_gas()), "accepted");
 }
 

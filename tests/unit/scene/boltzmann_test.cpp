@@ -132,7 +132,7 @@ TEST(BoltzmannScene, WithAMisspeltBlockIsStillOne) {
 TEST(BoltzmannScene, IsNoSceneOfTheAutomaton) {
   EXPECT_THAT([] { parse(testing::small_gas(), "scene.yaml"); },
               ThrowsMessage<SceneError>(
-                  ::testing::StrEq("scene.yaml:4:1: error: expected a scene of the automaton, "
+                  ::testing::StrEq("scene.yaml:4:1: error: expected a scene of grains, "
                                    "found one of the Boltzmann equation")));
 }
 

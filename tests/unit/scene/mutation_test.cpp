@@ -61,6 +61,14 @@ std::string moving_scene() {
       "output: {frames: {color_by: force, overlay: arrows}, fields: {cell: 2}, contacts: {}}\n");
 }
 
+std::string contact_scene() {
+  return testing::contact_with(
+      "contact: {friction: 0.2, wall_friction: 1e9, rolling: free, restitution: 0.99, sweeps: 4,\n"
+      "          resolution: 0.05, fall_height: auto}\n"
+      "walls: {left: {box: [0, 0, 1, 50], friction: 0}}\n"
+      "measure: [moved]\n");
+}
+
 std::string gas_scene() {
   return testing::gas_with(
       "boltzmann:\n"
@@ -73,7 +81,8 @@ std::string gas_scene() {
 }
 
 std::vector<std::string> scenes() {
-  return {testing::small_scene(), block_scene(), moving_scene(), testing::small_gas(), gas_scene()};
+  return {testing::small_scene(), block_scene(),        moving_scene(),
+          contact_scene(),        testing::small_gas(), gas_scene()};
 }
 
 }  // namespace
@@ -110,7 +119,7 @@ TEST(DamagedScene, WithOneByteChangedIsASceneOrOneLine) {
 TEST(DamagedScene, WithAPieceMovedIsASceneOrOneLine) {
   Numbers numbers;
   for (std::size_t round = 0; round < 5000; ++round) {
-    std::string text = scenes()[round % 5];
+    std::string text = scenes()[round % 6];
     const std::size_t from = numbers.below(text.size());
     const std::string piece = text.substr(from, 1 + numbers.below(30));
     text.erase(from, piece.size());

@@ -43,8 +43,8 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "unknown key 'inertai' in rules (allowed: inertia, scatter, candidates, gravity, "
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
-     "unknown key 'rule' (allowed: clca, title, seed, box, species, rules, walls, sources, "
-     "outlets, stages, measure, output); did you mean 'rules'?"},
+     "unknown key 'rule' (allowed: clca, title, seed, model, box, species, rules, contact, walls, "
+     "sources, outlets, stages, measure, output); did you mean 'rules'?"},
     {"rules={inertia: 2}", "rules.inertia: expected a number from 0 to 1, found '2'"},
     {"rules.inertia=much", "rules.inertia: expected a number from 0 to 1, found 'much'"},
     {"rules.inertia=", "rules.inertia: expected a number from 0 to 1, found nothing"},

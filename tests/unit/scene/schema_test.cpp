@@ -142,7 +142,7 @@ Words words_of(const std::array<std::string_view, kCount>& words) {
 /// All maps and choices of the schema, by JSON pointer.
 void collect(const nlohmann::json& node, const std::string& pointer,
              std::map<std::string, Words>& keys, std::map<std::string, Words>& choices) {
-  const bool condition = pointer == "/definitions/in_steps";
+  const bool condition = pointer == "/definitions/in_steps" || pointer == "/definitions/of_contact";
   if (!condition && node.is_object() && node.contains("properties") &&
       node["properties"].is_object()) {
     for (const auto& [key, property] : node["properties"].items()) {
@@ -178,6 +178,16 @@ TEST(Schema, AcceptsEverySceneInTheTreeAsTheParserDoes) {
   EXPECT_GE(count, 4);
 }
 
+TEST(Schema, AcceptsEveryKeyOfTheContactModel) {
+  const std::string text = testing::contact_with(
+      "contact: {friction: 0.2, wall_friction: 0.3, rolling: none, rolling_friction: 0.1,"
+      " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90}\n"
+      "walls: {left: {box: [0, 0, 1, 50], friction: 0.1}}");
+  EXPECT_EQ(schema_errors(text), "");
+  EXPECT_EQ(schema_errors(resolved(parse_any(text, "scene.yaml"))), "");
+  EXPECT_EQ(schema_errors(resolved(parse_any(testing::small_contact(), "scene.yaml"))), "");
+}
+
 TEST(Schema, RefusesWhatTheParserRefusesForItsForm) {
   for (const testing::BadText& bad : testing::bad_scenes()) {
     const std::string errors = schema_errors(bad.text);
@@ -193,6 +203,7 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/definitions/automaton", words_of(kSceneKeys)},
       {"/definitions/automaton/properties/box", words_of(kBoxKeys)},
       {"/definitions/automaton/properties/rules", words_of(kRulesKeys)},
+      {"/definitions/automaton/properties/contact", words_of(kContactModelKeys)},
       {"/definitions/automaton/properties/outlets/additionalProperties", words_of(kOutletKeys)},
       {"/definitions/automaton/properties/output", words_of(kOutputKeys)},
       {"/definitions/boltzmann_scene", words_of(kBoltzmannSceneKeys)},
@@ -224,6 +235,9 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
   EXPECT_EQ(keys, known_keys);
   const std::string rules = "/definitions/automaton/properties/rules/properties/";
   const std::map<std::string, Words> known_choices = {
+      {"/definitions/automaton/properties/model", words_of(words(kModelNames))},
+      {"/definitions/automaton/properties/contact/properties/rolling",
+       words_of(words(kRollingNames))},
       {rules + "candidates", words_of(words(kCandidateNames))},
       {rules + "gravity", words_of(words(kDirectionNames))},
       {rules + "update_priority/items", words_of(words(kUpdateClassNames))},
@@ -249,8 +263,8 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
       "walls: {plate: {box: [0, 40, 9, 42], motion: {shake: {amplitude: 1}}, passive: overlap}}\n"
       "stages: [{name: first, sources: [spout], move: [plate], max_steps: 9}]\n"
       "output: {frames: {}, series: {}, fields: {}, contacts: {}, trajectory: {}}";
-  const nlohmann::json scene =
-      json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
+  nlohmann::json scene = json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
+  scene["contact"] = json_of(to_yaml(parse(testing::small_contact(), "scene.yaml"))).at("contact");
   const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {
     const auto& properties = schema_text().at(nlohmann::json::json_pointer(schema_pointer));
     for (const auto& [key, property] : properties.at("properties").items()) {
@@ -263,6 +277,7 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
     }
   };
   compare("/definitions/automaton/properties/rules", "/rules");
+  compare("/definitions/automaton/properties/contact", "/contact");
   compare("/definitions/frames", "/output/frames");
   compare("/definitions/series", "/output/series");
   compare("/definitions/fields", "/output/fields");

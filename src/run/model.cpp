@@ -1,0 +1,125 @@
+#include "run/model.hpp"
+
+#include "clca/run/run.hpp"
+#include "clca/run/setup.hpp"
+
+namespace clca::run {
+
+namespace {
+
+constexpr const char* kState = "state";
+
+std::variant<automaton::Automaton, contact::ContactModel> make_model(
+    const scene::Scene& scene, ModelState state, const Model::Options& options) {
+  if (auto* grains = std::get_if<grains::State>(&state)) {
+    if (options.reference) {
+      throw ScenePlaceError("--engine reference: error: only model contact has this engine");
+    }
+    return automaton::Automaton(std::move(*grains), scene.rules, {.threads = options.threads});
+  }
+  std::vector<std::optional<double>> friction;
+  for (const scene::Wall& wall : scene.walls) {
+    friction.push_back(wall.friction);
+  }
+  return contact::ContactModel(std::get<contact::State>(std::move(state)),
+                               contact_parameters(scene),
+                               {.wall_friction = friction, .reference = options.reference});
+}
+
+}  // namespace
+
+const grains::State& grains_of(const ModelState& state) {
+  const auto* contact = std::get_if<contact::State>(&state);
+  return contact != nullptr ? contact->grains : std::get<grains::State>(state);
+}
+
+ModelState first_state(const scene::Scene& scene) {
+  grains::State grains = initial_state(scene);
+  if (scene.model == scene::Model::contact) {
+    return contact::State{.grains = std::move(grains)};
+  }
+  return grains;
+}
+
+ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
+                       double most_bytes) {
+  const grains::State beginning = initial_state(scene);
+  ModelState saved = first_state(scene);
+  std::visit([&](auto& state) { fields::decode(kState, columns, most_bytes, state); }, saved);
+  grains::check_reachable(grains_of(saved), beginning);
+  return saved;
+}
+
+Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
+    : model_(make_model(scene, std::move(state), options)),
+      gravity_(scene.model == scene::Model::contact ? contact::gravity(contact_parameters(scene))
+                                                    : 0) {}
+
+const grains::State& Model::state() const {
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    return contact->grains();
+  }
+  return std::get<automaton::Automaton>(model_).state();
+}
+
+const grains::Occupancy& Model::occupancy() const {
+  return std::visit([](const auto& model) -> const grains::Occupancy& { return model.occupancy(); },
+                    model_);
+}
+
+std::uint64_t Model::hash() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr ? contact::hash(contact->state()) : grains::hash(state());
+}
+
+void Model::save(fields::Columns& columns) const {
+  std::visit([&](const auto& model) { fields::encode(kState, model.state(), columns); }, model_);
+}
+
+std::optional<contact::Energy> Model::energy() const {
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    return contact::energy(contact->state(), gravity_);
+  }
+  return std::nullopt;
+}
+
+Model::Report Model::step() {
+  return std::visit(
+      [](auto& model) {
+        const auto report = model.step();
+        return Report{.moved = report.moved, .emitted = report.emitted, .settled = report.settled};
+      },
+      model_);
+}
+
+grains::FillResult Model::fill(const lattice::Rectangle& region,
+                               std::span<const std::size_t> counts) {
+  return std::visit([&](auto& model) { return model.fill(region, counts); }, model_);
+}
+
+grains::FillResult Model::deposit(const lattice::Rectangle& region,
+                                  std::span<const std::size_t> counts) {
+  return std::visit([&](auto& model) { return model.deposit(region, counts); }, model_);
+}
+
+void Model::remove_wall(std::size_t wall) {
+  std::visit([&](auto& model) { model.remove_wall(wall); }, model_);
+}
+
+bool Model::insert_wall(std::size_t wall) {
+  return std::visit([&](auto& model) { return model.insert_wall(wall); }, model_);
+}
+
+void Model::set_motion(std::size_t wall, bool active) {
+  std::get<automaton::Automaton>(model_).set_motion(wall, active);
+}
+
+void Model::set_source(std::size_t source, bool open) {
+  std::visit([&](auto& model) { model.set_source(source, open); }, model_);
+}
+
+void Model::mark_origins() {
+  std::visit([](auto& model) { model.mark_origins(); }, model_);
+}
+
+}  // namespace clca::run

@@ -1,0 +1,65 @@
+#pragma once
+// The grains of a run, whichever model moves them.
+
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "clca/automaton/automaton.hpp"
+#include "clca/contact/contact_model.hpp"
+#include "clca/fields/columns.hpp"
+#include "clca/scene/scene.hpp"
+
+namespace clca::run {
+
+/// What a run changes, by model.
+using ModelState = std::variant<grains::State, contact::State>;
+
+const grains::State& grains_of(const ModelState& state);
+
+/// As a scene begins.
+ModelState first_state(const scene::Scene& scene);
+
+/// As a checkpoint has it. Throws fields::Mismatch or std::invalid_argument for what no run of the
+/// scene can have saved.
+ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
+                       double most_bytes);
+
+class Model {
+ public:
+  struct Options {
+    int threads = 1;
+    bool reference = false;  ///< steps as the model is defined; of the contact model
+  };
+  struct Report {
+    std::size_t moved = 0;
+    std::size_t emitted = 0;
+    bool settled = false;
+  };
+
+  /// Throws as the models do, and ScenePlaceError for a reference of the automaton.
+  Model(const scene::Scene& scene, ModelState state, const Options& options);
+
+  const grains::State& state() const;
+  const grains::Occupancy& occupancy() const;
+  std::uint64_t hash() const;
+  /// Saves the state for saved_state().
+  void save(fields::Columns& columns) const;
+  /// Of the contact model; none of the automaton.
+  std::optional<contact::Energy> energy() const;
+
+  Report step();
+  grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  void remove_wall(std::size_t wall);
+  bool insert_wall(std::size_t wall);
+  void set_motion(std::size_t wall, bool active);
+  void set_source(std::size_t source, bool open);
+  void mark_origins();
+
+ private:
+  std::variant<automaton::Automaton, contact::ContactModel> model_;
+  double gravity_ = 0;  // of the contact model, lattice spacings per step squared
+};
+
+}  // namespace clca::run

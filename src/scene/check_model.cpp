@@ -1,0 +1,103 @@
+// What a scene asks of its model that only the other one has.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/fields.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+const Entry* entry_of(const Value& map, std::string_view key) {
+  const auto entry = std::find_if(map.entries.begin(), map.entries.end(),
+                                  [key](const Entry& other) { return other.key == key; });
+  return entry == map.entries.end() ? nullptr : &*entry;
+}
+
+/// What lies under the keys, one inside the other; null where nothing does.
+const Value* value_at(const Value& root, std::initializer_list<std::string_view> keys) {
+  const Value* value = &root;
+  for (const std::string_view key : keys) {
+    value = value == nullptr ? nullptr : value->find(key);
+  }
+  return value;
+}
+
+void refuse_foreign(const Value& map, std::string_view path, std::string_view key, Model owner) {
+  if (const Entry* entry = entry_of(map, key)) {
+    const std::string_view model = name_of(kModelNames, owner);
+    fail(entry->place, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
+                                   join_path(path, key), model, model));
+  }
+}
+
+[[noreturn]] void refuse_yet(const Place& place, std::string_view path, std::string_view what) {
+  fail(place, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "
+                          "'model: automaton'",
+                          path, what));
+}
+
+void refuse_word(const Value* value, std::string_view word, std::string_view path,
+                 std::string_view what) {
+  if (value != nullptr && value->text == word) {
+    refuse_yet(value->place, path, what);
+  }
+}
+
+/// What the contact model cannot do yet.
+void check_able(const Value& root) {
+  if (const Value* walls = root.find("walls")) {
+    for (const Entry& wall : walls->entries) {
+      if (const Entry* motion = entry_of(wall.value, "motion")) {
+        refuse_yet(motion->place, fmt::format("walls.{}.motion", wall.key), "moves no walls");
+      }
+    }
+  }
+  if (const Value* measures = root.find("measure")) {
+    for (const Value& item : measures->items) {
+      refuse_word(&item, "force", "measure", "measures no force");
+    }
+  }
+  refuse_word(value_at(root, {"output", "frames", "color_by"}), "force", "output.frames.color_by",
+              "draws no force");
+  refuse_word(value_at(root, {"output", "frames", "overlay"}), "forces", "output.frames.overlay",
+              "draws no forces");
+  if (const Value* contacts = value_at(root, {"output", "contacts"}); !is_none(contacts)) {
+    refuse_yet(contacts->place, "output.contacts", "writes no contacts");
+  }
+}
+
+void check_rolling(const Scene& scene, const Value& species) {
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    if (!scene.species[i].shape.hexagon_radius()) {
+      fail(species.entries[i].place,
+           fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
+                       "'contact.rolling: none'",
+                       scene.species[i].name));
+    }
+  }
+}
+
+}  // namespace
+
+void check_model(const Scene& scene, const Value& root) {
+  if (scene.model == Model::automaton) {
+    refuse_foreign(root, "", "contact", Model::contact);
+    if (const Value* walls = root.find("walls")) {
+      for (const Entry& wall : walls->entries) {
+        refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);
+      }
+    }
+    return;
+  }
+  refuse_foreign(root, "", "rules", Model::automaton);
+  check_able(root);
+  if (scene.contact.rolling != contact::Rolling::none) {
+    check_rolling(scene, *root.find("species"));
+  }
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,172 @@
+// Scenes of the contact model: from text to values and back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "bad_scenes.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using contact::Parameters;
+using contact::Rolling;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Scene contact_with(std::string_view part, const std::vector<Override>& overrides = {}) {
+  return parse(testing::contact_with(part), "scene.yaml", overrides);
+}
+
+std::string refusal(std::string_view part, const std::vector<Override>& overrides) {
+  try {
+    contact_with(part, overrides);
+    return "accepted";
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+}
+
+constexpr std::string_view kEverything =
+    "species: {bar: {shape: {rod: {radius: 0, length: 3}}}}\n"
+    "contact: {friction: 1e9, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
+    " restitution: 0.99, sweeps: 64, resolution: 0.01, fall_height: 1e6}\n"
+    "walls: {left: {box: [0, 0, 1, 50], friction: 0.25}, right: {box: [50, 0, 51, 50]}}\n"
+    "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {bar: 5}}, sources: [spout]}]\n"
+    "output: {contacts: none}\n";
+
+}  // namespace
+
+TEST(ParseContact, IsTheAutomatonUnlessTheSceneSaysOtherwise) {
+  const Scene scene = parse(testing::small_scene(), "scene.yaml");
+  EXPECT_EQ(scene.model, Model::automaton);
+  EXPECT_EQ(scene, parse(testing::scene_with("model: automaton"), "scene.yaml"));
+}
+
+TEST(ParseContact, FillsInTheDefaults) {
+  const Scene scene = contact_with("");
+  EXPECT_EQ(scene.model, Model::contact);
+  EXPECT_EQ(scene.contact, Parameters());
+  EXPECT_EQ(scene.contact, contact_with("contact: {}").contact);
+  EXPECT_EQ(scene.rules, automaton::Rules());
+  EXPECT_FALSE(scene.walls[0].friction.has_value());
+}
+
+TEST(ParseContact, ReadsEveryKey) {
+  const Scene scene = contact_with(kEverything);
+  EXPECT_EQ(scene.contact, (Parameters{.friction = 1e9,
+                                       .wall_friction = 0,
+                                       .rolling = Rolling::none,
+                                       .rolling_friction = 1e-3,
+                                       .restitution = 0.99,
+                                       .sweeps = 64,
+                                       .resolution = 0.01,
+                                       .fall_height = 1e6}));
+  EXPECT_EQ(scene.walls[0].friction, 0.25);
+  EXPECT_FALSE(scene.walls[1].friction.has_value());
+}
+
+TEST(ParseContact, TakesAutoForAHeightThatIsEstimated) {
+  EXPECT_EQ(contact_with("contact: {fall_height: auto}").contact.fall_height, 0);
+}
+
+TEST(ParseContact, LeavesForceOutOfTheDefaultMeasures) {
+  std::string text = testing::small_contact();
+  const std::string_view measure = "measure: [profile]\n";
+  text.erase(text.find(measure), measure.size());
+  const Scene scene = parse(text, "scene.yaml");
+  EXPECT_EQ(scene.measures.size(), 9U);
+  EXPECT_THAT(scene.measures, Not(Contains(Measure::force)));
+}
+
+TEST(ParseContact, KnowsAHexagonHoweverItIsGiven) {
+  for (const std::string_view shape :
+       {"hexagon: 0", "rod: {radius: 2, length: 1}",
+        "sites: [[4, 4], [4, 5], [5, 4], [5, 3], [4, 3], [3, 4], [3, 5]]",
+        "polygon: [[2, 0], [0, 2], [-2, 2], [-2, 0], [0, -2], [2, -2]]"}) {
+    const std::string species = "species: {small: {shape: {" + std::string(shape) + "}}}";
+    EXPECT_NO_THROW(contact_with(species + "\ncontact: {rolling: free}")) << shape;
+  }
+}
+
+TEST(ParseContact, TakesTheScenesOfTheAutomatonWithoutRulesMotionOrForces) {
+  const auto folder = std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
+  const Scene scene = parse_file(folder / "wall-removal.yaml", {"model=contact"});
+  EXPECT_EQ(scene.model, Model::contact);
+  EXPECT_EQ(scene.contact, Parameters());
+}
+
+TEST(ParseContact, TakesOverrides) {
+  EXPECT_EQ(contact_with("", {"contact.friction=0.1"}).contact.friction, 0.1);
+  EXPECT_EQ(contact_with("", {"walls.left.friction=0.1"}).walls[0].friction, 0.1);
+  EXPECT_EQ(contact_with("contact: {fall_height: 9}", {"contact.fall_height=auto"}),
+            contact_with(""));
+}
+
+TEST(ParseContact, NamesAnOverrideThatTheModelDoesNotHave) {
+  EXPECT_EQ(refusal("", {"rules.inertia=0"}),
+            "--set rules.inertia=0: error: rules: only model automaton has it; remove it, or say "
+            "'model: automaton'");
+  EXPECT_EQ(refusal("", {"model=automaton", "contact.sweeps=4"}),
+            "--set contact.sweeps=4: error: contact: only model contact has it; remove it, or say "
+            "'model: contact'");
+  EXPECT_EQ(refusal("", {"output.contacts.every=5"}),
+            "--set output.contacts.every=5: error: output.contacts: model contact writes no "
+            "contacts yet, model automaton does; remove it, or say 'model: automaton'");
+}
+
+TEST(ParseContact, ToYamlAndBackIsTheSameScene) {
+  for (const std::string_view part : {std::string_view(""), kEverything}) {
+    const Scene scene = contact_with(part);
+    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+  }
+}
+
+TEST(ParseContact, ToYamlShowsEveryDefaultAndNoRules) {
+  const std::string text = to_yaml(contact_with(""));
+  EXPECT_THAT(text, HasSubstr("seed: 1\nmodel: contact\n\nbox:"));
+  EXPECT_THAT(text, HasSubstr("\n\n"
+                              "contact:\n"
+                              "  friction: 0.4\n"
+                              "  wall_friction: 0.4\n"
+                              "  rolling: resistance\n"
+                              "  rolling_friction: 0.5\n"
+                              "  restitution: 0.4\n"
+                              "  sweeps: 2\n"
+                              "  resolution: 0.4\n"
+                              "  fall_height: auto\n"
+                              "\n"
+                              "walls:\n"
+                              "  left: {box: [0, 0, 1, 50]}\n"));
+  EXPECT_THAT(text, Not(HasSubstr("rules:")));
+  EXPECT_THAT(to_yaml(contact_with("walls: {left: {box: [0, 0, 1, 50], friction: 0.25}}")),
+              HasSubstr("  left: {box: [0, 0, 1, 50], friction: 0.25}\n"));
+}
+
+TEST(ParseContact, ScenesDifferWhenAPartOfTheModelDiffers) {
+  const Scene scene = contact_with("");
+  for (const std::string_view part :
+       {"model: automaton", "contact: {friction: 0.5}", "contact: {wall_friction: 0.5}",
+        "contact: {rolling: free}", "contact: {rolling_friction: 0.4}", "contact: {restitution: 0}",
+        "contact: {sweeps: 4}", "contact: {resolution: 1}", "contact: {fall_height: 50}",
+        "walls: {left: {box: [0, 0, 1, 50], friction: 0.4}, right: {box: [50, 0, 51, 50]}}"}) {
+    EXPECT_NE(contact_with(part), scene) << part;
+  }
+}
+
+TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {
+  const std::string_view many =
+      "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 100}},"
+      " sources: [spout]}]";
+  const auto contact = size_of(contact_with(many));
+  const auto automaton = size_of(contact_with(many, {"model=automaton"}));
+  EXPECT_EQ(contact.bytes, automaton.bytes + 260.0 * static_cast<double>(contact.particles));
+}
+
+}  // namespace clca::scene
