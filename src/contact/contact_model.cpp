@@ -132,6 +132,10 @@ void check_valid(const State& state) {
     if (!there) {
       fail("a contact is not one of two bodies");
     }
+    if (!in_range(contact.normal.x, 1 << kUnitBits) ||
+        !in_range(contact.normal.y, 1 << kUnitBits)) {
+      fail("a normal is out of range");
+    }
     if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kStrongest) ||
         !in_range(contact.impulse.shear, kStrongest) ||
         !in_range(contact.impulse.rolling, kStrongest)) {

@@ -41,10 +41,6 @@ WallsTogether together(const grains::State& state, const measure::ForceSummary& 
   return result;
 }
 
-store::MeasureValue value_or_null(const std::optional<double>& value) {
-  return value ? store::MeasureValue(*value) : store::MeasureValue();
-}
-
 }  // namespace
 
 void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
@@ -60,13 +56,13 @@ void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
   add("overlap_depth_max", static_cast<double>(summary.depth_max));
   add("overlap_sites", static_cast<double>(summary.sites));
   add("overlap_contacts", static_cast<double>(summary.contacts));
-  add("overlap_cone_share", value_or_null(summary.cone_share));
+  add("overlap_cone_share", store::value_or_null(summary.cone_share));
   add("jammed", static_cast<double>(summary.jammed));
   add("force_share_above_mean",
       distribution ? store::MeasureValue(distribution->share_above_mean) : store::MeasureValue());
-  add("force_tail_beta", distribution ? value_or_null(distribution->beta) : store::MeasureValue());
-  add("plate_depth", value_or_null(walls.depth));
-  add("stalled_since", value_or_null(walls.stalled_since));
+  add("force_tail_beta", distribution ? store::value_or_null(distribution->beta) : store::MeasureValue());
+  add("plate_depth", store::value_or_null(walls.depth));
+  add("stalled_since", store::value_or_null(walls.stalled_since));
 }
 
 std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,

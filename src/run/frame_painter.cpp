@@ -77,12 +77,15 @@ render::PngText scene_text(const scene::Scene& scene) {
 }
 
 FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads)
-    : scene_(scene), frames_(*scene.output.frames), painter_(make_painter(scene, state, threads)) {}
+    : scene_(scene),
+      frames_(*scene.output.frames),
+      strongest_force_(strongest_force(scene)),
+      painter_(make_painter(scene, state, threads)) {}
 
 Negative FramePainter::expose(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view.state, history);
-  Drawn drawn = overlay_of(frames_.overlay, view);
+  Drawn drawn = overlay_of(frames_.overlay, view, strongest_force_);
   colors.legend.lines = std::move(drawn.keys);
   render::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;

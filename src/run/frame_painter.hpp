@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "clca/contact/force.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
@@ -21,6 +22,7 @@ struct View {
   const grains::State& state;
   const grains::Occupancy& occupancy;
   const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
+  const std::vector<contact::Force>* forces = nullptr;  ///< of the contact model
 };
 
 /// What the pictures so far leave to those that come: goes into a checkpoint.
@@ -74,6 +76,7 @@ class FramePainter {
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;
+  double strongest_force_;
   render::Painter painter_;
 };
 

@@ -83,6 +83,13 @@ std::optional<contact::Energy> Model::energy() const {
   return std::nullopt;
 }
 
+std::optional<std::vector<contact::Force>> Model::forces() const {
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    return contact::forces(contact->state(), gravity_);
+  }
+  return std::nullopt;
+}
+
 Model::Report Model::step() {
   return std::visit(
       [](auto& model) {

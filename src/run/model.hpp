@@ -4,9 +4,11 @@
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/contact/contact_model.hpp"
+#include "clca/contact/force.hpp"
 #include "clca/fields/columns.hpp"
 #include "clca/scene/scene.hpp"
 
@@ -45,8 +47,9 @@ class Model {
   std::uint64_t hash() const;
   /// Saves the state for saved_state().
   void save(fields::Columns& columns) const;
-  /// Of the contact model; none of the automaton.
+  // Of the contact model; none of the automaton.
   std::optional<contact::Energy> energy() const;
+  std::optional<std::vector<contact::Force>> forces() const;
 
   Report step();
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);

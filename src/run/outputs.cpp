@@ -4,6 +4,7 @@
 
 #include "clca/measure/profile.hpp"
 #include "clca/store/file.hpp"
+#include "run/contact_tables.hpp"
 
 namespace clca::run {
 
@@ -171,6 +172,12 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   }
   if (records.fields() && records.fields()->fluctuations().samples() > 0) {
     write("fluctuation", records.fields()->fluctuation_csv());
+  }
+  if (const auto forces = wants(scene::Measure::force) ? model.forces() : std::nullopt) {
+    write("contacts", contact_forces_csv(scene_, *forces));
+    write("forces", force_distribution_csv(*forces));
+    write("loads", grain_loads_csv(scene_, state, *forces));
+    write("walls", wall_loads_csv(scene_, *forces));
   }
   if (wants(scene::Measure::force) && records.forces()) {
     const auto contacts = measure::contacts(state, model.occupancy());

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "clca/grains/separation.hpp"
 #include "clca/measure/contacts.hpp"
+#include "clca/run/setup.hpp"
 
 namespace clca::run {
 
@@ -17,6 +19,14 @@ constexpr double kStrongest = 6;  // sites
 constexpr double kLeastWeight = 0.2;  // of the fullest cell's
 constexpr double kShortest = 1e-3;    // spacings per cycle
 
+/// Centre of a grain that touches `first`, across a periodic seam where that is nearer.
+Eigen::Vector2d far_centre(const grains::State& state, const grains::Particle& first,
+                           std::size_t second) {
+  const grains::Particle& other = state.particles[second];
+  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), other.site());
+  return lattice::position(first.site()) + lattice::position(apart) + state.shape(other).centroid();
+}
+
 /// From centre to centre; a wall is met where it overlaps.
 render::ForceLine line_of(const grains::State& state, const measure::Contact& contact) {
   const Eigen::Vector2d from = grains::centre(state, state.particles[contact.first]);
@@ -24,15 +34,28 @@ render::ForceLine line_of(const grains::State& state, const measure::Contact& co
   if (!grains::is_particle(contact.second)) {
     return {.from = from, .to = contact.place, .strength = sites};
   }
-  const grains::Particle& first = state.particles[contact.first];
-  const grains::Particle& second = state.particles[static_cast<std::size_t>(contact.second)];
-  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), second.site());
   const Eigen::Vector2d to =
-      lattice::position(first.site()) + lattice::position(apart) + state.shape(second).centroid();
+      far_centre(state, state.particles[contact.first], static_cast<std::size_t>(contact.second));
   return {.from = from, .to = to, .strength = sites};
 }
 
-Drawn forces(const View& view) {
+/// From centre to centre, or to a wall.
+Drawn contact_forces(const View& view, double strongest) {
+  std::vector<render::ForceLine> lines;
+  for (const contact::Force& force : *view.forces) {
+    const grains::Particle& upper = view.state.particles[force.upper];
+    const Eigen::Vector2d from = grains::centre(view.state, upper);
+    Eigen::Vector2d to = force.place;
+    if (grains::is_particle(force.other)) {
+      to = far_centre(view.state, upper, static_cast<std::size_t>(force.other));
+    }
+    lines.push_back({.from = from, .to = to, .strength = force.along_normal});
+  }
+  return {render::force_network(lines, strongest),
+          {render::force_key(strongest, fmt::format("{:g} grain weights", strongest))}};
+}
+
+Drawn overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
   for (const measure::Contact& contact : measure::contacts(view.state, view.occupancy)) {
     lines.push_back(line_of(view.state, contact));
@@ -70,10 +93,22 @@ Drawn arrows(const CycleRecord& cycles) {
 
 }  // namespace
 
-Drawn overlay_of(scene::Overlay overlay, const View& view) {
+double strongest_force(const scene::Scene& scene) {
+  double diameters = 0;
+  for (const scene::Species& species : scene.species) {
+    diameters += species.shape.diameter();
+  }
+  const double grains =
+      contact_parameters(scene).fall_height * static_cast<double>(scene.species.size()) / diameters;
+  const double power = std::pow(10, std::floor(std::log10(2 * grains)));
+  const double leading = 2 * grains / power;
+  return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
+}
+
+Drawn overlay_of(scene::Overlay overlay, const View& view, double strongest_force) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return forces(view);
+      return view.forces != nullptr ? contact_forces(view, strongest_force) : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : Drawn();
     case scene::Overlay::none:

@@ -17,7 +17,13 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
     return;
   }
   history_.last_step = state.step;
-  Negative negative = painter_.expose({state, model.occupancy(), &records.cycles()}, history_);
+  const bool shows_forces = scene_.output.frames->overlay == scene::Overlay::forces;
+  const auto forces = shows_forces ? model.forces() : std::nullopt;
+  Negative negative = painter_.expose({.state = state,
+                                       .occupancy = model.occupancy(),
+                                       .cycles = &records.cycles(),
+                                       .forces = forces ? &*forces : nullptr},
+                                      history_);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step),
                 [this, negative = std::move(negative)] { return painter_.develop(negative); });

@@ -35,6 +35,13 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         "with the overlay none or forces",
         scene.output.frames->place));
   }
+  if (scene.output.frames->overlay == scene::Overlay::forces &&
+      scene.model == scene::Model::contact) {
+    throw RedrawError(fmt::format(
+        "{}: overlay: a trajectory does not hold the forces of the contact model; draw with the "
+        "overlay none, or let the run draw them",
+        scene.output.frames->place));
+  }
   const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
   if (!options.movie.empty() && !options.sheet.empty() &&
       place(options.movie) == place(options.sheet)) {

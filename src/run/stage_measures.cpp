@@ -4,6 +4,7 @@
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
 #include "clca/store/table.hpp"
+#include "run/contact_tables.hpp"
 #include "run/force_measures.hpp"
 
 namespace clca::run {
@@ -12,15 +13,11 @@ namespace {
 
 using Results = std::vector<store::NamedMeasure>;
 
-store::MeasureValue value_or_null(const std::optional<double>& value) {
-  return value ? store::MeasureValue(*value) : store::MeasureValue();
-}
-
 void add_repose(Results& results, const grains::State& state) {
   const auto angle = measure::repose_angle(measure::surface_profile(state));
-  results.emplace_back("repose_angle_deg", value_or_null(angle.mean()));
-  results.emplace_back("repose_left_deg", value_or_null(angle.left));
-  results.emplace_back("repose_right_deg", value_or_null(angle.right));
+  results.emplace_back("repose_angle_deg", store::value_or_null(angle.mean()));
+  results.emplace_back("repose_left_deg", store::value_or_null(angle.left));
+  results.emplace_back("repose_right_deg", store::value_or_null(angle.right));
 }
 
 void add_runout(Results& results, const grains::State& state) {
@@ -32,7 +29,7 @@ void add_runout(Results& results, const grains::State& state) {
 }
 
 void add_packing(Results& results, const grains::State& state) {
-  results.emplace_back("packing_fraction", value_or_null(measure::packing_fraction(state)));
+  results.emplace_back("packing_fraction", store::value_or_null(measure::packing_fraction(state)));
   results.emplace_back("height_mean", measure::mean_height(measure::surface_profile(state)));
 }
 
@@ -52,8 +49,8 @@ void add_outflow(Results& results, const Model& model, const StageHistory& histo
 }
 
 void add_segregation(Results& results, const grains::State& state, double cell) {
-  results.emplace_back("segregation_index", value_or_null(measure::segregation_index(state)));
-  results.emplace_back("lacey_index", value_or_null(measure::lacey_index(state, cell)));
+  results.emplace_back("segregation_index", store::value_or_null(measure::segregation_index(state)));
+  results.emplace_back("lacey_index", store::value_or_null(measure::lacey_index(state, cell)));
 }
 
 void add_convection(Results& results, const Records& records) {
@@ -117,6 +114,9 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         add_outflow(results, model, history);
         break;
       case scene::Measure::force:
+        if (const auto forces = model.forces()) {
+          add_contact_forces(results, state, *forces);
+        }
         if (records.forces()) {
           add_force(results, model, history.profile_at_start, *records.forces());
         }

@@ -56,15 +56,8 @@ void check_able(const Value& root) {
       }
     }
   }
-  if (const Value* measures = root.find("measure")) {
-    for (const Value& item : measures->items) {
-      refuse_word(&item, "force", "measure", "measures no force");
-    }
-  }
   refuse_word(value_at(root, {"output", "frames", "color_by"}), "force", "output.frames.color_by",
-              "draws no force");
-  refuse_word(value_at(root, {"output", "frames", "overlay"}), "forces", "output.frames.overlay",
-              "draws no forces");
+              "colours by no force");
   if (const Value* contacts = value_at(root, {"output", "contacts"}); !is_none(contacts)) {
     refuse_yet(contacts->place, "output.contacts", "writes no contacts");
   }

@@ -44,13 +44,10 @@ std::string name_of_file(const std::string& file, const Place& place) {
   return name;
 }
 
-/// All that the model has.
-std::vector<Measure> default_measures(Model model) {
+std::vector<Measure> all_measures() {
   std::vector<Measure> measures;
   for (const auto& named : kMeasureNames) {
-    if (model == Model::automaton || named.value != Measure::force) {
-      measures.push_back(named.value);
-    }
+    measures.push_back(named.value);
   }
   return measures;
 }
@@ -80,7 +77,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   const KeyedMap fields(root, "", kSceneKeys);
   auto scene = read_head<Scene>(fields, file);
   scene.model = fields.choice("model", kModelNames, scene.model);
-  scene.measures = default_measures(scene.model);
+  scene.measures = all_measures();
   scene.box = read_box(fields.at("box"));
   scene.species = read_species(fields.at("species"), scene.box);
   read_into(scene.rules, fields, "rules", read_rules);

@@ -29,7 +29,7 @@ bool moves_in_cycles(const Scene& scene) {
   });
 }
 
-/// There are forces only where walls enter particles.
+/// In the automaton there are forces only where walls enter particles.
 void require_overlap(const Value& value, const std::string& path, std::string_view what,
                      const Scene& scene) {
   if (!lets_overlap(scene)) {
@@ -43,7 +43,7 @@ void check_drawn(const KeyedMap& fields, const Frames& frames, const Scene& scen
   if (frames.color_by == ColorBy::force) {
     require_overlap(fields.at("color_by"), fields.path("color_by"), "force", scene);
   }
-  if (frames.overlay == Overlay::forces) {
+  if (frames.overlay == Overlay::forces && scene.model == Model::automaton) {
     require_overlap(fields.at("overlay"), fields.path("overlay"), "forces", scene);
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {

@@ -52,6 +52,19 @@ inline constexpr grains::Owner kCeiling = grains::kBorder + 1;
 inline constexpr grains::Owner kLeftSide = grains::kBorder + 2;
 inline constexpr grains::Owner kRightSide = grains::kBorder + 3;
 
+inline constexpr int kUnitBits = 30;  ///< of components of unit vectors
+
+/// Components in 2^-30.
+struct UnitVector {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+
+  bool operator==(const UnitVector&) const = default;
+  static constexpr auto fields() {
+    return std::make_tuple(fields::field("x", &UnitVector::x), fields::field("y", &UnitVector::y));
+  }
+};
+
 /// What a body gives the upper one in a step: sites, as the unit of mass, times 2^-20 lattice
 /// spacings a step.
 template <class Int>
@@ -72,20 +85,21 @@ struct Impulse {
 struct Contact {
   std::uint32_t upper = 0;  ///< the higher of two grains; of two at one height the left one
   grains::Owner other = 0;
+  UnitVector normal = {};  ///< towards the upper grain, in the last step
   Impulse<std::int32_t> impulse = {};
 
   bool operator==(const Contact&) const = default;
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("upper", &Contact::upper), field("other", &Contact::other),
-                           field("impulse", &Contact::impulse));
+                           field("normal", &Contact::normal), field("impulse", &Contact::impulse));
   }
 };
 
 struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
-  std::vector<Vector> remainders = {};                  ///< by id: where grains are, beyond their sites
+  std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
   /// Of the last step, in the order in which they are swept.
   std::vector<Contact> contacts = {};
   /// Something other than the step itself has changed walls or grains: contacts are put in order

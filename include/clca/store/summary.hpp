@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,11 @@ namespace clca::store {
 
 /// A number, yes or no, or nothing where the state has none (written as null).
 using MeasureValue = std::variant<std::monostate, double, bool>;
+
+/// null where there is none.
+inline MeasureValue value_or_null(const std::optional<double>& value) {
+  return value ? MeasureValue(*value) : MeasureValue();
+}
 using NamedMeasure = std::pair<std::string, MeasureValue>;
 
 struct StageSummary {

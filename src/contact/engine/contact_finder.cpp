@@ -47,7 +47,8 @@ ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
   slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
-    LaneContent loaded = content({.upper = contact.upper, .other = contact.other});
+    LaneContent loaded =
+        content({.upper = contact.upper, .other = contact.other, .normal = contact.normal});
     loaded.impulse = contact.impulse;
     slots.add(loaded);
   }

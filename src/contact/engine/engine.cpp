@@ -123,6 +123,7 @@ void Engine::write_back() {
     if (slot.lane >= 0) {
       state_.contacts.push_back({.upper = slot.upper,
                                  .other = slot.other,
+                                 .normal = slots_.batches().normal(slot.lane),
                                  .impulse = slots_.batches().impulse(slot.lane)});
     }
   }

@@ -31,15 +31,15 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
     return fixed(inertia * inverse_radius * disc.inverse_radius, kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
-    return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kUnitBits);
+    return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
   };
   // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
   // moving.
   const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
   return {.mass = fixed(mass, kMassBits),
           .shear_mass = fixed(shear_mass, kMassBits),
-          .upper_inverse_mass = fixed(upper.inverse_mass, kUnitBits),
-          .other_inverse_mass = fixed(other.inverse_mass, kUnitBits),
+          .upper_inverse_mass = fixed(upper.inverse_mass, kInverseMassBits),
+          .other_inverse_mass = fixed(other.inverse_mass, kInverseMassBits),
           .upper_rolling_mass = rolling_mass(upper),
           .other_rolling_mass = rolling_mass(other),
           .upper_turning = turning(upper),

@@ -51,8 +51,8 @@ template <class Int>
   const Int y =
       lower(scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
   const auto pushed = [](Int velocity, Int impulse, Int inverse_mass) {
-    return clamped(velocity + lower(scaled(product(impulse, inverse_mass), kUnitBits)), -kFastest,
-                   kFastest);
+    return clamped(velocity + lower(scaled(product(impulse, inverse_mass), kInverseMassBits)),
+                   -kFastest, kFastest);
   };
   at.upper.x = pushed(at.upper.x, x, at.pair.upper_inverse_mass);
   at.upper.y = pushed(at.upper.y, y, at.pair.upper_inverse_mass);
@@ -61,8 +61,8 @@ template <class Int>
   if (turns) {
     // Both turn the same way by a force along the rim, in opposite ways by a moment.
     const auto turned = [](Int spin, const auto& change) {
-      return clamped(spin + clamped(scaled(change, kUnitBits), -kFastest, kFastest), -kFastest,
-                     kFastest);
+      return clamped(spin + clamped(scaled(change, kInverseMassBits), -kFastest, kFastest),
+                     -kFastest, kFastest);
     };
     const auto upper_force = product(by.shear, at.pair.upper_inverse_mass);
     const auto other_force = product(by.shear, at.pair.other_inverse_mass);

@@ -18,10 +18,10 @@ auto sorting_key(const grains::State& state, const Touch& touch) {
 }
 
 Placed placed(const Touch& touch) {
-  return {.active = {.contact = {.upper = touch.upper, .other = touch.other},
-                     .normal = touch.normal,
-                     .is_new = true},
-          .touch = touch};
+  return {
+      .active = {.contact = {.upper = touch.upper, .other = touch.other, .normal = touch.normal},
+                 .is_new = true},
+      .touch = touch};
 }
 
 /// The touch of the bodies of a contact, whichever is the upper one now.

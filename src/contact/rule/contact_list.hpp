@@ -11,7 +11,6 @@ namespace clca::contact {
 /// A contact in a step: what it remembers and where it is now.
 struct ActiveContact {
   Contact contact;
-  UnitVector normal;
   bool is_new = false;
 };
 

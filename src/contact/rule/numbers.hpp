@@ -11,7 +11,7 @@
 
 namespace clca::contact {
 
-inline constexpr int kUnitBits = 30;  ///< of components of unit vectors, and of inverse masses
+inline constexpr int kInverseMassBits = 30;
 inline constexpr int kMassBits = 10;
 inline constexpr int kRatioBits = 16;  ///< of coefficients of friction and restitution
 
@@ -45,14 +45,6 @@ inline std::int32_t clamped(std::int64_t value, std::int32_t low, std::int32_t h
 inline std::int32_t fixed(double value, int bits) {
   return static_cast<std::int32_t>(std::llround(std::min(std::ldexp(value, bits), 0x1p30)));
 }
-
-/// Components in 2^-30.
-struct UnitVector {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-
-  bool operator==(const UnitVector&) const = default;
-};
 
 /// In the direction of a lattice vector that is not zero. One division and one root each, which
 /// every machine rounds alike.

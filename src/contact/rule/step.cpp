@@ -28,8 +28,8 @@ class Contacts {
     Touching<std::int32_t> touching = {
         .upper = upper_velocity,
         .other = other_velocity,
-        .normal_x = active.normal.x,
-        .normal_y = active.normal.y,
+        .normal_x = contact.normal.x,
+        .normal_y = contact.normal.y,
         .pair = rule_.bodies.pair(grains[contact.upper].kind,
                                   on_wall ? std::nullopt : std::optional(grains[other].kind))};
     visit(touching);

@@ -1,0 +1,154 @@
+#include "run/contact_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "clca/measure/force_distribution.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::run {
+
+namespace {
+
+using Forces = std::vector<contact::Force>;
+
+std::string body_name(const scene::Scene& scene, grains::Owner owner) {
+  switch (owner) {
+    case contact::kFloor:
+      return "floor";
+    case contact::kCeiling:
+      return "ceiling";
+    case contact::kLeftSide:
+      return "left";
+    case contact::kRightSide:
+      return "right";
+    default:
+      return grains::is_particle(owner) ? fmt::format("{}", owner)
+                                        : scene.walls[grains::wall_number(owner)].name;
+  }
+}
+
+std::optional<measure::ForceDistribution> distribution(const Forces& forces) {
+  std::vector<double> strengths;
+  for (const contact::Force& force : forces) {
+    if (grains::is_particle(force.other) && force.along_normal > 0) {
+      strengths.push_back(force.along_normal);
+    }
+  }
+  return measure::force_distribution(strengths, measure::Strength::averaged);
+}
+
+/// What a grain has to do with its contacts.
+struct Load {
+  std::uint64_t contacts = 0;
+  double normal = 0;
+};
+
+std::vector<Load> loads(const grains::State& state, const Forces& forces) {
+  std::vector<Load> result(state.particles.size());
+  const auto add = [&](std::size_t id, const contact::Force& force) {
+    ++result[id].contacts;
+    result[id].normal += force.along_normal;
+  };
+  for (const contact::Force& force : forces) {
+    add(force.upper, force);
+    if (grains::is_particle(force.other)) {
+      add(static_cast<std::size_t>(force.other), force);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string contact_forces_csv(const scene::Scene& scene, const Forces& forces) {
+  store::Table table(
+      {"upper", "other", "x", "y", "normal_x", "normal_y", "normal_force", "shear_force"});
+  for (const contact::Force& force : forces) {
+    table.add_row({std::uint64_t{force.upper}, body_name(scene, force.other), force.place.x(),
+                   force.place.y(), force.normal.x(), force.normal.y(), force.along_normal,
+                   force.along_shear});
+  }
+  return table.to_csv();
+}
+
+std::string force_distribution_csv(const Forces& forces) {
+  store::Table table({"low", "high", "count", "density"});
+  if (const auto all = distribution(forces)) {
+    for (const measure::ForceBin& bin : all->bins) {
+      table.add_row({bin.low, bin.high, std::uint64_t{bin.count}, bin.density});
+    }
+  }
+  return table.to_csv();
+}
+
+std::string grain_loads_csv(const scene::Scene& scene, const grains::State& state,
+                            const Forces& forces) {
+  const std::vector<Load> all = loads(state, forces);
+  const std::vector<double> residuals = contact::residuals(state, forces);
+  store::Table table({"id", "species", "x", "y", "contacts", "normal_force", "residual"});
+  for (std::size_t id = 0; id < all.size(); ++id) {
+    const grains::Particle& grain = state.particles[id];
+    if (grain.present) {
+      const Eigen::Vector2d centre = grains::centre(state, grain);
+      table.add_row({std::uint64_t{id}, scene.species[state.kinds[grain.kind].species].name,
+                     centre.x(), centre.y(), all[id].contacts, all[id].normal, residuals[id]});
+    }
+  }
+  return table.to_csv();
+}
+
+std::string wall_loads_csv(const scene::Scene& scene, const Forces& forces) {
+  struct Sum {
+    std::uint64_t contacts = 0;
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  };
+  std::map<grains::Owner, Sum> sums;
+  for (const grains::Owner side :
+       {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide}) {
+    sums[side] = {};
+  }
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    sums[grains::wall_code(wall)] = {};
+  }
+  for (const contact::Force& force : forces) {
+    if (!grains::is_particle(force.other)) {
+      Sum& sum = sums[force.other];
+      ++sum.contacts;
+      sum.force -= force.on_upper();
+    }
+  }
+  store::Table table({"wall", "contacts", "force_x", "force_y"});
+  for (const auto& [owner, sum] : sums) {
+    table.add_row({body_name(scene, owner), sum.contacts, sum.force.x(), sum.force.y()});
+  }
+  return table.to_csv();
+}
+
+void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains::State& state,
+                        const Forces& forces) {
+  const auto grains = static_cast<double>(grains::present_count(state));
+  const auto all = distribution(forces);
+  double touching = 0;  // bodies of contacts that are grains
+  double floor = 0;
+  for (const contact::Force& force : forces) {
+    touching += grains::is_particle(force.other) ? 2 : 1;
+    floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
+  }
+  const std::vector<double> residuals = contact::residuals(state, forces);
+  const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
+  const auto per_grain = [&](double sum) {
+    return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
+  };
+  results.emplace_back("contacts_per_grain", per_grain(touching));
+  results.emplace_back("force_share_above_mean",
+                       all ? store::MeasureValue(all->share_above_mean) : store::MeasureValue());
+  results.emplace_back("force_tail_beta", all ? store::value_or_null(all->beta) : store::MeasureValue());
+  results.emplace_back("balance_residual", per_grain(residual));
+  results.emplace_back("load_floor", per_grain(floor));
+}
+
+}  // namespace clca::run

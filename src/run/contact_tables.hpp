@@ -1,0 +1,35 @@
+#pragma once
+// What a stage of the contact model leaves of forces. All forces in weights of a grain of mean
+// mass, of the last step.
+
+#include <string>
+#include <vector>
+
+#include "clca/contact/force.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/summary.hpp"
+
+namespace clca::run {
+
+/// Columns: upper, other (grain ids; the name of a wall, or floor, ceiling, left, right of the
+/// box), x, y (place), normal_x, normal_y (towards the upper grain), normal_force, shear_force.
+std::string contact_forces_csv(const scene::Scene& scene,
+                               const std::vector<contact::Force>& forces);
+
+/// Columns: low, high (force), count, density (of f/<f>): of the normal forces between grains.
+std::string force_distribution_csv(const std::vector<contact::Force>& forces);
+
+/// Columns: id, species, x, y (centre of mass), contacts, normal_force (sum over its contacts),
+/// residual (what forces and weight do not balance, over the weight), by grain.
+std::string grain_loads_csv(const scene::Scene& scene, const grains::State& state,
+                            const std::vector<contact::Force>& forces);
+
+/// Columns: wall, contacts, force_x, force_y (on the wall), for each wall and side of the box.
+std::string wall_loads_csv(const scene::Scene& scene, const std::vector<contact::Force>& forces);
+
+/// contacts_per_grain, force_share_above_mean, force_tail_beta, balance_residual (mean), and
+/// load_floor: the force on the floor over the weight of all grains.
+void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains::State& state,
+                        const std::vector<contact::Force>& forces);
+
+}  // namespace clca::run
