@@ -62,9 +62,10 @@ bool changes(const Chart& chart) {
 }
 
 void add_series(std::vector<Chart>& charts, const RunTable& table) {
-  constexpr std::array<Quantity, 3> kQuantities = {
+  constexpr std::array<Quantity, 4> kQuantities = {
       Quantity{"moving_share", "Share of the particles that move"},
       Quantity{"mean_height", "Mean height of all particles, lattice spacings"},
+      Quantity{"kinetic_energy", "Kinetic energy, weights of a site times lattice spacings"},
       Quantity{"discharged_sites", "Discharged through outlets, sites"}};
   for (const Quantity& quantity : kQuantities) {
     add_chart(charts, chart_by_stage(table, "step", "step", quantity));

@@ -43,6 +43,17 @@ double width_of(const Tables& tables, const std::string& stage) {
   return x && !x->empty() ? x->back() : std::numeric_limits<double>::infinity();
 }
 
+/// What a table of contacts says of how strong they are.
+struct Strength {
+  const char* column;
+  const char* title;
+};
+
+Strength strength_of(const RunTable& contacts) {
+  return contacts.numbers("normal_force") ? Strength{"normal_force", "grain weights"}
+                                          : Strength{"sites", "sites of overlap"};
+}
+
 /// From centre to centre, or where the other is a wall, to the place where they meet.
 std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres, double width) {
   std::vector<Line> lines;
@@ -50,22 +61,22 @@ std::vector<Line> contact_lines(const RunTable& contacts, const Centres& centres
   const std::vector<std::string>* second = contacts.cells().find("second");
   const auto x = contacts.numbers("x");
   const auto y = contacts.numbers("y");
-  const auto sites = contacts.numbers("sites");
-  if (first == nullptr || second == nullptr || !x || !y || !sites) {
+  const auto strength = contacts.numbers(strength_of(contacts).column);
+  if (first == nullptr || second == nullptr || !x || !y || !strength) {
     return lines;
   }
   for (std::size_t row = 0; row < first->size(); ++row) {
     const auto from = centres.find((*first)[row]);
     const auto to = centres.find((*second)[row]);
     // Contacts that are gone, and known by their mean only, have no place.
-    const bool is_there = (*sites)[row] > 0 && std::isfinite((*sites)[row]) &&
+    const bool is_there = (*strength)[row] > 0 && std::isfinite((*strength)[row]) &&
                           std::isfinite((*x)[row]) && std::isfinite((*y)[row]);
     if (!is_there || from == centres.end()) {
       continue;
     }
     const auto end = to == centres.end() ? std::pair((*x)[row], (*y)[row]) : to->second;
     const Line line = {from->second.first, from->second.second, end.first, end.second,
-                       (*sites)[row]};
+                       (*strength)[row]};
     if (!is_across_seam(line, width)) {
       lines.push_back(line);
     }
@@ -86,7 +97,7 @@ void add_force_maps(std::vector<std::string>& figures, const Tables& tables) {
     }
     Map map = {
         .title = "Contacts at the end of stage " + contacts.label(),
-        .line_title = "sites of overlap",
+        .line_title = strength_of(contacts).title,
         .lines = contact_lines(contacts, centres_of(*load), width_of(tables, contacts.label()))};
     std::sort(map.lines.begin(), map.lines.end(),
               [](const Line& a, const Line& b) { return a.weight > b.weight; });

@@ -66,7 +66,7 @@ std::vector<Load> loads(const grains::State& state, const Forces& forces) {
 
 std::string contact_forces_csv(const scene::Scene& scene, const Forces& forces) {
   store::Table table(
-      {"upper", "other", "x", "y", "normal_x", "normal_y", "normal_force", "shear_force"});
+      {"first", "second", "x", "y", "normal_x", "normal_y", "normal_force", "shear_force"});
   for (const contact::Force& force : forces) {
     table.add_row({std::uint64_t{force.upper}, body_name(scene, force.other), force.place.x(),
                    force.place.y(), force.normal.x(), force.normal.y(), force.along_normal,
@@ -146,7 +146,8 @@ void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains:
   results.emplace_back("contacts_per_grain", per_grain(touching));
   results.emplace_back("force_share_above_mean",
                        all ? store::MeasureValue(all->share_above_mean) : store::MeasureValue());
-  results.emplace_back("force_tail_beta", all ? store::value_or_null(all->beta) : store::MeasureValue());
+  results.emplace_back("force_tail_beta",
+                       all ? store::value_or_null(all->beta) : store::MeasureValue());
   results.emplace_back("balance_residual", per_grain(residual));
   results.emplace_back("load_floor", per_grain(floor));
 }

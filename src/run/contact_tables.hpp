@@ -11,8 +11,9 @@
 
 namespace clca::run {
 
-/// Columns: upper, other (grain ids; the name of a wall, or floor, ceiling, left, right of the
-/// box), x, y (place), normal_x, normal_y (towards the upper grain), normal_force, shear_force.
+/// Columns: first, second (grain ids, the upper one first; the name of a wall, or floor, ceiling,
+/// left, right of the box), x, y (place), normal_x, normal_y (towards the first), normal_force,
+/// shear_force.
 std::string contact_forces_csv(const scene::Scene& scene,
                                const std::vector<contact::Force>& forces);
 

@@ -89,16 +89,9 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "automaton "
      "does; remove it, or say 'model: automaton'",
      Judge::parser},
-    {"a measure of force", "measure: [profile, force]",
-     "scene.yaml:11:20: error: measure: model contact measures no force yet, model automaton does; "
-     "remove it, or say 'model: automaton'",
-     Judge::parser},
     {"colours by force", "output: {frames: {color_by: force}}",
-     "scene.yaml:12:29: error: output.frames.color_by: model contact draws no force yet, model "
-     "automaton does; remove it, or say 'model: automaton'",
-     Judge::parser},
-    {"an overlay of forces", "output: {frames: {overlay: forces}}",
-     "scene.yaml:12:28: error: output.frames.overlay: model contact draws no forces yet, model "
+     "scene.yaml:12:29: error: output.frames.color_by: model contact colours by no force yet, "
+     "model "
      "automaton does; remove it, or say 'model: automaton'",
      Judge::parser},
     {"a table of contacts", "output: {contacts: {every: 2}}",

@@ -16,7 +16,6 @@ namespace {
 
 using contact::Parameters;
 using contact::Rolling;
-using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -74,15 +73,6 @@ TEST(ParseContact, ReadsEveryKey) {
 
 TEST(ParseContact, TakesAutoForAHeightThatIsEstimated) {
   EXPECT_EQ(contact_with("contact: {fall_height: auto}").contact.fall_height, 0);
-}
-
-TEST(ParseContact, LeavesForceOutOfTheDefaultMeasures) {
-  std::string text = testing::small_contact();
-  const std::string_view measure = "measure: [profile]\n";
-  text.erase(text.find(measure), measure.size());
-  const Scene scene = parse(text, "scene.yaml");
-  EXPECT_EQ(scene.measures.size(), 9U);
-  EXPECT_THAT(scene.measures, Not(Contains(Measure::force)));
 }
 
 TEST(ParseContact, KnowsAHexagonHoweverItIsGiven) {
