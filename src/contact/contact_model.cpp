@@ -10,6 +10,7 @@
 #include "clca/grains/outlet.hpp"
 #include "clca/grains/source.hpp"
 #include "clca/grains/wall.hpp"
+#include "clca/random/draw.hpp"
 #include "contact/engine/engine.hpp"
 #include "contact/rule/step.hpp"
 
@@ -61,9 +62,8 @@ State valid(State state, const Parameters& parameters) {
 }  // namespace
 
 double gravity(const Parameters& parameters) {
-  constexpr double kMost = 0.25;
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
-  if (!(parameters.fall_height > 0 && value <= kMost && value * kSpacing >= 1)) {
+  if (!(parameters.fall_height > 0 && value <= kMostGravity && value >= kLeastGravity)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
   return value;
@@ -193,6 +193,7 @@ class ContactModel::Impl {
       const grains::SourceReport sources = run_sources(state_.grains, occupancy_);
       report.emitted = state_.grains.particles.size() - before;
       add_motions();
+      scatter(before);
       if (engine_) {
         engine_->add_grains();
       }
@@ -235,6 +236,18 @@ class ContactModel::Impl {
   }
 
  private:
+  /// Grains from a source begin anywhere within a spacing, or those of one site would stand one on
+  /// the other.
+  void scatter(std::size_t first) {
+    for (std::size_t id = first; id < state_.remainders.size(); ++id) {
+      const std::uint64_t bits =
+          random::draw(state_.grains.seed, state_.grains.step, static_cast<std::uint32_t>(id),
+                       random::Purpose::source_remainder);
+      state_.remainders[id].x =
+          static_cast<std::int32_t>(random::below(bits, kSpacing)) - kSpacing / 2;
+    }
+  }
+
   /// Of new grains, which are at rest.
   void add_motions() {
     state_.velocities.resize(state_.grains.particles.size());

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "clca/grains/separation.hpp"
-#include "contact/rule/numbers.hpp"
+#include "contact/rule/bodies.hpp"
 
 namespace clca::contact {
 
@@ -46,7 +46,8 @@ double mean_mass(const grains::State& state) {
 std::vector<Force> forces(const State& state, double gravity) {
   std::vector<Force> result;
   result.reserve(state.contacts.size());
-  const double weight = mean_mass(state.grains) * gravity * kSpacing;
+  const double weight =
+      mean_mass(state.grains) / mass_unit(state.grains.kinds) * gravity * kSpacing;
   for (const Contact& contact : state.contacts) {
     const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
                                  std::ldexp(contact.normal.y, -kUnitBits));

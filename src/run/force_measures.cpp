@@ -60,7 +60,8 @@ void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
   add("jammed", static_cast<double>(summary.jammed));
   add("force_share_above_mean",
       distribution ? store::MeasureValue(distribution->share_above_mean) : store::MeasureValue());
-  add("force_tail_beta", distribution ? store::value_or_null(distribution->beta) : store::MeasureValue());
+  add("force_tail_beta",
+      distribution ? store::value_or_null(distribution->beta) : store::MeasureValue());
   add("plate_depth", store::value_or_null(walls.depth));
   add("stalled_since", store::value_or_null(walls.stalled_since));
 }

@@ -2,6 +2,7 @@
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/scene/contact.hpp"
 
 namespace clca::run {
 
@@ -22,7 +23,7 @@ std::variant<automaton::Automaton, contact::ContactModel> make_model(
     friction.push_back(wall.friction);
   }
   return contact::ContactModel(std::get<contact::State>(std::move(state)),
-                               contact_parameters(scene),
+                               scene::contact_parameters(scene),
                                {.wall_friction = friction, .reference = options.reference});
 }
 
@@ -52,8 +53,9 @@ ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns
 
 Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
     : model_(make_model(scene, std::move(state), options)),
-      gravity_(scene.model == scene::Model::contact ? contact::gravity(contact_parameters(scene))
-                                                    : 0) {}
+      gravity_(scene.model == scene::Model::contact
+                   ? contact::gravity(scene::contact_parameters(scene))
+                   : 0) {}
 
 const grains::State& Model::state() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {

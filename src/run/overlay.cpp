@@ -7,7 +7,7 @@
 
 #include "clca/grains/separation.hpp"
 #include "clca/measure/contacts.hpp"
-#include "clca/run/setup.hpp"
+#include "clca/scene/contact.hpp"
 
 namespace clca::run {
 
@@ -98,8 +98,8 @@ double strongest_force(const scene::Scene& scene) {
   for (const scene::Species& species : scene.species) {
     diameters += species.shape.diameter();
   }
-  const double grains =
-      contact_parameters(scene).fall_height * static_cast<double>(scene.species.size()) / diameters;
+  const double grains = scene::contact_parameters(scene).fall_height *
+                        static_cast<double>(scene.species.size()) / diameters;
   const double power = std::pow(10, std::floor(std::log10(2 * grains)));
   const double leading = 2 * grains / power;
   return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);

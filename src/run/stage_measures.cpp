@@ -49,7 +49,8 @@ void add_outflow(Results& results, const Model& model, const StageHistory& histo
 }
 
 void add_segregation(Results& results, const grains::State& state, double cell) {
-  results.emplace_back("segregation_index", store::value_or_null(measure::segregation_index(state)));
+  results.emplace_back("segregation_index",
+                       store::value_or_null(measure::segregation_index(state)));
   results.emplace_back("lacey_index", store::value_or_null(measure::lacey_index(state, cell)));
 }
 

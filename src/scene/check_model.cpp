@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "clca/contact/contact_model.hpp"
+#include "clca/scene/contact.hpp"
 #include "scene/fields.hpp"
 #include "scene/sections.hpp"
 
@@ -90,6 +93,25 @@ void check_model(const Scene& scene, const Value& root) {
   check_able(root);
   if (scene.contact.rolling != contact::Rolling::none) {
     check_rolling(scene, *root.find("species"));
+  }
+}
+
+void check_time_step(const Scene& scene, const Value& root) {
+  if (scene.model == Model::automaton) {
+    return;
+  }
+  const contact::Parameters parameters = contact_parameters(scene);
+  try {
+    contact::gravity(parameters);
+  } catch (const std::invalid_argument&) {
+    const Value* block = root.find("contact");
+    fail((block != nullptr ? *block : root).place,
+         fmt::format(
+             "contact: a resolution of {} and a fall height of {} give no time step: gravity "
+             "would be {:.3g} lattice spacings per step squared, and may be {:.3g} to {:.3g}",
+             parameters.resolution, parameters.fall_height,
+             parameters.resolution * parameters.resolution / (2 * parameters.fall_height),
+             contact::kLeastGravity, contact::kMostGravity));
   }
 }
 

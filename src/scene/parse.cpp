@@ -88,6 +88,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   read_into(scene.outlets, fields, "outlets", read_outlets, scene);
   scene.stages = read_stages(fields.at("stages"), scene);
   check_history(scene, fields.at("stages"));
+  check_time_step(scene, root);
   read_into(scene.measures, fields, "measure", read_measures);
   scene.output.checkpoint = kDefaultCheckpoints;
   read_into(scene.output, fields, "output", read_output, scene);

@@ -65,6 +65,8 @@ void check_history(const Scene& scene, const Value& list);
 /// What the model has and can do, of a scene that has been read as far as its walls. It comes
 /// before what stages and output need, so that nobody is told to add what the model cannot do.
 void check_model(const Scene& scene, const Value& root);
+/// Of the contact model: resolution and fall height, which may follow from the stages.
+void check_time_step(const Scene& scene, const Value& root);
 /// What concerns the scene as a whole: every species, source and motion is used, there are
 /// particles.
 void check_use(const Scene& scene, const Value& root);

@@ -32,8 +32,12 @@ struct Options {
   bool reference = false;
 };
 
+// In lattice spacings per step squared.
+inline constexpr double kLeastGravity = 1.0 / kSpacing;
+inline constexpr double kMostGravity = 0.25;
+
 /// The acceleration by gravity in lattice spacings per step squared. Throws std::invalid_argument
-/// unless resolution and fall height are positive and give one between 2^-20 and 1/4.
+/// unless resolution and fall height are positive and give one in these bounds.
 double gravity(const Parameters& parameters);
 
 /// Energy in units of a site's mass, gravity and the lattice spacing.
@@ -70,10 +74,11 @@ class ContactModel {
   const grains::State& grains() const;
   const grains::Occupancy& occupancy() const;
 
-  /// One step: sources, contacts, impulses, moves, outlets.
+  /// One step: sources, contacts, impulses, moves, outlets. What comes from a source is at rest,
+  /// within half a spacing from its site to either side.
   StepReport step();
 
-  // As those of automaton::Automaton; what is new is at rest.
+  // As those of automaton::Automaton. What is new is at rest.
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   void remove_wall(std::size_t wall);

@@ -65,8 +65,8 @@ struct UnitVector {
   }
 };
 
-/// What a body gives the upper one in a step: sites, as the unit of mass, times 2^-20 lattice
-/// spacings a step.
+/// What a body gives the upper one in a step, in 2^-20 lattice spacings a step times the unit of
+/// mass, which is a site, or more where there are grains of more than 64 sites (see forces()).
 template <class Int>
 struct Impulse {
   Int normal = {};   ///< not negative

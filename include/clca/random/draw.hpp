@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
   deposit_kind = 13,
   deposit_column = 14,
   deposit_coin = 15,
+  source_remainder = 16,
   // Of the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,

@@ -1,7 +1,6 @@
 #pragma once
 // From a scene to the state it starts in.
 
-#include "clca/contact/parameters.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 
@@ -11,11 +10,6 @@ namespace clca::run {
 /// alike become one kind. Throws scene::SceneError when the walls cannot move as they should (see
 /// scene::check_walls).
 grains::State initial_state(const scene::Scene& scene);
-
-/// The parameters of a scene of the contact model. Where it gives no fall height, that is the
-/// height which all its fills have together at a packing fraction of 0.8 in the widest of their
-/// regions; that of the box where there are sources without a count, or no fills.
-contact::Parameters contact_parameters(const scene::Scene& scene);
 
 /// Carries out what a run does before its first step, without a folder, to find out whether it
 /// would refuse the scene: throws as run() does then. Takes the memory of the run and its time to

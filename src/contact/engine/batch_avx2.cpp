@@ -138,7 +138,7 @@ struct EightLanes {
 }  // namespace
 
 BatchFunctions fastest_functions() {
-  if (__builtin_cpu_supports("avx2") == 0) {
+  if (!static_cast<bool>(__builtin_cpu_supports("avx2"))) {
     return plain_functions();
   }
   return {.apply = BatchKernel<EightLanes>::apply, .sweep = BatchKernel<EightLanes>::sweep};

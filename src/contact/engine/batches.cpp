@@ -34,7 +34,7 @@ std::int32_t Batches::add(const LaneContent& content) {
   std::uint32_t& next_of_other = grains::is_particle(content.other)
                                      ? next_batch_[static_cast<std::size_t>(content.other)]
                                      : unused;
-  std::size_t at = std::max<std::size_t>({next_of_upper, next_of_other, first_open_});
+  auto at = std::max<std::size_t>({next_of_upper, next_of_other, first_open_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
   }

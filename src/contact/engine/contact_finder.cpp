@@ -21,7 +21,7 @@ std::vector<lattice::Axial> ring(const lattice::Shape& shape) {
   return sites;
 }
 
-bool is_fixed(grains::Owner owner) {
+bool is_wall_or_side(grains::Owner owner) {
   return owner <= grains::kFirstWall;
 }
 
@@ -106,13 +106,14 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
   const int column = lattice.wrapped(grain.column);
   bool at_wall = false;
   grains::Owner before = grains::kFree;
-  for (const lattice::Offset offset : rings_[2U * grain.kind + (grain.column & 1 ? 1U : 0U)]) {
+  for (const lattice::Offset offset :
+       rings_[2U * grain.kind + (lattice::is_odd(grain.column) ? 1U : 0U)]) {
     const grains::Owner owner = occupancy_.owner(lattice.at(place, column, offset));
     if (owner == before) {
       continue;
     }
     before = owner;
-    at_wall = at_wall || is_fixed(owner);
+    at_wall = at_wall || is_wall_or_side(owner);
     if (grains::is_particle(owner) && !slots.touch(id, static_cast<std::uint32_t>(owner))) {
       const Touch found = touch(id, static_cast<std::uint32_t>(owner));
       if (found.normal != UnitVector()) {
@@ -120,7 +121,8 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
       }
     }
   }
-  slots.for_each(id, [&](std::int32_t at) { at_wall = at_wall || is_fixed(slots.at(at).other); });
+  slots.for_each(
+      id, [&](std::int32_t at) { at_wall = at_wall || is_wall_or_side(slots.at(at).other); });
   if (at_wall) {
     check_walls(id, slots);
   }
@@ -130,7 +132,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
   std::vector<Touch> walls = wall_touches(state_, occupancy_, footprints_, id);
   slots.for_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
-    if (!is_fixed(slot.other)) {
+    if (!is_wall_or_side(slot.other)) {
       return;
     }
     const auto touch = std::find_if(walls.begin(), walls.end(),
@@ -210,16 +212,15 @@ LaneContent ContactFinder::content(const Touch& touch) const {
 }
 
 Touch ContactFinder::touch(std::uint32_t one, std::uint32_t other) {
-  if (is_above(state_, other, one)) {
-    std::swap(one, other);
-  }
-  const grains::Particle& upper = state_.particles[one];
-  const grains::Particle& lower = state_.particles[other];
-  const lattice::Axial apart = this->apart(one, other);
-  return {.upper = one,
-          .other = static_cast<grains::Owner>(other),
-          .apart = apart,
-          .normal = normals_.normal(upper.kind, lower.kind, apart)};
+  const bool in_order = !is_above(state_, other, one);
+  const std::uint32_t upper = in_order ? one : other;
+  const std::uint32_t lower = in_order ? other : one;
+  const lattice::Axial apart = this->apart(upper, lower);
+  return {
+      .upper = upper,
+      .other = static_cast<grains::Owner>(lower),
+      .apart = apart,
+      .normal = normals_.normal(state_.particles[upper].kind, state_.particles[lower].kind, apart)};
 }
 
 lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace clca::contact {
 
 namespace {
 
-/// A disc of the same area, in sites and lattice spacings. A wall has no end of mass.
+/// A disc of the same area, in units of mass and lattice spacings. A wall has no end of mass.
 struct Disc {
   double inverse_mass = 0;
   double inverse_radius = 0;
@@ -16,15 +17,13 @@ struct Disc {
   double inverse_inertia() const { return 2 * inverse_mass * inverse_radius * inverse_radius; }
 };
 
-Disc disc(const grains::Kind& kind) {
-  const auto mass = static_cast<double>(kind.shape.size());
-  return {1 / mass, std::sqrt(2 * std::numbers::pi / (mass * std::numbers::sqrt3))};
+Disc disc(const grains::Kind& kind, double unit) {
+  const auto sites = static_cast<double>(kind.shape.size());
+  return {unit / sites, std::sqrt(2 * std::numbers::pi / (sites * std::numbers::sqrt3))};
 }
 
 Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
-  // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
-  // moving.
   const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
   const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
   const auto rolling_mass = [&](const Disc& disc) {
@@ -48,12 +47,29 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
 
 }  // namespace
 
+double mass_unit(const std::vector<grains::Kind>& kinds) {
+  constexpr double kMostInverse = 64;  // as 2^-24 leave room for
+  double least = std::numeric_limits<double>::infinity();
+  double most = 1;
+  for (const grains::Kind& kind : kinds) {
+    const auto sites = static_cast<double>(kind.shape.size());
+    least = std::min(least, sites);
+    most = std::max(most, sites);
+  }
+  double unit = 1;
+  while (kMostInverse * unit < most && 2 * unit <= kMostInverse * least) {
+    unit *= 2;
+  }
+  return unit;
+}
+
 Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_(kinds.size()) {
+  const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
-      pairs_.push_back(make_pair(disc(kind), disc(other), rolling));
+      pairs_.push_back(make_pair(disc(kind, unit), disc(other, unit), rolling));
     }
-    pairs_.push_back(make_pair(disc(kind), Disc(), rolling));
+    pairs_.push_back(make_pair(disc(kind, unit), Disc(), rolling));
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace clca::contact {
 
-/// Coefficients of two kinds that touch, or of a kind and a wall. Masses in 2^-10 sites, what is
-/// divided by a mass in 2^-30; all of a wall is 0.
+/// Coefficients of two kinds that touch, or of a kind and a wall. Masses in 2^-16 of their unit
+/// (see mass_unit), what is divided by a mass in 2^-24; all of a wall is 0.
 template <class Int>
 struct Coefficients {
   Int mass;        ///< reduced: of a change of relative velocity along the normal
@@ -27,6 +27,10 @@ struct Coefficients {
   Int other_turning;
 };
 using Pair = Coefficients<std::int32_t>;
+
+/// Unit of mass in sites: 1 where no grain has more than 64, else a power of two, so that impulses
+/// of large grains are no larger numbers than those of small ones.
+double mass_unit(const std::vector<grains::Kind>& kinds);
 
 class Bodies {
  public:

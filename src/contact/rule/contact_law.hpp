@@ -51,7 +51,8 @@ template <class Int>
   const Int y =
       lower(scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
   const auto pushed = [](Int velocity, Int impulse, Int inverse_mass) {
-    return clamped(velocity + lower(scaled(product(impulse, inverse_mass), kInverseMassBits)),
+    return clamped(velocity + clamped(scaled(product(impulse, inverse_mass), kInverseMassBits),
+                                      -kFastest, kFastest),
                    -kFastest, kFastest);
   };
   at.upper.x = pushed(at.upper.x, x, at.pair.upper_inverse_mass);

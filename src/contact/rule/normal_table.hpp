@@ -23,7 +23,9 @@ class NormalTable {
     if (at.x < 0 || at.q < 0 || at.x >= table.columns || at.q >= table.rows) {
       return {};
     }
-    UnitVector& normal = table.normals[static_cast<std::size_t>(at.x * table.rows + at.q)];
+    UnitVector& normal =
+        table.normals[static_cast<std::size_t>(at.x) * static_cast<std::size_t>(table.rows) +
+                      static_cast<std::size_t>(at.q)];
     if (normal == kUnknown) {
       normal =
           normal_between(kinds_[first].shape, kinds_[second].shape, apart).value_or(UnitVector());

@@ -1,6 +1,6 @@
 #pragma once
 // Arithmetic in whole numbers, so that every machine and compiler gives the same bits. What the law
-// of a contact needs is there for eight contacts at once, too (engine/lanes.hpp).
+// of a contact needs is there for eight contacts at once, too (engine/batch_avx2.cpp).
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace clca::contact {
 
-inline constexpr int kInverseMassBits = 30;
-inline constexpr int kMassBits = 10;
-inline constexpr int kRatioBits = 16;  ///< of coefficients of friction and restitution
+inline constexpr int kMassBits = 16;         ///< of masses in their unit, see mass_unit()
+inline constexpr int kInverseMassBits = 24;  ///< these are at most 64
+inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
 
 /// Product of two numbers, and what is made of such products.
 inline std::int64_t product(std::int32_t one, std::int32_t other) {

@@ -8,16 +8,17 @@
 
 namespace clca::contact {
 
-/// Of a direction of the lattice.
+/// Of a direction of the lattice: unit_vector(unit(direction)).
 inline const UnitVector& unit_of(lattice::Direction direction) {
-  static const auto units = [] {
-    std::array<UnitVector, lattice::kDirectionCount> all;
-    for (const lattice::Direction one : lattice::kDirections) {
-      all[lattice::index_of(one)] = unit_vector(unit(one));
-    }
-    return all;
-  }();
-  return units[lattice::index_of(direction)];
+  constexpr std::int32_t kHalf = 1 << (kUnitBits - 1);
+  constexpr std::int32_t kColumn = 929'887'697;  // half the root of 3
+  static constexpr std::array<UnitVector, lattice::kDirectionCount> kUnits = {{{0, 2 * kHalf},
+                                                                               {kColumn, kHalf},
+                                                                               {kColumn, -kHalf},
+                                                                               {0, -2 * kHalf},
+                                                                               {-kColumn, -kHalf},
+                                                                               {-kColumn, kHalf}}};
+  return kUnits[lattice::index_of(direction)];
 }
 
 /// Gravity points down.
