@@ -10,8 +10,8 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/run/setup.hpp"
-#include "run/stage.hpp"
 #include "support/runs.hpp"
+#include "support/stages.hpp"
 
 namespace clca {
 namespace {
@@ -137,11 +137,12 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
 
 /// The first two stages of a scene, the second for 300 steps at most.
 grains::State state_after(const scene::Scene& scene, const automaton::Options& options) {
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules, options);
-  run::prepare_stage(automaton, scene, scene.stages.at(0));
+  automaton::Automaton automaton(testing::stage_begun(scene, 0, run::initial_state(scene)),
+                                 scene.rules, options);
   while (!automaton.step().settled) {
   }
-  run::prepare_stage(automaton, scene, scene.stages.at(1));
+  automaton =
+      automaton::Automaton(testing::stage_begun(scene, 1, automaton.state()), scene.rules, options);
   for (int step = 0; step < 300 && !automaton.step().settled; ++step) {
   }
   return automaton.state();

@@ -23,15 +23,13 @@ Disc disc(const grains::Kind& kind) {
 
 Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
-  // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
-  // moving.
   const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
   const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
   const auto rolling_mass = [&](const Disc& disc) {
     return fixed(inertia * inverse_radius * disc.inverse_radius, kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
-    return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kUnitBits);
+    return fixed(disc.inverse_mass * disc.inverse_radius / inverse_radius, kUnitBits);
   };
   // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
   // moving.
