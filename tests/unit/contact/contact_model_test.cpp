@@ -181,6 +181,19 @@ TEST_P(ContactModelTest, AWallIsNotInsertedWhereAGrainStands) {
   EXPECT_NO_THROW(one.step());
 }
 
+// Which wall a grain touches must not depend on the order in which walls came.
+TEST_P(ContactModelTest, AWallThatComesBackOwnsOfSharedSitesWhatItOwnedBefore) {
+  grains::State grains = box();
+  grains.walls = {{.sites = {{10, 10}, {11, 10}}}, {.sites = {{11, 10}, {12, 10}}}};
+  ContactModel walls = model(std::move(grains));
+  for (const std::size_t wall : {0U, 1U}) {
+    walls.remove_wall(wall);
+    EXPECT_EQ(grains::Occupancy(walls.grains()), walls.occupancy());
+    EXPECT_TRUE(walls.insert_wall(wall));
+    EXPECT_EQ(grains::Occupancy(walls.grains()), walls.occupancy());
+  }
+}
+
 TEST_P(ContactModelTest, ASourceEmitsItsCountAndTheBedSettlesOnlyThen) {
   grains::State grains = box();
   grains.sources = {{.sites = {{20, 50}}, .weights = {1, 0}, .rate = 1U << 25U, .count = 3}};
