@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -76,6 +78,58 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
                                            "boltzmann-case1", "boltzmann-case2",
                                            "boltzmann-epsilon-sweep", "boltzmann-late",
                                            "boltzmann-shear"));
+
+/// A run of wall-removal by the contact model, under the name that the list of hashes has for it.
+struct ContactRun {
+  std::string name;
+  std::vector<scene::Override> overrides;
+};
+
+const std::vector<ContactRun>& contact_runs() {
+  // Packing and flow are cut short; the flow is long enough for the heap to collapse.
+  static const std::vector<ContactRun> runs = [] {
+    const std::vector<scene::Override> common = {
+        "model=contact", "stages.packing.until={steps: 1500}", "stages.flow.until={steps: 400}"};
+    std::vector<ContactRun> all;
+    for (const char* rolling : {"resistance", "none", "free"}) {
+      all.push_back({fmt::format("contact-{}", rolling), common});
+      all.back().overrides.push_back(fmt::format("contact.rolling={}", rolling));
+    }
+    return all;
+  }();
+  return runs;
+}
+
+class ContactDeterminism : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(ContactDeterminism, BothEnginesAnyThreadsAndAResumedRunEndInTheSameState) {
+  const ContactRun& one = contact_runs()[GetParam()];
+  const std::string expected = expected_hashes().at(one.name).hash;
+  const scene::Scene scene = testing::bare_scene("wall-removal", one.overrides);
+  for (const int threads : {1, 2}) {
+    EXPECT_EQ(hash_of(scene, threads), expected) << threads << " threads";
+  }
+  const testing::ScratchFolder folder;
+  const auto reference = run::run(scene, {.folder = folder.path() / "a", .reference = true});
+  EXPECT_EQ(fmt::format("{:016x}", reference.state_hash), expected) << "reference";
+
+  // Stopped in the middle of both stages.
+  const std::filesystem::path broken = folder.path() / "b";
+  std::atomic<int> stop = 0;
+  std::uint64_t until = 700;
+  const run::RunEvents events = {
+      .progress = [&](const run::Progress& at) { stop = at.step >= until ? 2 : 0; },
+      .progress_interval = {}};
+  EXPECT_EQ(run::run(scene, {.folder = broken, .stop = &stop}, events).status, "interrupted");
+  until = 1700;
+  stop = 0;
+  run::resume(run::load_run(broken, 1e9), {.stop = &stop}, events);
+  const auto resumed = run::resume(run::load_run(broken, 1e9), {});
+  EXPECT_EQ(fmt::format("{:016x}", resumed.state_hash), expected) << "resumed";
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, ContactDeterminism,
+                         ::testing::Range<std::size_t>(0, contact_runs().size()));
 
 // What the scenes do not have: a gas of several groups on several threads, and the other schemes.
 TEST(Determinism, EveryKindOfGasIsTheSameForEveryThreadCount) {

@@ -13,7 +13,7 @@ struct ContactRun {
   contact::State state;  ///< grains that have been filled in, perhaps in motion
   contact::Parameters parameters;
   std::vector<std::optional<double>> wall_friction;
-  // Steps before which something happens; what comes later than the last step does not.
+  // Steps before which something happens; what comes later than the last step, or is -1, does not.
   int wall_goes = 0;
   int wall_comes = 0;
   int source_opens = 0;
@@ -136,7 +136,7 @@ inline ContactRun any_contact_run(bool open, int steps) {
   run.wall_goes = within(0, 2 * steps);
   run.wall_comes = within(0, 2 * steps);
   run.source_opens = within(0, 2 * steps);
-  run.more_grains = open ? within(0, 2 * steps) : steps;
+  run.more_grains = open ? within(0, 2 * steps) : -1;
   return run;
 }
 
