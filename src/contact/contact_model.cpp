@@ -35,19 +35,25 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
                .bodies = Bodies(state.grains.kinds, parameters.rolling)};
   for (std::size_t wall = 0; wall < options.wall_friction.size(); ++wall) {
     if (options.wall_friction[wall]) {
-      rule.wall_friction.at(wall) = friction(*options.wall_friction[wall]);
+      rule.wall_friction[wall] = friction(*options.wall_friction[wall]);
     }
   }
   return rule;
 }
 
-State valid(State state, const Parameters& parameters) {
+State valid(State state, const Parameters& parameters, const Options& options) {
   check_valid(state);
-  const bool sane = parameters.friction >= 0 && parameters.wall_friction >= 0 &&
+  const bool walls_sane =
+      std::all_of(options.wall_friction.begin(), options.wall_friction.end(),
+                  [](std::optional<double> friction) { return !friction || *friction >= 0; });
+  const bool sane = walls_sane && parameters.friction >= 0 && parameters.wall_friction >= 0 &&
                     parameters.rolling_friction >= 0 && parameters.restitution >= 0 &&
                     parameters.restitution < 1 && parameters.sweeps > 0;
   if (!sane) {
     throw std::invalid_argument("a parameter of the contact model is out of range");
+  }
+  if (options.wall_friction.size() > state.grains.walls.size()) {
+    throw std::invalid_argument("there are more frictions than walls");
   }
   if (parameters.rolling != Rolling::none) {
     for (const grains::Kind& kind : state.grains.kinds) {
@@ -155,7 +161,7 @@ void check_valid(const State& state) {
 class ContactModel::Impl {
  public:
   Impl(State initial, const Parameters& parameters, const Options& options)
-      : state_(valid(std::move(initial), parameters)),
+      : state_(valid(std::move(initial), parameters, options)),
         occupancy_(state_.grains),
         footprints_(state_.grains, {}),
         rule_(make_rule(state_, parameters, options)),
@@ -202,6 +208,9 @@ class ContactModel::Impl {
         moved.push_back(static_cast<std::uint32_t>(id));
       }
       report.removed = remove_at_outlets(moved);
+      if (report.emitted > 0) {
+        state_.quiet_steps = 0;  // what is new still has to fall
+      }
       report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
       report.moved = moved_;
       written_back_ = false;
@@ -216,14 +225,14 @@ class ContactModel::Impl {
       state();
       auto result = change(state_.grains, occupancy_);
       add_motions();
+      if (engine_) {
+        engine_->reload();
+      }
       std::vector<std::uint32_t> all(state_.grains.particles.size());
       std::iota(all.begin(), all.end(), 0U);
       remove_at_outlets(all);
       state_.changed = true;
       state_.quiet_steps = 0;
-      if (engine_) {
-        engine_->reload();
-      }
       return result;
     });
   }
@@ -262,6 +271,8 @@ class ContactModel::Impl {
       moved.assign(engine_->moved().begin(), engine_->moved().end());
     } else {
       moved = reference_step(state_, occupancy_, footprints_, rule_, normals_);
+      std::sort(moved.begin(), moved.end());
+      moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     }
     moved_ = moved.size();
     return moved;

@@ -64,7 +64,10 @@ bool insert_wall(State& state, Occupancy& occupancy, std::size_t number) {
   }
   wall.present = true;
   for (const std::size_t place : places) {
-    occupancy.take(place, wall_code(number));
+    const Owner owner = occupancy.owner(place);
+    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an Occupancy built anew
+      occupancy.take(place, wall_code(number));
+    }
   }
   return true;
 }

@@ -1,7 +1,6 @@
 #include "export/recorded_run.hpp"
 
 #include "clca/run/run.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
@@ -19,15 +18,15 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
   summary.scene = scene.name;
   summary.status = "done";
   store::write_whole(folder / "run.json", store::to_json(summary));
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
-  store::TrajectoryWriter writer(store::OutputFolder(folder), scene, automaton.state(), {});
+  run::Model model(scene, run::first_state(scene), {});
+  store::TrajectoryWriter writer(store::OutputFolder(folder), scene, model.state(), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    run::prepare_stage(automaton, scene, scene.stages[stage]);
-    writer.add(automaton.state(), stage, true);
+    run::prepare_stage(model, scene, scene.stages[stage]);
+    writer.add(model.state(), stage, true);
     for (int step = 1; step <= steps; ++step) {
-      const bool settled = automaton.step().settled;
+      const bool settled = model.step().settled;
       if (step % every == 0 || step == steps || settled) {
-        writer.add(automaton.state(), stage, false);
+        writer.add(model.state(), stage, false);
       }
       if (settled) {
         break;

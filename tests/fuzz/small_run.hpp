@@ -4,8 +4,6 @@
 
 #include <vector>
 
-#include "clca/automaton/automaton.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "run/stage.hpp"
 
@@ -41,16 +39,16 @@ struct SmallFrame {
 inline std::vector<SmallFrame> small_run() {
   constexpr std::uint64_t kEvery = 4;
   const scene::Scene& scene = small_scene();
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
+  run::Model model(scene, run::first_state(scene), {});
   std::vector<SmallFrame> frames;
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    run::prepare_stage(automaton, scene, scene.stages[stage]);
-    frames.push_back({automaton.state(), stage, true});
+    run::prepare_stage(model, scene, scene.stages[stage]);
+    frames.push_back({model.state(), stage, true});
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {
-      automaton.step();
+      model.step();
       if (step % kEvery == 0) {
-        frames.push_back({automaton.state(), stage, false});
+        frames.push_back({model.state(), stage, false});
       }
     }
   }

@@ -8,8 +8,8 @@
 #include "clca/measure/contacts.hpp"
 #include "clca/run/setup.hpp"
 #include "physics/seeds.hpp"
-#include "run/stage.hpp"
 #include "support/overlaps.hpp"
+#include "support/stages.hpp"
 
 namespace clca {
 namespace {
@@ -28,12 +28,13 @@ void PrintTo(const PushingCase& pushing, std::ostream* stream) {
 /// The bed of a scene in two stages, and its second, in which something pushes.
 class Pushing {
  public:
-  explicit Pushing(const scene::Scene& scene) : automaton_(run::initial_state(scene), scene.rules) {
-    run::prepare_stage(automaton_, scene, scene.stages.at(0));
+  explicit Pushing(const scene::Scene& scene)
+      : automaton_(testing::stage_begun(scene, 0, run::initial_state(scene)), scene.rules) {
     while (!automaton_.step().settled) {
     }
     count_ = grains::present_count(automaton_.state());
-    run::prepare_stage(automaton_, scene, scene.stages.at(1));
+    automaton_ =
+        automaton::Automaton(testing::stage_begun(scene, 1, automaton_.state()), scene.rules);
   }
 
   /// Pushes until nothing changes, looks every 20 steps and at the end, and returns the last step.

@@ -65,15 +65,15 @@ inline grains::State kept_of(const grains::State& state, const grains::State& fi
 /// their begin and end. `take(state, stage, begins)` gets each.
 inline void play(const scene::Scene& scene, std::uint64_t every,
                  const std::function<void(const grains::State&, std::size_t, bool)>& take) {
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
+  run::Model model(scene, run::first_state(scene), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    run::prepare_stage(automaton, scene, scene.stages[stage]);
-    take(automaton.state(), stage, true);
+    run::prepare_stage(model, scene, scene.stages[stage]);
+    take(model.state(), stage, true);
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {
-      automaton.step();
+      model.step();
       if (step % every == 0 || step == steps) {
-        take(automaton.state(), stage, false);
+        take(model.state(), stage, false);
       }
     }
   }

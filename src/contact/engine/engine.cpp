@@ -77,11 +77,11 @@ void Engine::accelerate_all() {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches().all();
-  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
   for (const std::int32_t lane : new_) {
     slots_.batches().bounce(lane) =
         bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
+  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
   }

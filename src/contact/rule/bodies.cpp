@@ -30,7 +30,7 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
     return fixed(inertia * inverse_radius * disc.inverse_radius, kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
-    return fixed(2 * disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
+    return fixed(disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
   };
   // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
   // moving.
@@ -48,7 +48,8 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
 }  // namespace
 
 double mass_unit(const std::vector<grains::Kind>& kinds) {
-  constexpr double kMostInverse = 64;  // as 2^-24 leave room for
+  constexpr double kMany = 64;         // sites
+  constexpr double kMostInverse = 32;  // which 2^-24 leave room for
   double least = std::numeric_limits<double>::infinity();
   double most = 1;
   for (const grains::Kind& kind : kinds) {
@@ -57,7 +58,7 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
     most = std::max(most, sites);
   }
   double unit = 1;
-  while (kMostInverse * unit < most && 2 * unit <= kMostInverse * least) {
+  while (kMany * unit < most && 2 * unit <= kMostInverse * least) {
     unit *= 2;
   }
   return unit;

@@ -23,7 +23,7 @@ struct Coefficients {
   // spins.
   Int upper_rolling_mass;
   Int other_rolling_mass;
-  Int upper_turning;
+  Int upper_turning;  ///< half of it: a single site at a wall would need 2
   Int other_turning;
 };
 using Pair = Coefficients<std::int32_t>;

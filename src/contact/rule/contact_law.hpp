@@ -65,12 +65,12 @@ template <class Int>
       return clamped(spin + clamped(scaled(change, kInverseMassBits), -kFastest, kFastest),
                      -kFastest, kFastest);
     };
-    const auto upper_force = product(by.shear, at.pair.upper_inverse_mass);
-    const auto other_force = product(by.shear, at.pair.other_inverse_mass);
-    at.upper.spin = turned(at.upper.spin,
-                           product(by.rolling, at.pair.upper_turning) - upper_force - upper_force);
-    at.other.spin = turned(at.other.spin,
-                           -product(by.rolling, at.pair.other_turning) - other_force - other_force);
+    const auto upper =
+        product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass);
+    const auto other =
+        -product(by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass);
+    at.upper.spin = turned(at.upper.spin, upper + upper);
+    at.other.spin = turned(at.other.spin, other + other);
   }
 }
 

@@ -87,12 +87,13 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
     }
   }
   Contacts all(state, rule);
+  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
   for (const ActiveContact& active : contacts) {
     all.at(active, [&](Touching<std::int32_t>& touching) {
       apply(touching, active.contact.impulse, rule.turning.turns);
     });
   }
-  sweep(all, contacts, bounces(all, contacts, rule.restitution), rule);
+  sweep(all, contacts, bounce, rule);
   state.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
                  [](const ActiveContact& active) { return active.contact; });

@@ -173,12 +173,12 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
-  run::prepare_stage(automaton, scene, scene.stages.front());
-  TrajectoryWriter writer(OutputFolder(run()), scene, automaton.state(), {});
+  run::Model model(scene, run::first_state(scene), {});
+  run::prepare_stage(model, scene, scene.stages.front());
+  TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   constexpr std::size_t kMostFrames = (std::size_t{16} << 20U) / (80 * 33);
   for (std::size_t frame = 0; frame <= kMostFrames; ++frame) {
-    writer.add(automaton.state(), 0, frame == 0);
+    writer.add(model.state(), 0, frame == 0);
   }
   EXPECT_EQ(writer.written().parts, 1U);
   EXPECT_GT(writer.written().frames, kMostFrames * 9 / 10);

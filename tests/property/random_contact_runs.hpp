@@ -1,0 +1,143 @@
+#pragma once
+// Random runs of the contact model: boxes, shapes, walls, sources, outlets, parameters, and what
+// changes on the way.
+
+#include <rapidcheck.h>
+
+#include "clca/contact/contact_model.hpp"
+#include "property/random_motions.hpp"
+
+namespace clca::testing {
+
+struct ContactRun {
+  contact::State state;  ///< grains that have been filled in, perhaps in motion
+  contact::Parameters parameters;
+  std::vector<std::optional<double>> wall_friction;
+  // Steps before which something happens; what comes later than the last step, or is -1, does not.
+  int wall_goes = 0;
+  int wall_comes = 0;
+  int source_opens = 0;
+  int more_grains = 0;
+
+  contact::ContactModel model(bool reference = false) const { return model_from(state, reference); }
+  contact::ContactModel model_from(const contact::State& from, bool reference = false) const {
+    return contact::ContactModel(from, parameters,
+                                 {.wall_friction = wall_friction, .reference = reference});
+  }
+  /// One step, and before it what is due. `number` counts from 0.
+  contact::StepReport step(contact::ContactModel& model, int number) const {
+    if (!state.grains.walls.empty()) {
+      if (number == wall_goes) {
+        model.remove_wall(0);
+      }
+      if (number == wall_comes) {
+        model.insert_wall(0);
+      }
+    }
+    if (!state.grains.sources.empty() && number == source_opens) {
+      model.set_source(0, true);
+    }
+    if (number == more_grains) {
+      model.fill({0, 0, 1e3, 1e3}, std::vector<std::size_t>(state.grains.kinds.size(), 3));
+    }
+    return model.step();
+  }
+};
+
+inline contact::Parameters any_contact_parameters(bool hexagons) {
+  using contact::Rolling;
+  contact::Parameters parameters;
+  const auto friction = [] { return *rc::gen::element(0.0, 0.1, 0.4, 1.0, 10.0, 1e9); };
+  parameters.friction = friction();
+  parameters.wall_friction = friction();
+  parameters.rolling = hexagons
+                           ? *rc::gen::element(Rolling::none, Rolling::resistance, Rolling::free)
+                           : Rolling::none;
+  parameters.rolling_friction = friction();
+  parameters.restitution = within(0, 91) / 100.0;
+  parameters.sweeps = 2 * within(1, 5);
+  parameters.resolution = within(10, 101) / 100.0;
+  parameters.fall_height = *rc::gen::element(2.0, 10.0, 40.0, 200.0, 1000.0);
+  return parameters;
+}
+
+/// Where hexagons only, some of them of one site. Narrow periodic boxes see small ones only.
+inline std::vector<grains::Kind> any_kinds(bool hexagons, bool narrow) {
+  std::vector<grains::Kind> kinds;
+  const int species = within(1, 4);
+  for (int i = 0; i < species; ++i) {
+    kinds.push_back({narrow     ? lattice::Shape::hexagon(within(0, 2))
+                     : hexagons ? lattice::Shape::hexagon(within(0, 5))
+                                : any_shape(),
+                     static_cast<std::uint16_t>(i)});
+  }
+  return kinds;
+}
+
+inline void add_source(grains::State& state) {
+  grains::Source source{.weights = std::vector<std::uint32_t>(state.kinds.size(), 1)};
+  for (int i = 0; i < 5; ++i) {
+    source.sites.push_back({within(0, state.lattice.columns()), within(0, state.lattice.rows())});
+  }
+  source.rate = std::uint64_t{1} << 31U;
+  source.count = 40;
+  source.open = *rc::gen::arbitrary<bool>();
+  state.sources = {source};
+}
+
+inline void add_outlet(grains::State& state) {
+  const double left = within(0, 10);
+  const double bottom = within(0, 20);
+  state.outlets = {{.region = {left, bottom, left + within(8, 30), bottom + within(6, 20)}}};
+}
+
+/// Velocities up to some sites a step, now and then as fast as can be.
+inline void stir(contact::State& state) {
+  const std::int32_t most = *rc::gen::element(contact::kSpacing / 8, contact::kSpacing,
+                                              4 * contact::kSpacing, contact::kFastest);
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+    if (state.grains.particles[id].present) {
+      state.velocities[id] = {within(-most, most + 1), within(-most, most + 1),
+                              within(-most, most + 1)};
+    }
+  }
+}
+
+/// `open`: grains may enter and leave, and be in motion from the beginning.
+inline ContactRun any_contact_run(bool open, int steps) {
+  const bool periodic = *rc::gen::arbitrary<bool>();
+  const bool narrow = within(0, 4) == 0;
+  const bool hexagons = narrow || within(0, 3) != 0;
+  grains::State grains{.lattice = lattice::Lattice(2 * (narrow ? within(2, 5) : within(6, 20)),
+                                                   within(12, 50), periodic),
+                       .seed = *rc::gen::arbitrary<std::uint64_t>()};
+  grains.kinds = any_kinds(hexagons, narrow);
+  add_static_walls(grains);
+  ContactRun run{.state = {.grains = std::move(grains)},
+                 .parameters = any_contact_parameters(hexagons),
+                 .wall_friction = {}};
+  for (std::size_t wall = 0; wall < run.state.grains.walls.size(); ++wall) {
+    run.wall_friction.push_back(*rc::gen::arbitrary<bool>() ? std::optional(within(0, 20) / 10.0)
+                                                            : std::nullopt);
+  }
+  if (open && *rc::gen::arbitrary<bool>()) {
+    add_source(run.state.grains);
+  }
+  if (open && *rc::gen::arbitrary<bool>()) {
+    add_outlet(run.state.grains);
+  }
+  contact::ContactModel model = run.model();
+  model.fill({0, 0, 1e3, 1e3},
+             std::vector<std::size_t>(run.state.grains.kinds.size(), within<std::size_t>(1, 60)));
+  run.state = model.state();
+  if (open && within(0, 3) == 0) {
+    stir(run.state);
+  }
+  run.wall_goes = within(0, 2 * steps);
+  run.wall_comes = within(0, 2 * steps);
+  run.source_opens = within(0, 2 * steps);
+  run.more_grains = open ? within(0, 2 * steps) : -1;
+  return run;
+}
+
+}  // namespace clca::testing

@@ -1,0 +1,161 @@
+// The two ways to carry out batches, and what contacts become in them.
+
+#include "contact/engine/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "contact/engine/batches.hpp"
+#include "touching_pairs.hpp"
+
+namespace clca::contact {
+namespace {
+
+constexpr std::size_t kGrains = 40;
+
+struct Workload {
+  std::vector<Body> bodies = std::vector<Body>(kGrains + 1);
+  std::vector<Batch> batches;
+};
+
+/// Some lanes are empty; up to `fastest` and `strongest`.
+Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest) {
+  static const std::vector<Pair> pairs = [] {
+    std::vector<Pair> all;
+    for (const int radius : {0, 1, 3, 60}) {
+      for (const std::optional<int> other :
+           {std::optional<int>(0), std::optional<int>(2), std::optional<int>()}) {
+        all.push_back(pair_of(radius, other, Rolling::resistance));
+      }
+    }
+    return all;
+  }();
+  Workload load;
+  for (std::size_t id = 1; id <= kGrains; ++id) {
+    load.bodies[id] = {any_velocity(random, fastest)};
+  }
+  std::uniform_int_distribution<Number> part(-strongest, strongest);
+  std::vector<Number> ids(kGrains);
+  std::iota(ids.begin(), ids.end(), 1);
+  for (int i = 0; i < 4; ++i) {
+    Batch& batch = load.batches.emplace_back();
+    std::shuffle(ids.begin(), ids.end(), random);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (random() % 4 == 0) {
+        continue;
+      }
+      const UnitVector normal = any_normal(random);
+      const Pair& pair = pairs[random() % pairs.size()];
+      batch.upper[lane] = ids[2 * lane];
+      batch.other[lane] = pair.other_inverse_mass == 0 ? kWallBody : ids[2 * lane + 1];
+      batch.normal_x[lane] = normal.x;
+      batch.normal_y[lane] = normal.y;
+      batch.impulse.normal[lane] = std::abs(part(random));
+      batch.impulse.shear[lane] = part(random);
+      batch.impulse.rolling[lane] = part(random);
+      batch.bounce[lane] = std::abs(part(random)) / 4;
+      batch.friction[lane] = ratio(random() % 5 == 0 ? 1e9 : 0.5);
+      batch.pair.mass[lane] = pair.mass;
+      batch.pair.shear_mass[lane] = pair.shear_mass;
+      batch.pair.upper_inverse_mass[lane] = pair.upper_inverse_mass;
+      batch.pair.other_inverse_mass[lane] = pair.other_inverse_mass;
+      batch.pair.upper_rolling_mass[lane] = pair.upper_rolling_mass;
+      batch.pair.other_rolling_mass[lane] = pair.other_rolling_mass;
+      batch.pair.upper_turning[lane] = pair.upper_turning;
+      batch.pair.other_turning[lane] = pair.other_turning;
+    }
+  }
+  return load;
+}
+
+void expect_same(const Workload& one, const Workload& other) {
+  for (std::size_t id = 0; id < one.bodies.size(); ++id) {
+    ASSERT_EQ(one.bodies[id].velocity, other.bodies[id].velocity) << id;
+  }
+  for (std::size_t i = 0; i < one.batches.size(); ++i) {
+    ASSERT_EQ(one.batches[i].impulse, other.batches[i].impulse) << i;
+  }
+}
+
+TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
+  std::mt19937_64 random(1);
+  const BatchFunctions plain = plain_functions();
+  const BatchFunctions fastest = fastest_functions();
+  for (int trial = 0; trial < 3000; ++trial) {
+    const bool extreme = trial % 3 == 0;
+    Workload one =
+        any_workload(random, extreme ? kFastest : kSpacing, extreme ? kStrongest : kSpacing);
+    Workload other = one;
+    const bool turns = random() % 2 == 0;
+    const Turning turning = {.turns = turns,
+                             .resists_rolling = turns && random() % 2 == 0,
+                             .rolling_friction = ratio(0.5)};
+    for (auto& [functions, load] :
+         {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
+      functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), turns);
+      for (const bool backwards : {false, true}) {
+        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), turning,
+                        backwards);
+      }
+    }
+    expect_same(one, other);
+    EXPECT_EQ(one.bodies[kWallBody].velocity, Velocity<Number>()) << "a wall is at rest";
+  }
+}
+
+LaneContent between(std::uint32_t upper, grains::Owner other) {
+  static const Pair pair = pair_of(1, 1, Rolling::none);
+  return {.upper = upper, .other = other, .impulse = {}, .pair = &pair};
+}
+
+TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
+  std::mt19937_64 random(2);
+  Batches batches;
+  batches.clear(kGrains);
+  std::vector<std::int32_t> lanes;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
+  for (int i = 0; i < 300; ++i) {
+    const auto upper = static_cast<std::uint32_t>(random() % kGrains);
+    const auto other = static_cast<std::uint32_t>((upper + 1 + random() % (kGrains - 1)) % kGrains);
+    const bool on_wall = random() % 4 == 0;
+    contacts.emplace_back(upper, on_wall ? upper : other);
+    lanes.push_back(
+        batches.add(between(upper, on_wall ? kFloor : static_cast<grains::Owner>(other))));
+  }
+  const auto batch_of = [](std::int32_t lane) { return lane / static_cast<int>(kLanes); };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool share =
+          contacts[i].first == contacts[j].first || contacts[i].first == contacts[j].second ||
+          contacts[i].second == contacts[j].first || contacts[i].second == contacts[j].second;
+      EXPECT_TRUE(!share || batch_of(lanes[j]) < batch_of(lanes[i]));
+      EXPECT_NE(lanes[i], lanes[j]);
+    }
+  }
+}
+
+TEST(Batches, HaveNothingInALaneThatIsEmptied) {
+  Batches batches;
+  batches.clear(3);
+  LaneContent content = between(0, 1);
+  content.impulse = {100, 20, 3};
+  content.normal = {0, 1 << kUnitBits};
+  const std::int32_t lane = batches.add(content);
+  EXPECT_EQ(batches.impulse(lane), content.impulse);
+  EXPECT_EQ(batches.normal(lane), content.normal);
+  batches.remove(lane);
+  std::vector<Body> bodies(4, {{7, 8, 9}});
+  bodies[kWallBody] = {};
+  for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
+    functions.apply(batches.all().data(), 1, bodies.data(), true);
+    functions.sweep(batches.all().data(), 1, bodies.data(), {.turns = true}, false);
+    EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
+    EXPECT_EQ(bodies[kWallBody].velocity, Velocity<Number>());
+  }
+}
+
+}  // namespace
+}  // namespace clca::contact

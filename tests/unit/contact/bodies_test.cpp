@@ -1,0 +1,147 @@
+// Masses and normals of grains that touch.
+
+#include "contact/rule/bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/rule/normal_table.hpp"
+
+namespace clca::contact {
+namespace {
+
+using lattice::Axial;
+using lattice::Direction;
+using lattice::Shape;
+
+Axial times(int factor, Axial vector) {
+  return {factor * vector.x, factor * vector.q};
+}
+
+bool overlap(const Shape& one, const Shape& other, Axial apart) {
+  for (const Axial site : other.sites()) {
+    if (one.contains(site + apart)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a site of one lies beside a site of the other.
+bool are_neighbours(const Shape& one, const Shape& other, Axial apart) {
+  for (const Axial site : other.sites()) {
+    for (const Direction direction : lattice::kDirections) {
+      if (one.contains(site + apart + unit(direction))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <class Visit>
+void for_each_place(int reach, Visit visit) {
+  for (int x = -reach; x <= reach; ++x) {
+    for (int q = -reach; q <= reach; ++q) {
+      visit(Axial{x, q});
+    }
+  }
+}
+
+TEST(Hexagons, TouchExactlyWhereTheyAreNeighboursAndAlongTheLineOfTheirCentres) {
+  for (const int first : {0, 1, 3}) {
+    for (const int second : {0, 2}) {
+      const Shape one = Shape::hexagon(first);
+      const Shape other = Shape::hexagon(second);
+      for_each_place(7, [&](Axial apart) {
+        if (overlap(one, other, apart)) {
+          return;
+        }
+        const auto normal = normal_between(one, other, apart);
+        ASSERT_EQ(normal.has_value(), are_neighbours(one, other, apart));
+        if (normal) {
+          const Eigen::Vector2d along = -position(apart).normalized();
+          EXPECT_NEAR(std::ldexp(normal->x, -kUnitBits), along.x(), 0x1p-29);
+          EXPECT_NEAR(std::ldexp(normal->y, -kUnitBits), along.y(), 0x1p-29);
+          const auto back = normal_between(other, one, Axial() - apart);
+          EXPECT_EQ(*back, (UnitVector{-normal->x, -normal->y}));
+        }
+      });
+    }
+  }
+}
+
+TEST(OtherGrains, TouchAgainstTheDirectionsThatAreBlocked) {
+  const Shape upright = Shape::rod(0, 4);
+  const Shape point = Shape::hexagon(0);
+  const auto normal = normal_between(upright, point, {1, 1});
+  // Up right and down right are blocked, by a site beside the middle of the rod.
+  ASSERT_TRUE(normal);
+  EXPECT_EQ(*normal, (UnitVector{-(1 << kUnitBits), 0}));
+  const auto below = normal_between(upright, point, {0, -1});
+  ASSERT_TRUE(below);
+  EXPECT_EQ(*below, (UnitVector{0, 1 << kUnitBits}));
+  EXPECT_FALSE(normal_between(upright, point, {2, 0}));
+}
+
+TEST(OtherGrains, ThatHoldEachOtherFromBothSidesHaveNoNormal) {
+  const Shape fork = Shape({{0, 0}, {0, 1}, {0, 2}, {1, -1}, {2, -1}, {2, 0}, {2, 1}});
+  const Shape tooth = Shape::rod(0, 2);
+  int held = 0;
+  for_each_place(4, [&](Axial apart) {
+    if (!overlap(fork, tooth, apart)) {
+      const auto normal = normal_between(fork, tooth, apart);
+      EXPECT_TRUE(!normal || are_neighbours(fork, tooth, apart));
+      held += !normal && are_neighbours(fork, tooth, apart) ? 1 : 0;
+    }
+  });
+  EXPECT_GT(held, 0) << "a tooth between the prongs";
+}
+
+TEST(ANormalTable, SaysWhatTheShapesSay) {
+  const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0},
+                                           {Shape::rod(0, 3).rotated(1), 1},
+                                           {Shape({{0, 0}, {1, 0}, {1, 1}}), 2}};
+  NormalTable table(kinds);
+  for (int again = 0; again < 2; ++again) {
+    for (std::uint16_t one = 0; one < kinds.size(); ++one) {
+      for (std::uint16_t other = 0; other < kinds.size(); ++other) {
+        for_each_place(9, [&](Axial apart) {
+          EXPECT_EQ(
+              table.normal(one, other, apart),
+              normal_between(kinds[one].shape, kinds[other].shape, apart).value_or(UnitVector()));
+        });
+      }
+    }
+  }
+}
+
+TEST(OnlyAHexagonAboutItsReferenceSite, IsAHexagon) {
+  EXPECT_TRUE(is_hexagon(Shape::hexagon(0)));
+  EXPECT_TRUE(is_hexagon(Shape::hexagon(4)));
+  EXPECT_FALSE(is_hexagon(Shape::rod(0, 7)));
+  std::vector<Axial> shifted = Shape::hexagon(1).sites();
+  for (Axial& site : shifted) {
+    site = site + times(1, unit(Direction::up));
+  }
+  EXPECT_FALSE(is_hexagon(Shape(shifted)));
+}
+
+TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
+  const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
+  const Bodies sliding(kinds, Rolling::none);
+  const Bodies turning(kinds, Rolling::free);
+  const double reduced = 7.0 * 19 / (7 + 19);
+  const auto mass = [](std::int32_t value) { return std::ldexp(value, -kMassBits); };
+  EXPECT_NEAR(mass(sliding.pair(0, 1).mass), reduced, 0x1p-11);
+  EXPECT_NEAR(mass(sliding.pair(0, 1).shear_mass), reduced, 0x1p-11);
+  EXPECT_NEAR(mass(turning.pair(0, 1).shear_mass), reduced / 3, 0x1p-11);
+  EXPECT_NEAR(mass(sliding.pair(1, std::nullopt).mass), 19, 0x1p-11);
+  EXPECT_EQ(sliding.pair(1, std::nullopt).other_inverse_mass, 0);
+  EXPECT_EQ(turning.pair(1, std::nullopt).other_turning, 0);
+  EXPECT_NEAR(std::ldexp(sliding.pair(0, 1).other_inverse_mass, -kUnitBits), 1.0 / 19, 0x1p-31);
+}
+
+}  // namespace
+}  // namespace clca::contact

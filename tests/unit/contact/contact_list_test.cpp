@@ -1,0 +1,127 @@
+// Who touches whom, from step to step and in which order.
+
+#include "contact/rule/contact_list.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/states.hpp"
+
+namespace clca::contact {
+namespace {
+
+using testing::empty_state;
+using testing::particle_at;
+
+/// Hexagons of radius 1 with their reference sites there.
+grains::State hexagons(const std::vector<lattice::Site>& sites, int columns = 30) {
+  grains::State state = empty_state(columns, 40);
+  state.kinds = {{lattice::Shape::hexagon(1), 0}};
+  for (const lattice::Site site : sites) {
+    state.particles.push_back(particle_at(site.column, site.row));
+    state.origins.push_back(site);
+  }
+  return state;
+}
+
+std::vector<Touch> touches_of(const grains::State& state) {
+  NormalTable normals(state.kinds);
+  const grains::Occupancy occupancy(state);
+  const grains::FootprintTable footprints(state, {});
+  return touches(state, occupancy, footprints, normals);
+}
+
+using Bodies2 = std::pair<std::uint32_t, grains::Owner>;
+
+std::vector<Bodies2> pairs(const std::vector<ActiveContact>& contacts) {
+  std::vector<Bodies2> result;
+  for (const ActiveContact& one : contacts) {
+    result.emplace_back(one.contact.upper, one.contact.other);
+  }
+  return result;
+}
+
+TEST(Touches, NameTheUpperGrainTheFloorAndTheSides) {
+  // One in the corner, one upon it, one alone.
+  const grains::State state = hexagons({{1, 1}, {1, 4}, {20, 20}});
+  const std::vector<Touch> found = touches_of(state);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ((Bodies2{found[0].upper, found[0].other}), (Bodies2{0, kFloor}));
+  EXPECT_EQ(found[0].normal, (UnitVector{0, 1 << kUnitBits}));
+  EXPECT_EQ((Bodies2{found[1].upper, found[1].other}), (Bodies2{0, kLeftSide}));
+  EXPECT_EQ(found[1].normal, (UnitVector{1 << kUnitBits, 0}));
+  EXPECT_EQ((Bodies2{found[2].upper, found[2].other}), (Bodies2{1, kLeftSide}));
+  EXPECT_EQ((Bodies2{found[3].upper, found[3].other}), (Bodies2{1, 0}));
+  EXPECT_EQ(found[3].apart, (lattice::Axial{0, -3}));
+}
+
+TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
+  grains::State state = hexagons({{0, 20}, {17, 20}}, 20);
+  state.lattice = lattice::Lattice(20, 40, true);
+  state.walls = {{.sites = {{10, 10}}}, {.sites = {{17, 18}}}};
+  const std::vector<Touch> found = touches_of(state);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ((Bodies2{found[0].upper, found[0].other}), (Bodies2{1, grains::wall_code(1)}));
+  EXPECT_EQ(found[0].normal, (UnitVector{0, 1 << kUnitBits}));
+  // The grain in column 17 is half a site higher.
+  EXPECT_EQ((Bodies2{found[1].upper, found[1].other}), (Bodies2{1, 0}));
+  EXPECT_EQ(found[1].apart.x, 3);
+}
+
+TEST(TheUpperOfTwo, IsTheHigherOrTheLeftOne) {
+  const grains::State state = hexagons({{4, 10}, {4, 14}, {8, 10}, {7, 10}});
+  EXPECT_TRUE(is_above(state, 1, 0));
+  EXPECT_TRUE(is_above(state, 0, 2));
+  EXPECT_FALSE(is_above(state, 2, 0));
+  EXPECT_TRUE(is_above(state, 3, 0)) << "odd columns stand half a site higher";
+}
+
+TEST(TheOrder, GoesByStripsEverySecondFirstDownAndFromTheLeft) {
+  const grains::State state =
+      hexagons({{10, 5}, {10, 30}, {40, 30}, {130, 30}, {300, 30}, {130, 5}}, 500);
+  const std::vector<std::uint32_t> expected = {1, 2, 0, 4, 3, 5};
+  std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5};
+  std::sort(order.begin(), order.end(), [&](std::uint32_t one, std::uint32_t other) {
+    return order_key(state, one) < order_key(state, other);
+  });
+  EXPECT_EQ(order, expected);
+}
+
+TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
+  // A pile of three on the floor; the one on top is listed first when all is sorted.
+  const grains::State state = hexagons({{10, 1}, {10, 4}, {10, 7}});
+  const std::vector<Touch> now = touches_of(state);
+  const std::vector<Contact> before = {{.upper = 0, .other = kFloor, .impulse = {5, 4, 3}}};
+  const auto kept = next_contacts(state, before, now, false);
+  EXPECT_EQ(pairs(kept), (std::vector<Bodies2>{{0, kFloor}, {2, 1}, {1, 0}}));
+  EXPECT_EQ(kept[0].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
+  EXPECT_FALSE(kept[0].is_new);
+  EXPECT_TRUE(kept[1].is_new && kept[2].is_new);
+  EXPECT_EQ(kept[1].contact.impulse, Impulse<std::int32_t>());
+
+  const auto sorted = next_contacts(state, before, now, true);
+  EXPECT_EQ(pairs(sorted), (std::vector<Bodies2>{{2, 1}, {1, 0}, {0, kFloor}}));
+  EXPECT_FALSE(sorted[2].is_new);
+  EXPECT_EQ(sorted[2].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
+}
+
+TEST(NextContacts, LeaveOutWhatNoLongerTouches) {
+  const grains::State state = hexagons({{10, 1}, {20, 20}});
+  const std::vector<Contact> before = {{.upper = 1, .other = 0, .impulse = {9, 0, 0}},
+                                       {.upper = 0, .other = kFloor},
+                                       {.upper = 1, .other = kLeftSide}};
+  EXPECT_EQ(pairs(next_contacts(state, before, touches_of(state), false)),
+            (std::vector<Bodies2>{{0, kFloor}}));
+}
+
+TEST(NextContacts, OfAPairThatHasTurnedOverKeepTheImpulseWithTheMomentReversed) {
+  const grains::State state = hexagons({{10, 20}, {10, 23}});
+  const std::vector<Contact> before = {{.upper = 0, .other = 1, .impulse = {50, -20, 7}}};
+  const auto next = next_contacts(state, before, touches_of(state), false);
+  ASSERT_EQ(pairs(next), (std::vector<Bodies2>{{1, 0}}));
+  EXPECT_EQ(next[0].contact.impulse, (Impulse<std::int32_t>{50, -20, -7}));
+  EXPECT_FALSE(next[0].is_new);
+}
+
+}  // namespace
+}  // namespace clca::contact

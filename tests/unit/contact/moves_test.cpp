@@ -1,0 +1,139 @@
+// Moves site by site, and what is left of them.
+
+#include "contact/rule/moves.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "contact/rule/remainders.hpp"
+#include "support/states.hpp"
+
+namespace clca::contact {
+namespace {
+
+using lattice::Direction;
+using testing::empty_state;
+using testing::particle_at;
+
+/// Hexagons of radius 1 that may move.
+struct Bench {
+  grains::State state = empty_state(30, 60);
+  std::vector<Vector> remainders = {};
+
+  Bench() { state.kinds = {{lattice::Shape::hexagon(1), 0}}; }
+  void add(int column, int row, Vector remainder) {
+    state.particles.push_back(particle_at(column, row));
+    remainders.push_back(remainder);
+  }
+  std::vector<std::uint32_t> move(std::vector<std::uint32_t> ids = {}) {
+    for (std::uint32_t id = 0; ids.size() < state.particles.size(); ++id) {
+      ids.push_back(id);
+    }
+    grains::Occupancy occupancy(state);
+    const grains::FootprintTable footprints(state, {});
+    std::vector<std::uint32_t> moved;
+    move_grains(state, remainders, occupancy, footprints, ids, moved);
+    EXPECT_EQ(occupancy, grains::Occupancy(state));
+    return moved;
+  }
+};
+
+constexpr Vector kDown = {0, -kSpacing * 3 / 4};
+
+TEST(AColumn, AboveAFreedPlaceGoesAtOnceInWhateverOrderItsGrainsAreAsked) {
+  for (const std::vector<std::uint32_t>& ids :
+       {std::vector<std::uint32_t>{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}}) {
+    Bench bench;
+    for (int i = 0; i < 4; ++i) {
+      bench.add(10, 5 + 3 * i, kDown);
+    }
+    EXPECT_THAT(bench.move(ids), ::testing::UnorderedElementsAre(0U, 1U, 2U, 3U));
+    for (int i = 0; i < 4; ++i) {
+      const auto id = static_cast<std::size_t>(i);
+      EXPECT_EQ(bench.state.particles[id].row, 4 + 3 * i);
+      EXPECT_EQ(bench.remainders[id], (Vector{0, kSpacing / 4}));
+      EXPECT_EQ(bench.state.particles[id].previous, static_cast<grains::Move>(Direction::down));
+    }
+  }
+}
+
+TEST(AColumn, OnTheFloorStaysAndKeepsItsRemainders) {
+  Bench bench;
+  for (int i = 0; i < 4; ++i) {
+    bench.add(10, 1 + 3 * i, kDown);
+  }
+  EXPECT_THAT(bench.move(), ::testing::IsEmpty());
+  EXPECT_THAT(bench.remainders, ::testing::Each(kDown));
+}
+
+TEST(AGrain, MovesAsSoonAsItIsMoreThanHalfASiteAhead) {
+  Bench bench;
+  bench.add(10, 20, {0, -kSpacing / 2});
+  bench.add(20, 20, {0, -kSpacing / 2 - 1});
+  EXPECT_THAT(bench.move(), ::testing::ElementsAre(1U));
+}
+
+TEST(AGrain, MovesByOneSiteInEachDirectionThatItsRemainderAsksFor) {
+  Bench bench;
+  const auto far = static_cast<std::int32_t>(1.4 * kSpacing);
+  bench.add(10, 20, {far, -far / 8});
+  const auto moved = bench.move();
+  ASSERT_FALSE(moved.empty());
+  const Eigen::Vector2d gone =
+      lattice::position(bench.state.particles[0].site()) - lattice::position(lattice::Site{10, 20});
+  const Vector& left = bench.remainders[0];
+  EXPECT_NEAR(gone.x() + static_cast<double>(left.x) / kSpacing, 1.4, 0x1p-18);
+  EXPECT_NEAR(gone.y() + static_cast<double>(left.y) / kSpacing, -0.175, 0x1p-18);
+}
+
+TEST(TheDirections, ComeDownFirstAndUpLastWithSidesByACoin) {
+  std::set<std::array<Direction, lattice::kDirectionCount>> seen;
+  grains::State state = empty_state(4, 4);
+  for (; state.step < 100; ++state.step) {
+    const auto order = order_of_directions(state);
+    EXPECT_EQ(order.front(), Direction::down);
+    EXPECT_EQ(order.back(), Direction::up);
+    EXPECT_EQ(std::set<Direction>(order.begin() + 1, order.begin() + 3),
+              (std::set<Direction>{Direction::down_right, Direction::down_left}));
+    seen.insert(order);
+  }
+  EXPECT_EQ(seen.size(), 4U);
+}
+
+// Beyond eight sites, which no velocity of any use leaves, some would be left.
+TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
+  for (const double angle : {0.0, 0.3, 1.0, 2.5, 4.0}) {
+    for (const double distance : {0.5, 1.9, 2.2, 5.0, 8.0}) {
+      const Vector before = {static_cast<std::int32_t>(distance * kSpacing * std::cos(angle)),
+                             static_cast<std::int32_t>(distance * kSpacing * std::sin(angle))};
+      Vector after = before;
+      cut(after);
+      for (const Direction direction : lattice::kDirections) {
+        EXPECT_LE(along(after, unit_of(direction)), 2 * kSpacing + 4);
+      }
+      if (distance < 2) {
+        EXPECT_EQ(after, before);
+      }
+    }
+  }
+}
+
+TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
+  Vector remainder = {1600, -800};
+  EXPECT_FALSE(advance(remainder, {100, 20, 0}, 50));
+  EXPECT_EQ(remainder, (Vector{1700, -780}));
+  EXPECT_TRUE(advance(remainder, {30, 40, 900}, 50)) << "spin is no motion from the spot";
+  EXPECT_EQ(remainder, (Vector{1700 - 106, -780 + 48}));
+}
+
+TEST(ARemainder, StaysInRange) {
+  Vector remainder = {kFarthest, -kFarthest};
+  advance(remainder, {kFastest, -kFastest, 0}, 50);
+  EXPECT_EQ(remainder, (Vector{kFarthest, -kFarthest}));
+}
+
+}  // namespace
+}  // namespace clca::contact
