@@ -25,7 +25,7 @@ void Batches::clear(std::size_t grains) {
   batches_.clear();
   used_.clear();
   next_batch_.assign(grains, 0);
-  first_open_ = 0;
+  first_not_full_ = 0;
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
@@ -34,7 +34,7 @@ std::int32_t Batches::add(const LaneContent& content) {
   std::uint32_t& next_of_other = grains::is_particle(content.other)
                                      ? next_batch_[static_cast<std::size_t>(content.other)]
                                      : unused;
-  auto at = std::max<std::size_t>({next_of_upper, next_of_other, first_open_});
+  auto at = std::max<std::size_t>({next_of_upper, next_of_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
   }
@@ -43,8 +43,8 @@ std::int32_t Batches::add(const LaneContent& content) {
     used_.resize(at + 1, 0);
   }
   const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
-  while (first_open_ < used_.size() && used_[first_open_] == kLanes) {
-    ++first_open_;
+  while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
+    ++first_not_full_;
   }
   next_of_upper = next_of_other = static_cast<std::uint32_t>(at + 1);
   set(lane, content);

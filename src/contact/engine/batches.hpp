@@ -54,7 +54,7 @@ class Batches {
   std::vector<Batch> batches_;
   std::vector<std::uint8_t> used_;         // lanes by batch
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
-  std::size_t first_open_ = 0;             // all batches before it are full
+  std::size_t first_not_full_ = 0;         // all batches before it are full
 };
 
 }  // namespace clca::contact

@@ -54,12 +54,12 @@ void Engine::step() {
 
 void Engine::update_contacts() {
   const std::size_t first_new = finder_.update(moved_, slots_);
-  new_.clear();
+  new_lanes_.clear();
   for (const Slot& slot : slots_.all().subspan(first_new)) {
-    new_.push_back(slot.lane);
+    new_lanes_.push_back(slot.lane);
   }
   if (sorts_contacts(state_)) {
-    finder_.sort(slots_, new_);
+    finder_.sort(slots_, new_lanes_);
   }
   state_.changed = false;
   for (const std::uint32_t id : moved_) {
@@ -77,7 +77,7 @@ void Engine::accelerate_all() {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches().all();
-  for (const std::int32_t lane : new_) {
+  for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) =
         bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
@@ -85,7 +85,7 @@ void Engine::sweep_contacts() {
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
   }
-  for (const std::int32_t lane : new_) {
+  for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) = 0;
   }
 }
@@ -95,21 +95,21 @@ void Engine::advance_and_move() {
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
   bool quiet = true;
-  far_.clear();
+  candidates_.clear();
   for (std::uint32_t id = 0; id < state_.grains.particles.size(); ++id) {
     if (!state_.grains.particles[id].present) {
       continue;
     }
     quiet = advance(state_.remainders[id], velocity(id), slow) && quiet;
     if (squared(state_.remainders[id]) > kNear * kNear) {
-      far_.push_back(id);
+      candidates_.push_back(id);
     }
   }
   moved_.clear();
-  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, far_, moved_);
+  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, candidates_, moved_);
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-  for (const std::uint32_t id : far_) {
+  for (const std::uint32_t id : candidates_) {
     cut(state_.remainders[id]);
   }
   state_.quiet_steps = quiet && moved_.empty() ? state_.quiet_steps + 1 : 0;

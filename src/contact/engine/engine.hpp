@@ -46,10 +46,10 @@ class Engine {
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
-  std::vector<Body> bodies_;          // a wall, then grains by id
-  std::vector<std::int32_t> new_;     // lanes of contacts that are new in this step
-  std::vector<std::uint32_t> moved_;  // since contacts were last brought in line
-  std::vector<std::uint32_t> far_;    // grains whose remainder may ask for a move
+  std::vector<Body> bodies_;               // a wall, then grains by id
+  std::vector<std::int32_t> new_lanes_;    // lanes of contacts that are new in this step
+  std::vector<std::uint32_t> moved_;       // since contacts were last brought in line
+  std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
 };
 
 }  // namespace clca::contact
