@@ -9,6 +9,7 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/run/run.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "damage.hpp"
@@ -231,6 +232,28 @@ output: {frames: {every: 5, width: 96, height: 64}, series: {every: 1}, trajecto
            {.progress = [&](const run::Progress& at) { stop = at.step >= 20 ? 2 : 0; },
             .progress_interval = {}});
   try_all("checkpoints of an automaton");
+}
+
+TEST_F(DamagedCheckpoint, OfTheContactModelIsGoneOnWithOrRefused) {
+  std::atomic<int> stop = 0;
+  run::run(scene::parse(R"(clca: 1
+model: contact
+box: {width: 16, height: 20}
+species: {grain: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
+walls: {gate: {box: [0, 3, 16, 4]}, post: {box: [6, 14, 7, 16]}}
+sources: {spout: {region: [2, 17, 12, 18], species: {grain: 1}, rate: 0.05}}
+outlets: {below: {region: [0, 0, 5, 3]}}
+contact: {fall_height: 10}
+stages:
+  - {name: packing, fill: {region: [0, 4, 16, 14], counts: {grain: 7, large: 2}}, until: {steps: 40}}
+  - {name: flow, remove: [gate], sources: [spout], until: {steps: 1000000}}
+output: {frames: {every: 50, width: 96, height: 64}, series: {every: 1}, trajectory: {every: 4}}
+)",
+                        "small.yaml"),
+           {.folder = saved(), .stop = &stop},
+           {.progress = [&](const run::Progress& at) { stop = at.step >= 150 ? 2 : 0; },
+            .progress_interval = {}});
+  try_all("checkpoints of the contact model");
 }
 
 TEST_F(DamagedCheckpoint, OfAGasIsGoneOnWithOrRefused) {

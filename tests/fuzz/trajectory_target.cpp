@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "choices.hpp"
+#include "clca/automaton/automaton.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "memory_meter.hpp"
