@@ -15,7 +15,7 @@ struct Parameters {
   /// For Rolling::resistance; times the radius, as in discrete elements.
   double rolling_friction = 0.5;
   double restitution = 0.4;  ///< in [0, 1)
-  int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn; even
+  int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
   double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
   /// Height of that fall in lattice spacings; 0: estimated from the fills.
   double fall_height = 0;

@@ -16,8 +16,9 @@ inline constexpr int kFractionBits = 20;
 inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
 
 // Bounds that no run of any use comes near, so that no product overflows.
-inline constexpr std::int32_t kFastest = 1 << 27;    ///< velocities and spins
-inline constexpr std::int32_t kFarthest = 1 << 28;   ///< remainders
+inline constexpr std::int32_t kFastest = 1 << 27;  ///< velocities and spins
+inline constexpr std::int32_t kFarthest =
+    8 * kSpacing;                                    ///< remainders: a step makes six moves at most
 inline constexpr std::int32_t kStrongest = 1 << 29;  ///< impulses
 
 /// Cartesian, in 2^-20 lattice spacings.

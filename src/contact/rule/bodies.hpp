@@ -12,7 +12,7 @@
 namespace clca::contact {
 
 /// Coefficients of two kinds that touch, or of a kind and a wall. Masses in 2^-16 of their unit
-/// (see mass_unit), what is divided by a mass in 2^-24; all of a wall is 0.
+/// (see mass_unit), what is divided by a mass in 2^-26; all of a wall is 0.
 template <class Int>
 struct Coefficients {
   Int mass;        ///< reduced: of a change of relative velocity along the normal

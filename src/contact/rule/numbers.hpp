@@ -12,7 +12,7 @@
 namespace clca::contact {
 
 inline constexpr int kMassBits = 16;         ///< of masses in their unit, see mass_unit()
-inline constexpr int kInverseMassBits = 24;  ///< these are at most 32
+inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
 
 /// Product of two numbers, and what is made of such products.

@@ -140,7 +140,8 @@ TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   EXPECT_NEAR(mass(sliding.pair(1, std::nullopt).mass), 19, 0x1p-11);
   EXPECT_EQ(sliding.pair(1, std::nullopt).other_inverse_mass, 0);
   EXPECT_EQ(turning.pair(1, std::nullopt).other_turning, 0);
-  EXPECT_NEAR(std::ldexp(sliding.pair(0, 1).other_inverse_mass, -kUnitBits), 1.0 / 19, 0x1p-31);
+  EXPECT_NEAR(std::ldexp(sliding.pair(0, 1).other_inverse_mass, -kInverseMassBits), 1.0 / 19,
+              std::ldexp(0.5, -kInverseMassBits));
 }
 
 }  // namespace

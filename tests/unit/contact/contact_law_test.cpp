@@ -88,8 +88,9 @@ TEST(APair, KeepsItsMomentum) {
         solved(at, 0.5, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(0.5)},
                static_cast<Number>(random() % kSpacing));
     const auto after = momentum();
-    // Half a unit of each velocity, and of each inverse mass, of 2^-30.
-    const double inverse = 0.5 * 0x1p-30 * std::hypot(impulse.normal, impulse.shear);
+    // Half a unit of each velocity, and of each inverse mass.
+    const double inverse =
+        0.5 * std::ldexp(1.0, -kInverseMassBits) * std::hypot(impulse.normal, impulse.shear);
     const double rounding = (0.5 + inverse) * (one + other);
     EXPECT_NEAR(after[0], before[0], rounding);
     EXPECT_NEAR(after[1], before[1], rounding);
@@ -115,7 +116,8 @@ TEST(AMoment, TakesFromOneGrainWhatItGivesTheOther) {
     const double before = spin_moment(at, one, other);
     const Number rolling = any_velocity(random, kSpacing).x;
     apply(at, {.normal = 0, .shear = 0, .rolling = rolling}, true);
-    const double inverse = 0.5 * 0x1p-30 * std::abs(rolling);
+    // What turns is held halved.
+    const double inverse = std::ldexp(1.0, -kInverseMassBits) * std::abs(rolling);
     EXPECT_NEAR(spin_moment(at, one, other), before,
                 0.5 * (0.5 + inverse) * (std::pow(one, 1.5) + std::pow(other, 1.5)));
   }
@@ -159,7 +161,7 @@ TEST(Friction, StopsSlipWhereItCan) {
       at.upper = {kSpacing / 16, -kSpacing, 0};
       const Impulse<Number> impulse = solved(at, 0.5, {.turns = rolling != Rolling::none});
       EXPECT_LT(std::abs(impulse.shear), impulse.normal / 2);
-      // A reduced mass is rounded to 2^-10.
+      // A reduced mass is rounded.
       EXPECT_NEAR(slip_velocity(at), 0, kSpacing * 0x1p-13);
     }
   }

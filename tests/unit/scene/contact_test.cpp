@@ -35,7 +35,7 @@ std::string refusal(std::string_view part, const std::vector<Override>& override
 constexpr std::string_view kEverything =
     "species: {bar: {shape: {rod: {radius: 0, length: 3}}}}\n"
     "contact: {friction: 1e9, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
-    " restitution: 0.99, sweeps: 64, resolution: 0.01, fall_height: 1e6}\n"
+    " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5}\n"
     "walls: {left: {box: [0, 0, 1, 50], friction: 0.25}, right: {box: [50, 0, 51, 50]}}\n"
     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {bar: 5}}, sources: [spout]}]\n"
     "output: {contacts: none}\n";
@@ -65,8 +65,8 @@ TEST(ParseContact, ReadsEveryKey) {
                                        .rolling_friction = 1e-3,
                                        .restitution = 0.99,
                                        .sweeps = 64,
-                                       .resolution = 0.01,
-                                       .fall_height = 1e6}));
+                                       .resolution = 0.5,
+                                       .fall_height = 1e5}));
   EXPECT_EQ(scene.walls[0].friction, 0.25);
   EXPECT_FALSE(scene.walls[1].friction.has_value());
 }
