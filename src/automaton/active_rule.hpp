@@ -35,7 +35,7 @@ class ActiveRule {
         return any_free(id, step, is_free);
       }
     }
-    const grains::Move gravity = static_cast<grains::Move>(candidates_[0]);
+    const auto gravity = static_cast<grains::Move>(candidates_[0]);
     if (previous != grains::kRest && previous != gravity && !inertia_.is_zero() &&
         allowed_[previous] && is_free(static_cast<lattice::Direction>(previous)) &&
         inertia_.accepts(draw(id, step, random::Purpose::inertia))) {

@@ -56,8 +56,8 @@ void fail(const char* what) {
 }
 
 void begin() {
-  static const herr_t first = H5dont_atexit();  // may be called once
-  check(first, "begin");
+  static const herr_t kFirst = H5dont_atexit();  // may be called once
+  check(kFirst, "begin");
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
   check(H5PLset_loading_state(0), "plugins");
 }

@@ -211,10 +211,10 @@ LaneContent ContactFinder::content(const Touch& touch) const {
                                      on_wall ? std::nullopt : std::optional(kind(other)))};
 }
 
-Touch ContactFinder::touch(std::uint32_t one, std::uint32_t other) {
-  const bool in_order = !is_above(state_, other, one);
-  const std::uint32_t upper = in_order ? one : other;
-  const std::uint32_t lower = in_order ? other : one;
+Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
+  const bool in_order = is_above(state_, first, second);
+  const std::uint32_t upper = in_order ? first : second;
+  const std::uint32_t lower = in_order ? second : first;
   const lattice::Axial apart = this->apart(upper, lower);
   return {
       .upper = upper,

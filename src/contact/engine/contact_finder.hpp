@@ -34,7 +34,7 @@ class ContactFinder {
   void look_around(std::uint32_t id, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
   LaneContent content(const Touch& touch) const;
-  Touch touch(std::uint32_t one, std::uint32_t other);
+  Touch touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
 
   const grains::State& state_;
