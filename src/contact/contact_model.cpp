@@ -12,6 +12,7 @@
 #include "clca/grains/wall.hpp"
 #include "clca/random/draw.hpp"
 #include "contact/engine/engine.hpp"
+#include "contact/rule/acceleration.hpp"
 #include "contact/rule/step.hpp"
 
 namespace clca::contact {
@@ -77,6 +78,7 @@ double gravity(const Parameters& parameters) {
 
 Energy energy(const State& state, double gravity) {
   constexpr double kUnit = kSpacing;
+  const Eigen::Vector2d down = gravity_direction(state.vessel);
   Energy sum;
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
     const grains::Particle& grain = state.grains.particles[id];
@@ -89,8 +91,8 @@ Energy energy(const State& state, double gravity) {
     const double y = velocity.y / kUnit;
     const double spin = velocity.spin / kUnit;
     sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
-    sum.potential +=
-        mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit);
+    const Eigen::Vector2d remainder(state.remainders[id].x / kUnit, state.remainders[id].y / kUnit);
+    sum.potential -= mass * down.dot(grains::centre(state.grains, grain) + remainder);
   }
   return sum;
 }
@@ -101,6 +103,7 @@ std::uint64_t hash(const State& state) {
 
 void check_valid(const State& state) {
   grains::check_valid(state.grains);
+  check_valid(state.vessel);
   const auto fail = [](const char* reason) { throw std::invalid_argument(reason); };
   for (const grains::Wall& wall : state.grains.walls) {
     if (wall.motion) {
@@ -180,6 +183,7 @@ class ContactModel::Impl {
   }
   const grains::State& grains() const { return state_.grains; }
   const grains::Occupancy& occupancy() const { return occupancy_; }
+  const Vessel& vessel() const { return state_.vessel; }
 
   template <class Change>
   auto whole(Change change) {
@@ -238,6 +242,12 @@ class ContactModel::Impl {
   }
 
   void set_source(std::size_t source, bool open) { state_.grains.sources.at(source).open = open; }
+  void set_vessel(const Vessel& vessel) {
+    check_valid(vessel);
+    state_.changed = state_.changed || down(vessel) != down(state_.vessel);
+    state_.vessel = vessel;
+    state_.quiet_steps = 0;
+  }
   void mark_origins() {
     grains::State& grains = state_.grains;
     std::transform(grains.particles.begin(), grains.particles.end(), grains.origins.begin(),
@@ -334,6 +344,9 @@ const grains::State& ContactModel::grains() const {
 const grains::Occupancy& ContactModel::occupancy() const {
   return impl_->occupancy();
 }
+const Vessel& ContactModel::vessel() const {
+  return impl_->vessel();
+}
 StepReport ContactModel::step() {
   return impl_->step();
 }
@@ -372,6 +385,10 @@ bool ContactModel::insert_wall(std::size_t wall) {
 
 void ContactModel::set_source(std::size_t source, bool open) {
   impl_->set_source(source, open);
+}
+
+void ContactModel::set_vessel(const Vessel& vessel) {
+  impl_->set_vessel(vessel);
 }
 
 void ContactModel::mark_origins() {

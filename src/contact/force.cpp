@@ -61,7 +61,8 @@ std::vector<Force> forces(const State& state, double gravity) {
   return result;
 }
 
-std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces) {
+std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces,
+                              const Eigen::Vector2d& down) {
   const double mean = mean_mass(state);
   std::vector<Eigen::Vector2d> sums(state.particles.size(), Eigen::Vector2d::Zero());
   for (const Force& force : forces) {
@@ -75,7 +76,7 @@ std::vector<double> residuals(const grains::State& state, const std::vector<Forc
     const grains::Particle& grain = state.particles[id];
     if (grain.present) {
       const double weight = static_cast<double>(state.shape(grain).size()) / mean;
-      result[id] = (sums[id] - Eigen::Vector2d(0, weight)).norm() / weight;
+      result[id] = (sums[id] + weight * down).norm() / weight;
     }
   }
   return result;

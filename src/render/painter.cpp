@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "clca/render/turned.hpp"
 #include "render/annotations.hpp"
 #include "render/canvas.hpp"
 #include "render/colors.hpp"
@@ -74,11 +75,12 @@ class Painter::Impl {
     return Exposure(std::move(content));
   }
 
-  Image develop(const Exposure::Content& exposure, const Caption& caption, const Overlay& overlay) {
+  Image develop(const Exposure::Content& exposure, const Caption& caption, const Overlay& overlay,
+                double turn) {
     Image picture(style_.width, style_.height, kPaper);
     Image panel = developed_panel(exposure);
     draw_overlay(panel, overlay, projection_.corner, layout_.scale);
-    paste(panel, layout_.panel, picture);
+    paste(turn == 0 ? panel : turned(panel, turn, kPaper), layout_.panel, picture);
     if (annotator_) {
       annotator_->draw(picture, layout_, caption, exposure.legend, overlay.fade);
     }
@@ -189,8 +191,9 @@ Exposure Painter::expose(const grains::State& state, const grains::Occupancy& oc
   return impl_->expose(state, occupancy, coloring);
 }
 
-Image Painter::develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay) {
-  return impl_->develop(exposure.content(), caption, overlay);
+Image Painter::develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay,
+                       double turn) {
+  return impl_->develop(exposure.content(), caption, overlay, turn);
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

@@ -85,10 +85,11 @@ std::string force_distribution_csv(const Forces& forces) {
   return table.to_csv();
 }
 
-std::string grain_loads_csv(const scene::Scene& scene, const grains::State& state,
-                            const Forces& forces) {
+std::string grain_loads_csv(const scene::Scene& scene, const Model& model, const Forces& forces) {
+  const grains::State& state = model.state();
   const std::vector<Load> all = loads(state, forces);
-  const std::vector<double> residuals = contact::residuals(state, forces);
+  const std::vector<double> residuals =
+      contact::residuals(state, forces, gravity_direction(model.vessel()));
   store::Table table({"id", "species", "x", "y", "contacts", "normal_force", "residual"});
   for (std::size_t id = 0; id < all.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
@@ -128,8 +129,9 @@ std::string wall_loads_csv(const scene::Scene& scene, const Forces& forces) {
   return table.to_csv();
 }
 
-void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains::State& state,
+void add_contact_forces(std::vector<store::NamedMeasure>& results, const Model& model,
                         const Forces& forces) {
+  const grains::State& state = model.state();
   const auto grains = static_cast<double>(grains::present_count(state));
   const auto all = distribution(forces);
   double touching = 0;  // bodies of contacts that are grains
@@ -138,7 +140,8 @@ void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains:
     touching += grains::is_particle(force.other) ? 2 : 1;
     floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
   }
-  const std::vector<double> residuals = contact::residuals(state, forces);
+  const std::vector<double> residuals =
+      contact::residuals(state, forces, gravity_direction(model.vessel()));
   const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
   const auto per_grain = [&](double sum) {
     return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();

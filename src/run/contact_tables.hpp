@@ -8,6 +8,7 @@
 #include "clca/contact/force.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
+#include "run/model.hpp"
 
 namespace clca::run {
 
@@ -22,7 +23,7 @@ std::string force_distribution_csv(const std::vector<contact::Force>& forces);
 
 /// Columns: id, species, x, y (centre of mass), contacts, normal_force (sum over its contacts),
 /// residual (what forces and weight do not balance, over the weight), by grain.
-std::string grain_loads_csv(const scene::Scene& scene, const grains::State& state,
+std::string grain_loads_csv(const scene::Scene& scene, const Model& model,
                             const std::vector<contact::Force>& forces);
 
 /// Columns: wall, contacts, force_x, force_y (on the wall), for each wall and side of the box.
@@ -30,7 +31,7 @@ std::string wall_loads_csv(const scene::Scene& scene, const std::vector<contact:
 
 /// contacts_per_grain, force_share_above_mean, force_tail_beta, balance_residual (mean), and
 /// load_floor: the force on the floor over the weight of all grains.
-void add_contact_forces(std::vector<store::NamedMeasure>& results, const grains::State& state,
+void add_contact_forces(std::vector<store::NamedMeasure>& results, const Model& model,
                         const std::vector<contact::Force>& forces);
 
 }  // namespace clca::run

@@ -42,7 +42,8 @@ void CycleRecord::resume_stage(const scene::Scene& scene, const scene::Stage& st
   const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
     return grains::is_cyclic(*scene.walls[wall].motion);
   });
-  if (cyclic) {
+  vessel_has_cycles_ = stage.vessel && !std::holds_alternative<scene::Tilt>(*stage.vessel);
+  if (cyclic || vessel_has_cycles_) {
     convection_.emplace(state.lattice, cell_);
   }
 }
@@ -51,11 +52,11 @@ bool CycleRecord::precedes(const grains::State& now) const {
   return at_start_.size() == now.walls.size() && (!convection_ || convection_->precedes(now));
 }
 
-void CycleRecord::after_step(const grains::State& state) {
+void CycleRecord::after_step(const grains::State& state, std::uint64_t of_vessel) {
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = completed(state);
+  const std::uint64_t cycles = completed(state, of_vessel);
   if (cycles == cycles_) {
     return;
   }
@@ -65,8 +66,11 @@ void CycleRecord::after_step(const grains::State& state) {
   add_row(state);
 }
 
-std::uint64_t CycleRecord::completed(const grains::State& state) const {
+std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t of_vessel) const {
   std::optional<std::uint64_t> least;
+  if (vessel_has_cycles_) {
+    least = of_vessel;
+  }
   for (std::size_t number = 0; number < state.walls.size(); ++number) {
     const grains::Wall& wall = state.walls[number];
     if (!wall.motion || !wall.travel.active || !grains::is_cyclic(*wall.motion)) {

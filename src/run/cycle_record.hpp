@@ -24,13 +24,14 @@ class CycleRecord {
   /// Makes ready for a stage that goes on; what fields() lists has still to be loaded.
   void resume_stage(const scene::Scene& scene, const scene::Stage& stage,
                     const grains::State& state);
-  /// Call after each step.
-  void after_step(const grains::State& state);
+  /// Call after each step. `of_vessel`: whole cycles of it in this stage.
+  void after_step(const grains::State& state, std::uint64_t of_vessel);
 
-  /// Completed in this stage by all walls that go to and fro. A wave counts from where it stood
-  /// when the stage began; a shake that was held on its way completes that cycle first.
+  /// Completed in this stage by all walls that go to and fro and by the vessel. A wave counts from
+  /// where it stood when the stage began; a shake that was held on its way completes that cycle
+  /// first.
   std::uint64_t cycles() const { return cycles_; }
-  /// Null when no wall goes to and fro in this stage.
+  /// Null when no wall goes to and fro in this stage and the vessel rests or tilts.
   const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
   double cell() const { return cell_; }
   store::Table& table() { return table_; }
@@ -47,11 +48,12 @@ class CycleRecord {
   }
 
  private:
-  std::uint64_t completed(const grains::State& state) const;
+  std::uint64_t completed(const grains::State& state, std::uint64_t of_vessel) const;
   void add_row(const grains::State& state);
 
   double cell_;
   std::string stage_;
+  bool vessel_has_cycles_ = false;
   std::uint64_t cycles_ = 0;
   std::vector<grains::Travel> at_start_;  // by wall
   std::optional<measure::Convection> convection_;

@@ -94,11 +94,13 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
       .exposure = painter_.expose(view.state, view.occupancy, colors),
       .caption = {.title = scene_.title, .detail = fmt::format("{}, step {}", history.stage, step)},
       .overlay = std::move(drawn.overlay),
+      .turn = frames_.upright ? contact::degrees(view.angle) : 0,
       .text = std::move(text)};
 }
 
 Picture FramePainter::develop(const Negative& negative) {
-  return {painter_.develop(negative.exposure, negative.caption, negative.overlay), negative.text};
+  return {painter_.develop(negative.exposure, negative.caption, negative.overlay, negative.turn),
+          negative.text};
 }
 
 render::Coloring FramePainter::coloring(const grains::State& state,

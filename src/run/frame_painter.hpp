@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clca/contact/force.hpp"
+#include "clca/contact/vessel.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
@@ -23,6 +24,7 @@ struct View {
   const grains::Occupancy& occupancy;
   const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
   const std::vector<contact::Force>* forces = nullptr;  ///< of the contact model
+  contact::Angle angle = 0;                             ///< of the vessel
 };
 
 /// What the pictures so far leave to those that come: goes into a checkpoint.
@@ -49,6 +51,7 @@ struct Negative {
   render::Exposure exposure;
   render::Caption caption;
   render::Overlay overlay;
+  double turn = 0;  ///< degrees anticlockwise
   render::PngText text;
 };
 

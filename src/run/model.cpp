@@ -52,7 +52,8 @@ ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns
 }
 
 Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
-    : model_(make_model(scene, std::move(state), options)),
+    : scene_(scene),
+      model_(make_model(scene, std::move(state), options)),
       gravity_(scene.model == scene::Model::contact
                    ? contact::gravity(scene::contact_parameters(scene))
                    : 0) {}
@@ -92,6 +93,11 @@ std::optional<std::vector<contact::Force>> Model::forces() const {
   return std::nullopt;
 }
 
+contact::Vessel Model::vessel() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr ? contact->vessel() : contact::Vessel();
+}
+
 Model::Report Model::step() {
   return std::visit(
       [](auto& model) {
@@ -125,6 +131,12 @@ void Model::set_motion(std::size_t wall, bool active) {
 
 void Model::set_source(std::size_t source, bool open) {
   std::visit([&](auto& model) { model.set_source(source, open); }, model_);
+}
+
+void Model::set_vessel(const scene::Stage& stage) {
+  if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    contact->set_vessel(vessel_in(scene_, stage, contact->vessel()));
+  }
 }
 
 void Model::mark_origins() {

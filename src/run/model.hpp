@@ -50,6 +50,8 @@ class Model {
   // Of the contact model; none of the automaton.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
+  /// Upright and at rest, of the automaton.
+  contact::Vessel vessel() const;
 
   Report step();
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
@@ -58,9 +60,12 @@ class Model {
   bool insert_wall(std::size_t wall);
   void set_motion(std::size_t wall, bool active);
   void set_source(std::size_t source, bool open);
+  /// Moves the vessel as a stage says; nothing of the automaton.
+  void set_vessel(const scene::Stage& stage);
   void mark_origins();
 
  private:
+  const scene::Scene& scene_;
   std::variant<automaton::Automaton, contact::ContactModel> model_;
   double gravity_ = 0;  // of the contact model, lattice spacings per step squared
 };

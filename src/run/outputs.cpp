@@ -176,7 +176,7 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   if (const auto forces = wants(scene::Measure::force) ? model.forces() : std::nullopt) {
     write("contacts", contact_forces_csv(scene_, *forces));
     write("forces", force_distribution_csv(*forces));
-    write("loads", grain_loads_csv(scene_, state, *forces));
+    write("loads", grain_loads_csv(scene_, model, *forces));
     write("walls", wall_loads_csv(scene_, *forces));
   }
   if (wants(scene::Measure::force) && records.forces()) {

@@ -22,7 +22,8 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
   Negative negative = painter_.expose({.state = state,
                                        .occupancy = model.occupancy(),
                                        .cycles = &records.cycles(),
-                                       .forces = forces ? &*forces : nullptr},
+                                       .forces = forces ? &*forces : nullptr,
+                                       .angle = model.vessel().angle},
                                       history_);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step),

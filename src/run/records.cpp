@@ -42,7 +42,7 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
 }
 
 void Records::after_step(const Model& model, std::uint64_t steps_in_stage) {
-  cycles_.after_step(model.state());
+  cycles_.after_step(model.state(), model.vessel().whole_cycles);
   if (fields_) {
     fields_->after_step(model.state());
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clca/run/setup.hpp"
+#include "clca/scene/contact.hpp"
 #include "clca/store/trajectory.hpp"
 #include "run/frame_choice.hpp"
 #include "run/frame_painter.hpp"
@@ -70,6 +71,27 @@ std::vector<std::size_t> chosen(const scene::Scene& scene, const RedrawOptions& 
   return result;
 }
 
+/// The vessel at the start of each stage that has frames, which follows from the scene.
+std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
+  std::vector<contact::Vessel> result;
+  std::uint64_t start = 0;
+  for (const Frame& frame : frames) {
+    if (frame.stage < result.size()) {
+      continue;
+    }
+    contact::Vessel vessel;
+    if (!result.empty()) {
+      vessel.angle = angle_after(result.back(), frame.step - start);
+    }
+    if (scene.model == scene::Model::contact) {
+      vessel = vessel_in(scene, scene.stages[frame.stage], vessel);
+    }
+    result.push_back(vessel);
+    start = frame.step;
+  }
+  return result;
+}
+
 }  // namespace
 
 class Redraw::Impl {
@@ -91,6 +113,8 @@ class Redraw::Impl {
   FramePainter painter_;
   PictureTargets targets_;
   std::optional<std::size_t> stage_;
+  std::uint64_t stage_start_ = 0;         // step
+  std::vector<contact::Vessel> vessels_;  // by stage, at its start
   PictureHistory history_;
 };
 
@@ -100,7 +124,8 @@ Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
       trajectory_(options.run, scene_, initial_state(scene_), options.most_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
       painter_(scene_, initial_state(scene_), 1),
-      targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step) {}
+      targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step),
+      vessels_(vessels(scene_, trajectory_.frames())) {}
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
@@ -129,7 +154,10 @@ void Redraw::Impl::draw_frame(std::size_t number) {
   begin_stage(trajectory_.frames()[place].stage);
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
-  targets_.add(painter_.develop(painter_.expose({state, occupancy}, history_)), number, state.step);
+  const View view = {.state = state,
+                     .occupancy = occupancy,
+                     .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
+  targets_.add(painter_.develop(painter_.expose(view, history_)), number, state.step);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {
@@ -140,6 +168,7 @@ void Redraw::Impl::begin_stage(std::size_t stage) {
   const std::vector<Frame>& frames = trajectory_.frames();
   const auto first = std::find_if(frames.begin(), frames.end(),
                                   [&](const Frame& frame) { return frame.stage == stage; });
+  stage_start_ = first->step;
   run::begin_stage(
       history_, scene_.stages[stage],
       trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));

@@ -72,6 +72,7 @@ void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& 
       model.set_motion(wall, contains(stage.move, wall));
     }
   }
+  model.set_vessel(stage);
   model.mark_origins();
 }
 

@@ -11,9 +11,9 @@
 
 namespace clca::run {
 
-/// Removes and inserts walls, fills, opens and closes sources, sets walls in motion, marks the
-/// origins. Throws ScenePlaceError when a wall would stand inside particles or the fill does not
-/// fit.
+/// Removes and inserts walls, fills, opens and closes sources, sets walls and the vessel in
+/// motion, marks the origins. Throws ScenePlaceError when a wall would stand inside particles or
+/// the fill does not fit.
 void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage);
 
 /// Why a stage has ended.

@@ -116,7 +116,7 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         break;
       case scene::Measure::force:
         if (const auto forces = model.forces()) {
-          add_contact_forces(results, state, *forces);
+          add_contact_forces(results, model, *forces);
         }
         if (records.forces()) {
           add_force(results, model, history.profile_at_start, *records.forces());

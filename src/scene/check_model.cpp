@@ -77,6 +77,31 @@ void check_rolling(const Scene& scene, const Value& species) {
   }
 }
 
+/// Of the stages of a scene whose time step is known.
+void check_vessels(const Scene& scene, const Value& stages) {
+  contact::Vessel vessel;
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const Stage& stage = scene.stages[i];
+    if (stage.fill && stage.fill->method == FillMethod::deposition && vessel.angle != 0) {
+      fail(
+          stages.items[i].find("fill")->place,
+          fmt::format("stages.{}.fill: deposition needs a vessel that stands upright; use 'method: "
+                      "random'",
+                      stage.name));
+    }
+    try {
+      vessel = vessel_in(scene, stage, vessel);
+    } catch (const std::invalid_argument& error) {
+      fail(stages.items[i].find("vessel")->place,
+           fmt::format("stages.{}.vessel: {}; a step is {:.3g} units of time", stage.name,
+                       error.what(), time_step(scene)));
+    }
+    if (vessel.turn_steps > 0) {
+      vessel.angle += 1;  // somewhere else in the end
+    }
+  }
+}
+
 }  // namespace
 
 void check_model(const Scene& scene, const Value& root) {
@@ -85,6 +110,14 @@ void check_model(const Scene& scene, const Value& root) {
     if (const Value* walls = root.find("walls")) {
       for (const Entry& wall : walls->entries) {
         refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);
+      }
+    }
+    if (const Value* frames = value_at(root, {"output", "frames"})) {
+      refuse_foreign(*frames, "output.frames", "upright", Model::contact);
+    }
+    if (const Value* stages = root.find("stages")) {
+      for (const Value& stage : stages->items) {
+        refuse_foreign(stage, "stages", "vessel", Model::contact);
       }
     }
     return;
@@ -113,6 +146,7 @@ void check_time_step(const Scene& scene, const Value& root) {
              parameters.resolution * parameters.resolution / (2 * parameters.fall_height),
              contact::kLeastGravity, contact::kMostGravity));
   }
+  check_vessels(scene, *root.find("stages"));
 }
 
 }  // namespace clca::scene

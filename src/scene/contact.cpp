@@ -1,7 +1,10 @@
 #include "clca/scene/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "clca/contact/contact_model.hpp"
 #include "clca/lattice/lattice.hpp"
 
 namespace clca::scene {
@@ -45,6 +48,28 @@ contact::Parameters contact_parameters(const Scene& scene) {
     parameters.fall_height = estimated_fall(scene);
   }
   return parameters;
+}
+
+double time_step(const Scene& scene) {
+  return std::sqrt(contact::gravity(contact_parameters(scene)));
+}
+
+contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
+  const double step = time_step(scene);
+  const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);
+  if (!stage.vessel) {
+    return at_rest(before);
+  }
+  if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel)) {
+    const contact::Angle to = contact::angle_of(tilt->to);
+    return tilt->rate ? tilting(before, to, *tilt->rate * step, middle) : tilted(before, to);
+  }
+  if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel)) {
+    return rotating(before, rotate->rate * step, rotate->centre.value_or(middle));
+  }
+  const auto& shake = std::get<VesselShake>(*stage.vessel);
+  const double radians = std::sqrt(shake.gamma / shake.amplitude) * step;
+  return shaken(before, shake.gamma, radians / (2 * std::numbers::pi), shake.sideways);
 }
 
 }  // namespace clca::scene

@@ -53,6 +53,10 @@ inline constexpr int kMostSweeps = 64;
 inline constexpr double kFinestResolution = 0.01;
 inline constexpr double kCoarsestResolution = 1;
 inline constexpr double kHighestFall = 1e6;
+inline constexpr double kGreatestTilt = 180;        ///< degrees
+inline constexpr double kGreatestVesselRate = 1e6;  ///< per unit of time
+inline constexpr double kGreatestGamma = 1000;
+inline constexpr double kWidestShake = 1000;  ///< in lattice spacings
 
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kFewestInGas = 2;

@@ -33,15 +33,20 @@ inline constexpr std::array<std::string_view, 2> kShakeKeys = {"amplitude", "wai
 inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", "species", "rate",
                                                                 "count"};
 inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
-inline constexpr std::array<std::string_view, 8> kStageKeys = {
-    "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
+inline constexpr std::array<std::string_view, 9> kStageKeys = {
+    "name", "fill", "remove", "insert", "move", "sources", "vessel", "until", "max_steps"};
+inline constexpr std::array<std::string_view, 3> kVesselKeys = {"tilt", "rotate", "shake"};
+inline constexpr std::array<std::string_view, 2> kTiltKeys = {"to", "rate"};
+inline constexpr std::array<std::string_view, 2> kRotateKeys = {"rate", "centre"};
+inline constexpr std::array<std::string_view, 3> kVesselShakeKeys = {"gamma", "amplitude",
+                                                                     "direction"};
 inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
 inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
-inline constexpr std::array<std::string_view, 10> kFramesKeys = {
-    "every", "width",   "height",        "color_by", "layers",
-    "view",  "drawing", "supersampling", "caption",  "overlay"};
+inline constexpr std::array<std::string_view, 11> kFramesKeys = {
+    "every",   "width",         "height",  "color_by", "layers", "view",
+    "drawing", "supersampling", "caption", "upright",  "overlay"};
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 1> kContactsKeys = {"every"};
@@ -92,6 +97,9 @@ inline constexpr std::array<Named<automaton::Ties>, 2> kTiesNames = {
     {{"particle", automaton::Ties::particle}, {"direction", automaton::Ties::direction}}};
 inline constexpr std::array<Named<grains::Waveform>, 2> kWaveformNames = {
     {{"sine", grains::Waveform::sine}, {"triangle", grains::Waveform::triangle}}};
+/// Whether a vessel is shaken sideways.
+inline constexpr std::array<Named<bool>, 2> kShakeDirectionNames = {
+    {{"vertical", false}, {"horizontal", true}}};
 inline constexpr std::array<Named<grains::Passive>, 2> kPassiveNames = {
     {{"rigid", grains::Passive::rigid}, {"overlap", grains::Passive::overlap}}};
 inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {

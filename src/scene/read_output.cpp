@@ -70,6 +70,7 @@ Frames read_frames(const Value& value, const std::string& path, const Scene& sce
   frames.supersampling =
       fields.integer("supersampling", 1, kMostSupersampling, frames.supersampling);
   frames.caption = fields.boolean("caption", frames.caption);
+  frames.upright = fields.boolean("upright", frames.upright);
   frames.overlay = fields.choice("overlay", kOverlayNames, frames.overlay);
   check_drawn(fields, frames, scene);
   return frames;

@@ -76,6 +76,9 @@ Stage read_stage(const Value& value, std::size_t number, const Scene& scene) {
   }
   stage.sources = read_references(fields.find("sources"), fields.path("sources"), "source",
                                   names_of(scene.sources));
+  if (const Value* vessel = fields.find("vessel")) {
+    stage.vessel = read_vessel(*vessel, fields.path("vessel"), scene.box);
+  }
   if (const Value* until = fields.find("until")) {
     stage.until = read_until(*until, fields.path("until"), stage, scene);
   }

@@ -23,6 +23,14 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   return nullptr;
 }
 
+/// What the vessel does without end in the stage; empty where it does nothing such.
+std::string_view vessel_cycle(const Stage& stage) {
+  if (!stage.vessel || std::holds_alternative<Tilt>(*stage.vessel)) {
+    return {};
+  }
+  return std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken";
+}
+
 constexpr std::uint64_t kLongestCycle = 10'000'000;  // times kMostSteps fits 64 bits
 
 /// Steps that a cycle of the wall takes at the least; 0 where it has none.
@@ -79,6 +87,10 @@ std::string endless(const Stage& stage, const Scene& scene) {
         "give max_steps",
         wall->name);
   }
+  if (const std::string_view motion = vessel_cycle(stage); !motion.empty()) {
+    return fmt::format(
+        "while the vessel {}; end the stage after cycles or steps, or give max_steps", motion);
+  }
   const std::string reason = restless(stage, scene);
   return reason.empty() ? reason : reason + "; give max_steps";
 }
@@ -118,10 +130,13 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
     return UntilSteps{fields.count(key, 1, kMostSteps)};
   }
   if (key == "cycles") {
-    if (cyclic_wall(stage, scene) == nullptr) {
-      fail(value.place, fmt::format("{}: no wall of this stage goes to and fro; name one with a "
+    if (cyclic_wall(stage, scene) == nullptr && vessel_cycle(stage).empty()) {
+      fail(value.place, fmt::format("{}: no wall of this stage goes to and fro{}; name one with a "
                                     "wave or a shake under move",
-                                    path));
+                                    path,
+                                    scene.model == Model::contact
+                                        ? ", and its vessel neither turns nor is shaken"
+                                        : ""));
     }
     return UntilCycles{fields.count(key, 1, kMostSteps)};
   }

@@ -100,6 +100,20 @@ std::string references(std::string_view key, const std::vector<std::size_t>& pla
   return places.empty() ? "" : fmt::format("    {}: {}\n", key, list(places, text));
 }
 
+std::string vessel(const Tilt& tilt) {
+  return tilt.rate ? fmt::format("{{tilt: {{to: {}, rate: {}}}}}", tilt.to, *tilt.rate)
+                   : fmt::format("{{tilt: {}}}", tilt.to);
+}
+std::string vessel(const Rotate& rotate) {
+  return rotate.centre ? fmt::format("{{rotate: {{rate: {}, centre: {}}}}}", rotate.rate,
+                                     point(*rotate.centre))
+                       : fmt::format("{{rotate: {{rate: {}}}}}", rotate.rate);
+}
+std::string vessel(const VesselShake& shake) {
+  return fmt::format("{{shake: {{gamma: {}, amplitude: {}, direction: {}}}}}", shake.gamma,
+                     shake.amplitude, name_of(kShakeDirectionNames, shake.sideways));
+}
+
 std::string stage_block(const Stage& stage, const Scene& scene) {
   std::string block = fmt::format("  - name: {}\n", name(stage.name));
   if (stage.fill) {
@@ -111,12 +125,17 @@ std::string stage_block(const Stage& stage, const Scene& scene) {
   block += references("insert", stage.insert, scene.walls);
   block += references("move", stage.move, scene.walls);
   block += references("sources", stage.sources, scene.sources);
+  if (stage.vessel) {
+    block +=
+        fmt::format("    vessel: {}\n",
+                    std::visit([](const auto& motion) { return vessel(motion); }, *stage.vessel));
+  }
   return block + fmt::format("    until: {}\n    max_steps: {}\n",
                              std::visit([](const auto& end) { return until(end); }, stage.until),
                              stage.max_steps);
 }
 
-std::string frames_block(const Frames& frames) {
+std::string frames_block(const Frames& frames, Model model) {
   std::string block = fmt::format(
       "  frames:\n    every: {}\n    width: {}\n    height: {}\n    color_by: {}\n    layers: {}\n",
       frames.every, frames.width, frames.height, name_of(kColorByNames, frames.color_by),
@@ -124,13 +143,14 @@ std::string frames_block(const Frames& frames) {
   if (frames.view) {
     block += fmt::format("    view: {}\n", rectangle(*frames.view));
   }
+  block += model == Model::contact ? fmt::format("    upright: {}\n", frames.upright) : "";
   return block +
          fmt::format("    drawing: {}\n    supersampling: {}\n    caption: {}\n    overlay: {}\n",
                      name_of(kDrawingNames, frames.drawing), frames.supersampling, frames.caption,
                      name_of(kOverlayNames, frames.overlay));
 }
 
-std::string output_block(const Output& output) {
+std::string output_block(const Output& output, Model model) {
   const auto every = [](const auto& table) {
     return table ? fmt::format("{{every: {}}}", table->every) : std::string("none");
   };
@@ -138,7 +158,8 @@ std::string output_block(const Output& output) {
   return fmt::format(
       "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  trajectory: {}\n"
       "  checkpoint: {}\n",
-      output.frames ? frames_block(*output.frames) : "  frames: none\n", every(output.series),
+      output.frames ? frames_block(*output.frames, model) : "  frames: none\n",
+      every(output.series),
       fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
       every(output.contacts), every(output.trajectory), checkpoint_text(output.checkpoint));
 }
@@ -172,7 +193,7 @@ std::string to_yaml(const Scene& scene) {
   text += section("stages", scene.stages,
                   [&](const Stage& stage) { return stage_block(stage, scene); });
   text += fmt::format("\nmeasure: {}\n", list(scene.measures, measure));
-  return text + output_block(scene.output);
+  return text + output_block(scene.output, scene.model);
 }
 
 }  // namespace clca::scene

@@ -22,7 +22,7 @@ auto content(const Wall& wall) {
 
 auto content(const Stage& stage) {
   return std::tie(stage.name, stage.fill, stage.remove, stage.insert, stage.move, stage.sources,
-                  stage.until, stage.max_steps);
+                  stage.vessel, stage.until, stage.max_steps);
 }
 
 auto content(const Outlet& outlet) {
@@ -31,7 +31,7 @@ auto content(const Outlet& outlet) {
 
 auto content(const Frames& frames) {
   return std::tie(frames.every, frames.width, frames.height, frames.color_by, frames.layers,
-                  frames.view, frames.drawing, frames.supersampling, frames.caption,
+                  frames.view, frames.drawing, frames.supersampling, frames.caption, frames.upright,
                   frames.overlay);
 }
 

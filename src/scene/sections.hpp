@@ -41,6 +41,8 @@ std::vector<Source> read_sources(const Value& value, const Scene& scene);
 std::vector<Outlet> read_outlets(const Value& value, const Scene& scene);
 std::vector<Stage> read_stages(const Value& value, const Scene& scene);
 
+VesselMotion read_vessel(const Value& value, const std::string& path, const Box& box);
+
 class KeyedMap;
 /// The end of a stage that has been read as far as what it moves.
 Until read_until(const Value& value, const std::string& path, const Stage& stage,
@@ -65,7 +67,8 @@ void check_history(const Scene& scene, const Value& list);
 /// What the model has and can do, of a scene that has been read as far as its walls. It comes
 /// before what stages and output need, so that nobody is told to add what the model cannot do.
 void check_model(const Scene& scene, const Value& root);
-/// Of the contact model: resolution and fall height, which may follow from the stages.
+/// Of the contact model: resolution and fall height, which may follow from the stages, and the
+/// vessels of these.
 void check_time_step(const Scene& scene, const Value& root);
 /// What concerns the scene as a whole: every species, source and motion is used, there are
 /// particles.

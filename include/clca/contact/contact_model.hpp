@@ -43,7 +43,9 @@ double gravity(const Parameters& parameters);
 /// Energy in units of a site's mass, gravity and the lattice spacing.
 struct Energy {
   double kinetic = 0;
-  double potential = 0;  ///< 0 where all centres of mass are at the height of the lowest sites
+  /// Against gravity as the vessel stands; 0 where all centres of mass are at the height of the
+  /// lower left site.
+  double potential = 0;
 };
 Energy energy(const State& state, double gravity);
 
@@ -73,6 +75,7 @@ class ContactModel {
   /// Of the state; cheaper than state(), which also brings the list of contacts up to date.
   const grains::State& grains() const;
   const grains::Occupancy& occupancy() const;
+  const Vessel& vessel() const;
 
   /// One step: sources, contacts, impulses, moves, outlets. What comes from a source is at rest,
   /// within half a spacing from its site to either side.
@@ -84,6 +87,8 @@ class ContactModel {
   void remove_wall(std::size_t wall);
   bool insert_wall(std::size_t wall);
   void set_source(std::size_t source, bool open);
+  /// Throws std::invalid_argument for one that is not valid. Grains at rest stay so in the vessel.
+  void set_vessel(const Vessel& vessel);
   void mark_origins();
 
  private:

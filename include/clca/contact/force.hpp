@@ -32,7 +32,8 @@ std::vector<Force> forces(const State& state, double gravity);
 double mean_mass(const grains::State& state);
 
 /// What forces and weight of each grain do not balance, over its weight, by id; 0 of grains that
-/// have left.
-std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces);
+/// have left. `down`: of length 1, the direction of gravity.
+std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces,
+                              const Eigen::Vector2d& down);
 
 }  // namespace clca::contact

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clca/contact/vessel.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
@@ -107,6 +108,7 @@ struct State {
   /// anew.
   bool changed = true;
   std::uint64_t quiet_steps = 0;  ///< in a row: without a move, and with hardly any velocity
+  Vessel vessel = {};
 
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
@@ -114,7 +116,8 @@ struct State {
     return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
                            field("remainders", &State::remainders),
                            field("contacts", &State::contacts), field("changed", &State::changed),
-                           field("quiet_steps", &State::quiet_steps));
+                           field("quiet_steps", &State::quiet_steps),
+                           field("vessel", &State::vessel));
   }
 };
 

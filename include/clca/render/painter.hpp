@@ -72,8 +72,10 @@ class Painter {
   /// What it takes time for is the samples of the picture, not particles or sites.
   Exposure expose(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring);
-  /// Makes the picture. `exposure`: of this painter.
-  Image develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay = {});
+  /// Makes the picture. `exposure`: of this painter. What the box shows is turned anticlockwise by
+  /// `turn` degrees about the middle of the view.
+  Image develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay = {},
+                double turn = 0);
 
   /// Both.
   Image draw(const grains::State& state, const grains::Occupancy& occupancy,

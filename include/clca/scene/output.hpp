@@ -36,6 +36,7 @@ struct Frames {
   Drawing drawing = Drawing::automatic;
   int supersampling = 2;
   bool caption = true;
+  bool upright = false;             ///< of Model::contact: turned as the vessel is
   Overlay overlay = Overlay::none;  ///< drawn over the particles
   std::string place;                ///< FILE:LINE:COLUMN, for messages
 

@@ -139,13 +139,40 @@ struct UntilCycles {
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles>;
 
+/// The vessel stands at an angle from upright, in degrees anticlockwise: at once, or turned to it
+/// with `rate` degrees per unit of time.
+struct Tilt {
+  double to = 0;
+  std::optional<double> rate;
+
+  bool operator==(const Tilt&) const = default;
+};
+/// Turns without end; anticlockwise where the rate, in turns per unit of time, is above 0.
+struct Rotate {
+  double rate = 0;
+  std::optional<Eigen::Vector2d> centre;  ///< none: of the box
+
+  bool operator==(const Rotate&) const = default;
+};
+/// Swings as a sine.
+struct VesselShake {
+  double gamma = 0;      ///< greatest acceleration over that of gravity
+  double amplitude = 0;  ///< in lattice spacings
+  bool sideways = false;
+
+  bool operator==(const VesselShake&) const = default;
+};
+/// Of Model::contact.
+using VesselMotion = std::variant<Tilt, Rotate, VesselShake>;
+
 struct Stage {
   std::string name;
   std::optional<Fill> fill;
-  std::vector<std::size_t> remove;   ///< walls, by index
-  std::vector<std::size_t> insert;   ///< likewise; see walls_there_first
-  std::vector<std::size_t> move;     ///< walls in motion during this stage, by index
-  std::vector<std::size_t> sources;  ///< open during this stage, by index
+  std::vector<std::size_t> remove;          ///< walls, by index
+  std::vector<std::size_t> insert;          ///< likewise; see walls_there_first
+  std::vector<std::size_t> move;            ///< walls in motion during this stage, by index
+  std::vector<std::size_t> sources;         ///< open during this stage, by index
+  std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
   Until until;
   std::uint64_t max_steps = 1'000'000;
   std::string insert_place;  ///< of the list `insert`

@@ -66,11 +66,11 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   }
   // Two grains that have both moved have found each other.
   std::sort(found_.begin(), found_.end(), [this](const Touch& one, const Touch& other) {
-    return one.key(state_) < other.key(state_);
+    return one.key(state_, down_) < other.key(state_, down_);
   });
   const std::size_t first = slots.all().size();
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    if (i == 0 || found_[i].key(state_) != found_[i - 1].key(state_)) {
+    if (i == 0 || found_[i].key(state_, down_) != found_[i - 1].key(state_, down_)) {
       slots.add(content(found_[i]));
     }
   }
@@ -156,7 +156,7 @@ void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) 
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
   for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
     if (state_.particles[id].present) {
-      order.emplace_back(order_key(state_, id), id);
+      order.emplace_back(order_key(state_, down_, id), id);
     }
   }
   std::sort(order.begin(), order.end());
@@ -212,7 +212,7 @@ LaneContent ContactFinder::content(const Touch& touch) const {
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
-  const bool in_order = is_above(state_, first, second);
+  const bool in_order = is_above(state_, down_, first, second);
   const std::uint32_t upper = in_order ? first : second;
   const std::uint32_t lower = in_order ? second : first;
   const lattice::Axial apart = this->apart(upper, lower);

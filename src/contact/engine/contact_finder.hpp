@@ -20,6 +20,11 @@ class ContactFinder {
   ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
                 const grains::FootprintTable& footprints, const Rule& rule);
 
+  /// The direction of the lattice nearest to gravity: what is above what.
+  lattice::Direction down() const { return down_; }
+  /// All grains then count as moved.
+  void set_down(lattice::Direction down) { down_ = down; }
+
   /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
   /// Brings contacts of `moved` grains in line; the new ones are behind the others. Returns the
@@ -41,6 +46,7 @@ class ContactFinder {
   const grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
+  lattice::Direction down_ = lattice::Direction::down;
   NormalTable normals_;
   std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
   std::vector<Touch> found_;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "contact/rule/acceleration.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
 
@@ -40,6 +41,10 @@ void Engine::reload() {
     bodies_.push_back({velocity});
   }
   finder_.load(state_.contacts, slots_);
+  look_at_all();
+}
+
+void Engine::look_at_all() {
   moved_.resize(state_.grains.particles.size());
   std::iota(moved_.begin(), moved_.end(), 0U);
 }
@@ -48,11 +53,15 @@ void Engine::step() {
   update_contacts();
   accelerate_all();
   sweep_contacts();
-  advance_and_move();
-  ++state_.grains.step;
+  const bool quiet = advance_and_move();
+  end_step(state_, quiet && moved_.empty());
 }
 
 void Engine::update_contacts() {
+  if (const lattice::Direction down = contact::down(state_.vessel); down != finder_.down()) {
+    finder_.set_down(down);
+    look_at_all();  // which one of two is the upper one may have changed
+  }
   const std::size_t first_new = finder_.update(moved_, slots_);
   new_lanes_.clear();
   for (const Slot& slot : slots_.all().subspan(first_new)) {
@@ -68,9 +77,11 @@ void Engine::update_contacts() {
 }
 
 void Engine::accelerate_all() {
+  const Acceleration by =
+      acceleration(state_.vessel, rule_.gravity, state_.grains.lattice.periodic());
   for (std::size_t id = 0; id < state_.grains.particles.size(); ++id) {
-    if (state_.grains.particles[id].present) {
-      accelerate(velocity(id), rule_.gravity);
+    if (const grains::Particle& grain = state_.grains.particles[id]; grain.present) {
+      accelerate(velocity(id), grain.site(), by);
     }
   }
 }
@@ -90,7 +101,7 @@ void Engine::sweep_contacts() {
   }
 }
 
-void Engine::advance_and_move() {
+bool Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
@@ -106,13 +117,14 @@ void Engine::advance_and_move() {
     }
   }
   moved_.clear();
-  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, candidates_, moved_);
+  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, finder_.down(),
+              candidates_, moved_);
   std::sort(moved_.begin(), moved_.end());
   moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
   for (const std::uint32_t id : candidates_) {
     cut(state_.remainders[id]);
   }
-  state_.quiet_steps = quiet && moved_.empty() ? state_.quiet_steps + 1 : 0;
+  return quiet;
 }
 
 void Engine::write_back() {

@@ -37,7 +37,9 @@ class Engine {
   void update_contacts();
   void accelerate_all();
   void sweep_contacts();
-  void advance_and_move();
+  /// Returns whether no grain has more velocity than one at rest may have.
+  bool advance_and_move();
+  void look_at_all();
 
   State& state_;
   grains::Occupancy& occupancy_;

@@ -13,8 +13,8 @@ struct Placed {
   Touch touch;
 };
 
-auto sorting_key(const grains::State& state, const Touch& touch) {
-  return std::tuple(order_key(state, touch.upper), touch.apart, touch.other);
+auto sorting_key(const grains::State& state, lattice::Direction down, const Touch& touch) {
+  return std::tuple(order_key(state, down, touch.upper), touch.apart, touch.other);
 }
 
 Placed placed(const Touch& touch) {
@@ -37,7 +37,8 @@ const Touch* find(const std::vector<Touch>& touches, std::uint32_t upper, grains
 
 std::vector<ActiveContact> next_contacts(const grains::State& state,
                                          const std::vector<Contact>& before,
-                                         const std::vector<Touch>& now, bool sorted) {
+                                         const std::vector<Touch>& now, lattice::Direction down,
+                                         bool sorted) {
   std::vector<Placed> all;
   std::vector<bool> known(now.size(), false);
   for (const Contact& contact : before) {
@@ -67,11 +68,11 @@ std::vector<ActiveContact> next_contacts(const grains::State& state,
   }
   if (sorted) {
     std::sort(all.begin(), all.end(), [&](const Placed& one, const Placed& other) {
-      return sorting_key(state, one.touch) < sorting_key(state, other.touch);
+      return sorting_key(state, down, one.touch) < sorting_key(state, down, other.touch);
     });
   } else {
     std::sort(all.begin() + first_new, all.end(), [&](const Placed& one, const Placed& other) {
-      return one.touch.key(state) < other.touch.key(state);
+      return one.touch.key(state, down) < other.touch.key(state, down);
     });
   }
   std::vector<ActiveContact> result;

@@ -18,6 +18,7 @@ struct ActiveContact {
 /// With `sorted` all are put in order anew. A pair that has turned over keeps what it remembers.
 std::vector<ActiveContact> next_contacts(const grains::State& state,
                                          const std::vector<Contact>& before,
-                                         const std::vector<Touch>& now, bool sorted);
+                                         const std::vector<Touch>& now, lattice::Direction down,
+                                         bool sorted);
 
 }  // namespace clca::contact

@@ -1,9 +1,8 @@
 #include "contact/rule/moves.hpp"
 
 #include <algorithm>
-#include <utility>
 
-#include "clca/random/draw.hpp"
+#include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
 
 namespace clca::contact {
@@ -11,12 +10,6 @@ namespace clca::contact {
 namespace {
 
 using lattice::Direction;
-
-/// Twice the place of a site along a direction, in whole numbers.
-int place_along(Direction direction, lattice::Site site) {
-  const lattice::Axial step = unit(direction);
-  return 3 * step.x * site.column + (2 * step.q + step.x) * lattice::doubled_height(site);
-}
 
 class Mover {
  public:
@@ -92,26 +85,11 @@ class Mover {
 
 }  // namespace
 
-std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state) {
-  const std::uint64_t coins =
-      random::draw(state.seed, state.step, 0, random::Purpose::direction_order);
-  std::array<Direction, lattice::kDirectionCount> order = {
-      Direction::down,     Direction::down_right, Direction::down_left,
-      Direction::up_right, Direction::up_left,    Direction::up};
-  if ((coins & 1U) != 0) {
-    std::swap(order[1], order[2]);
-  }
-  if ((coins & 2U) != 0) {
-    std::swap(order[3], order[4]);
-  }
-  return order;
-}
-
 void move_grains(grains::State& state, std::span<Vector> remainders, grains::Occupancy& occupancy,
-                 const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
-                 std::vector<std::uint32_t>& moved) {
+                 const grains::FootprintTable& footprints, lattice::Direction down,
+                 std::span<const std::uint32_t> ids, std::vector<std::uint32_t>& moved) {
   Mover mover(state, remainders, occupancy, footprints);
-  for (const Direction direction : order_of_directions(state)) {
+  for (const Direction direction : order_of_directions(state, down)) {
     mover.move(direction, ids, moved);
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
 // Moves of one step, site by site where there is room.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,15 +10,11 @@
 
 namespace clca::contact {
 
-/// Of moves in a step: down first, up last; of a pair at the same angle the one that a coin names.
-std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
-    const grains::State& state);
-
 /// Moves each of the grains `ids` by a site in every direction in which its remainder asks for it
 /// and its way is free; one that follows another goes with it. Appends the ids of those that moved
 /// to `moved`, some more than once.
 void move_grains(grains::State& state, std::span<Vector> remainders, grains::Occupancy& occupancy,
-                 const grains::FootprintTable& footprints, std::span<const std::uint32_t> ids,
-                 std::vector<std::uint32_t>& moved);
+                 const grains::FootprintTable& footprints, lattice::Direction down,
+                 std::span<const std::uint32_t> ids, std::vector<std::uint32_t>& moved);
 
 }  // namespace clca::contact

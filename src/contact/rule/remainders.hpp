@@ -21,11 +21,6 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
   return kUnits[lattice::index_of(direction)];
 }
 
-/// Gravity points down.
-inline void accelerate(Velocity<std::int32_t>& velocity, std::int32_t gravity) {
-  velocity.y = std::max(velocity.y - gravity, -kFastest);
-}
-
 /// Adds a velocity to a remainder. Where the speed is at most `slow`, the remainder is forgotten
 /// instead, bit by bit. Returns whether that is so.
 inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, std::int32_t slow) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/rule/acceleration.hpp"
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
@@ -73,17 +74,27 @@ void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
 
 }  // namespace
 
+void end_step(State& state, bool quiet) {
+  state.quiet_steps = quiet && !state.vessel.moves() ? state.quiet_steps + 1 : 0;
+  const lattice::Direction before = down(state.vessel);
+  state.vessel = next(state.vessel);
+  state.changed = state.changed || down(state.vessel) != before;
+  ++state.grains.step;
+}
+
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
                                           const Rule& rule, NormalTable& normals) {
-  std::vector<ActiveContact> contacts =
-      next_contacts(state.grains, state.contacts,
-                    touches(state.grains, occupancy, footprints, normals), sorts_contacts(state));
+  const lattice::Direction down = contact::down(state.vessel);
+  std::vector<ActiveContact> contacts = next_contacts(
+      state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
+      down, sorts_contacts(state));
   state.changed = false;
 
+  const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (state.grains.particles[id].present) {
-      accelerate(state.velocities[id], rule.gravity);
+    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+      accelerate(state.velocities[id], grain.site(), by);
     }
   }
   Contacts all(state, rule);
@@ -109,12 +120,11 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
     }
   }
   std::vector<std::uint32_t> moved;
-  move_grains(state.grains, state.remainders, occupancy, footprints, present, moved);
+  move_grains(state.grains, state.remainders, occupancy, footprints, down, present, moved);
   for (const std::uint32_t id : present) {
     cut(state.remainders[id]);
   }
-  state.quiet_steps = quiet && moved.empty() ? state.quiet_steps + 1 : 0;
-  ++state.grains.step;
+  end_step(state, quiet && moved.empty());
   return moved;
 }
 

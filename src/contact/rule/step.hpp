@@ -14,7 +14,7 @@ namespace clca::contact {
 
 /// What does not change in a run, in whole numbers. Ratios in 2^-16.
 struct Rule {
-  std::int32_t gravity = 0;  ///< per step
+  std::int32_t gravity = 0;  ///< in 2^-20 lattice spacings per step squared
   std::int32_t restitution = 0;
   int sweeps = 2;
   std::int32_t friction = 0;                     ///< between grains
@@ -41,6 +41,10 @@ inline bool sorts_contacts(const State& state) {
   constexpr std::uint64_t kEvery = 8;
   return state.changed || state.grains.step % kEvery == 0;
 }
+
+/// Ends a step: counts it, and the vessel goes on. `quiet`: without a move, and with hardly any
+/// velocity.
+void end_step(State& state, bool quiet);
 
 /// Carries out a step but for sources and outlets. Returns the ids of the grains that moved, some
 /// more than once.

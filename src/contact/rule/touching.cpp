@@ -61,27 +61,6 @@ Axial sum(unsigned directions) {
 
 }  // namespace
 
-bool is_above(const grains::State& state, std::uint32_t one, std::uint32_t other) {
-  const auto key = [&](std::uint32_t id) {
-    const lattice::Site site = state.particles[id].site();
-    return std::pair(-lattice::doubled_height(site), state.lattice.wrapped(site.column));
-  };
-  return key(one) < key(other);
-}
-
-std::uint64_t order_key(const grains::State& state, std::uint32_t id) {
-  constexpr std::uint64_t kStripColumns = 128;
-  constexpr int kHeightBits = 31;
-  constexpr int kStripBits = 24;
-  const lattice::Site site = state.particles[id].site();
-  const auto column = static_cast<std::uint64_t>(state.lattice.wrapped(site.column));
-  const auto depth =
-      static_cast<std::uint64_t>(2 * state.lattice.rows() - lattice::doubled_height(site));
-  const std::uint64_t strip = column / kStripColumns;
-  const std::uint64_t strip_order = strip % 2 << (kStripBits - 1) | strip / 2;
-  return (strip_order << kHeightBits | depth) * kStripColumns | column % kStripColumns;
-}
-
 std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupancy& occupancy,
                                 const grains::FootprintTable& footprints, std::uint32_t id) {
   std::vector<Touch> result;
@@ -94,7 +73,8 @@ std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupa
 }
 
 std::vector<Touch> touches(const grains::State& state, const grains::Occupancy& occupancy,
-                           const grains::FootprintTable& footprints, NormalTable& normals) {
+                           const grains::FootprintTable& footprints, lattice::Direction down,
+                           NormalTable& normals) {
   std::vector<Touch> result;
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
@@ -105,7 +85,7 @@ std::vector<Touch> touches(const grains::State& state, const grains::Occupancy& 
     result.insert(result.end(), walls.begin(), walls.end());
     for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
       const auto other = static_cast<std::uint32_t>(owner);
-      if (grains::is_particle(owner) && is_above(state, id, other)) {
+      if (grains::is_particle(owner) && is_above(state, down, id, other)) {
         const grains::Particle& below = state.particles[other];
         const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
         const UnitVector normal = normals.normal(grain.kind, below.kind, apart);

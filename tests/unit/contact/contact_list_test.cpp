@@ -24,11 +24,13 @@ grains::State hexagons(const std::vector<lattice::Site>& sites, int columns = 30
   return state;
 }
 
+constexpr lattice::Direction kDown = lattice::Direction::down;
+
 std::vector<Touch> touches_of(const grains::State& state) {
   NormalTable normals(state.kinds);
   const grains::Occupancy occupancy(state);
   const grains::FootprintTable footprints(state, {});
-  return touches(state, occupancy, footprints, normals);
+  return touches(state, occupancy, footprints, kDown, normals);
 }
 
 using Bodies2 = std::pair<std::uint32_t, grains::Owner>;
@@ -70,10 +72,10 @@ TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
 
 TEST(TheUpperOfTwo, IsTheHigherOrTheLeftOne) {
   const grains::State state = hexagons({{4, 10}, {4, 14}, {8, 10}, {7, 10}});
-  EXPECT_TRUE(is_above(state, 1, 0));
-  EXPECT_TRUE(is_above(state, 0, 2));
-  EXPECT_FALSE(is_above(state, 2, 0));
-  EXPECT_TRUE(is_above(state, 3, 0)) << "odd columns stand half a site higher";
+  EXPECT_TRUE(is_above(state, kDown, 1, 0));
+  EXPECT_TRUE(is_above(state, kDown, 0, 2));
+  EXPECT_FALSE(is_above(state, kDown, 2, 0));
+  EXPECT_TRUE(is_above(state, kDown, 3, 0)) << "odd columns stand half a site higher";
 }
 
 TEST(TheOrder, GoesByStripsEverySecondFirstDownAndFromTheLeft) {
@@ -82,7 +84,7 @@ TEST(TheOrder, GoesByStripsEverySecondFirstDownAndFromTheLeft) {
   const std::vector<std::uint32_t> expected = {1, 2, 0, 4, 3, 5};
   std::vector<std::uint32_t> order = {0, 1, 2, 3, 4, 5};
   std::sort(order.begin(), order.end(), [&](std::uint32_t one, std::uint32_t other) {
-    return order_key(state, one) < order_key(state, other);
+    return order_key(state, kDown, one) < order_key(state, kDown, other);
   });
   EXPECT_EQ(order, expected);
 }
@@ -92,14 +94,14 @@ TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
   const grains::State state = hexagons({{10, 1}, {10, 4}, {10, 7}});
   const std::vector<Touch> now = touches_of(state);
   const std::vector<Contact> before = {{.upper = 0, .other = kFloor, .impulse = {5, 4, 3}}};
-  const auto kept = next_contacts(state, before, now, false);
+  const auto kept = next_contacts(state, before, now, kDown, false);
   EXPECT_EQ(pairs(kept), (std::vector<Bodies2>{{0, kFloor}, {2, 1}, {1, 0}}));
   EXPECT_EQ(kept[0].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
   EXPECT_FALSE(kept[0].is_new);
   EXPECT_TRUE(kept[1].is_new && kept[2].is_new);
   EXPECT_EQ(kept[1].contact.impulse, Impulse<std::int32_t>());
 
-  const auto sorted = next_contacts(state, before, now, true);
+  const auto sorted = next_contacts(state, before, now, kDown, true);
   EXPECT_EQ(pairs(sorted), (std::vector<Bodies2>{{2, 1}, {1, 0}, {0, kFloor}}));
   EXPECT_FALSE(sorted[2].is_new);
   EXPECT_EQ(sorted[2].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
@@ -110,14 +112,14 @@ TEST(NextContacts, LeaveOutWhatNoLongerTouches) {
   const std::vector<Contact> before = {{.upper = 1, .other = 0, .impulse = {9, 0, 0}},
                                        {.upper = 0, .other = kFloor},
                                        {.upper = 1, .other = kLeftSide}};
-  EXPECT_EQ(pairs(next_contacts(state, before, touches_of(state), false)),
+  EXPECT_EQ(pairs(next_contacts(state, before, touches_of(state), kDown, false)),
             (std::vector<Bodies2>{{0, kFloor}}));
 }
 
 TEST(NextContacts, OfAPairThatHasTurnedOverKeepTheImpulseWithTheMomentReversed) {
   const grains::State state = hexagons({{10, 20}, {10, 23}});
   const std::vector<Contact> before = {{.upper = 0, .other = 1, .impulse = {50, -20, 7}}};
-  const auto next = next_contacts(state, before, touches_of(state), false);
+  const auto next = next_contacts(state, before, touches_of(state), kDown, false);
   ASSERT_EQ(pairs(next), (std::vector<Bodies2>{{1, 0}}));
   EXPECT_EQ(next[0].contact.impulse, (Impulse<std::int32_t>{50, -20, -7}));
   EXPECT_FALSE(next[0].is_new);

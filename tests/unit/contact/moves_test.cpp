@@ -35,7 +35,7 @@ struct Bench {
     grains::Occupancy occupancy(state);
     const grains::FootprintTable footprints(state, {});
     std::vector<std::uint32_t> moved;
-    move_grains(state, remainders, occupancy, footprints, ids, moved);
+    move_grains(state, remainders, occupancy, footprints, Direction::down, ids, moved);
     EXPECT_EQ(occupancy, grains::Occupancy(state));
     return moved;
   }
@@ -93,7 +93,7 @@ TEST(TheDirections, ComeDownFirstAndUpLastWithSidesByACoin) {
   std::set<std::array<Direction, lattice::kDirectionCount>> seen;
   grains::State state = empty_state(4, 4);
   for (; state.step < 100; ++state.step) {
-    const auto order = order_of_directions(state);
+    const auto order = order_of_directions(state, Direction::down);
     EXPECT_EQ(order.front(), Direction::down);
     EXPECT_EQ(order.back(), Direction::up);
     EXPECT_EQ(std::set<Direction>(order.begin() + 1, order.begin() + 3),

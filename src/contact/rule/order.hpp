@@ -1,0 +1,26 @@
+#pragma once
+// What comes first, of grains, of contacts and of moves: it turns with gravity.
+
+#include <array>
+#include <cstdint>
+
+#include "clca/contact/state.hpp"
+
+namespace clca::contact {
+
+/// Twice the place of a site along a direction, in whole numbers; only to be compared.
+int place_along(lattice::Direction direction, lattice::Site site);
+
+/// Whether a grain is the upper one of two; of two at one height it is the left one.
+bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
+              std::uint32_t other);
+
+/// The place of a grain among the upper ones of contacts, when these are put in order: by strips of
+/// columns, every second strip first, from the top down, from the left.
+std::uint64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
+
+/// Of moves in a step: down first, up last; of a pair at the same angle the one that a coin names.
+std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
+    const grains::State& state, lattice::Direction down);
+
+}  // namespace clca::contact
