@@ -95,6 +95,8 @@ const std::vector<ContactRun>& contact_runs() {
       all.push_back({fmt::format("contact-{}", rolling), common});
       all.back().overrides.push_back(fmt::format("contact.rolling={}", rolling));
     }
+    all.push_back({"contact-vessel", common});
+    all.back().overrides.emplace_back("stages.flow.vessel={rotate: {rate: -0.02}}");
     return all;
   }();
   return runs;

@@ -18,6 +18,8 @@ struct ContactRun {
   int wall_comes = 0;
   int source_opens = 0;
   int more_grains = 0;
+  int vessel_moves = 0;
+  contact::Vessel vessel = {};
 
   contact::ContactModel model(bool reference = false) const { return model_from(state, reference); }
   contact::ContactModel model_from(const contact::State& from, bool reference = false) const {
@@ -39,6 +41,9 @@ struct ContactRun {
     }
     if (number == more_grains) {
       model.fill({0, 0, 1e3, 1e3}, std::vector<std::size_t>(state.grains.kinds.size(), 3));
+    }
+    if (number == vessel_moves) {
+      model.set_vessel(vessel);
     }
     return model.step();
   }
@@ -103,7 +108,24 @@ inline void stir(contact::State& state) {
   }
 }
 
-/// `open`: grains may enter and leave, and be in motion from the beginning.
+/// At any angle; turning, shaken or at rest.
+inline contact::Vessel any_vessel() {
+  const contact::Vessel stands =
+      tilted({}, contact::angle_of(*rc::gen::element(0.0, 20.0, 59.0, 90.0, 150.0, -110.0)));
+  const Eigen::Vector2d centre(within(0, 20), within(0, 40));
+  switch (within(0, 4)) {
+    case 0:
+      return rotating(stands, *rc::gen::element(-1.0 / 64, -1e-3, 1e-3, 1.0 / 100), centre);
+    case 1:
+      return tilting(stands, contact::angle_of(within(-180, 180)), within(1, 40) / 10.0, centre);
+    case 2:
+      return shaken(stands, within(1, 40) / 10.0, within(1, 60) / 1000.0, within(0, 2) == 0);
+    default:
+      return stands;
+  }
+}
+
+/// `open`: grains may enter and leave, be in motion from the beginning, and the vessel may move.
 inline ContactRun any_contact_run(bool open, int steps) {
   const bool periodic = *rc::gen::arbitrary<bool>();
   const bool narrow = within(0, 4) == 0;
@@ -136,6 +158,11 @@ inline ContactRun any_contact_run(bool open, int steps) {
   run.wall_goes = within(0, 2 * steps);
   run.wall_comes = within(0, 2 * steps);
   run.source_opens = within(0, 2 * steps);
+  run.vessel_moves = open ? within(0, 2 * steps) : -1;
+  run.vessel = any_vessel();
+  if (open && *rc::gen::arbitrary<bool>()) {
+    run.state.vessel = any_vessel();
+  }
   run.more_grains = open ? within(0, 2 * steps) : -1;
   return run;
 }

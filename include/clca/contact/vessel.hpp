@@ -15,7 +15,7 @@ using Angle = std::uint64_t;
 
 /// Of finite degrees, as near as a double has it.
 Angle angle_of(double degrees);
-/// From -180 up to 180.
+/// From -180 up to, but not, 180.
 double degrees(Angle angle);
 
 /// Turns, or is shaken, or rests. Made by the functions below.

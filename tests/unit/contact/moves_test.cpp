@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
 #include "support/states.hpp"
 

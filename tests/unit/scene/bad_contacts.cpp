@@ -94,6 +94,78 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "model "
      "automaton does; remove it, or say 'model: automaton'",
      Judge::parser},
+    {"a vessel of the automaton",
+     "model: automaton\nstages: [{name: first, sources: [spout], vessel: {tilt: 5}}]",
+     "scene.yaml:10:42: error: stages.vessel: only model contact has it; remove it, or say 'model: "
+     "contact'",
+     Judge::parser},
+    {"upright pictures of the automaton", "model: automaton\noutput: {frames: {upright: true}}",
+     "scene.yaml:12:19: error: output.frames.upright: only model contact has it; remove it, or say "
+     "'model: contact'",
+     Judge::parser},
+    {"a vessel that does nothing", "stages: [{name: first, sources: [spout], vessel: {}}]",
+     "scene.yaml:10:50: error: stages.first.vessel: expected exactly one of tilt, "
+     "rotate, shake, found none"},
+    {"a vessel that tilts and turns",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: 5, rotate: {rate: 1}}}]",
+     "scene.yaml:10:50: error: stages.first.vessel: expected exactly one of tilt, "
+     "rotate, shake, found tilt and rotate"},
+    {"a vessel that stands on more than its head",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: 181}}]",
+     "scene.yaml:10:57: error: stages.first.vessel.tilt: expected a number from -180 "
+     "to 180, found '181'"},
+    {"a tilt without its rate",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: {to: 5}}}]",
+     "scene.yaml:10:57: error: stages.first.vessel.tilt: key 'rate' is missing"},
+    {"a vessel that turns without a rate",
+     "stages: [{name: first, sources: [spout], vessel: {rotate: {centre: [1, 2]}}}]",
+     "scene.yaml:10:59: error: stages.first.vessel.rotate: key 'rate' is missing"},
+    {"a vessel that does not turn",
+     "stages: [{name: first, sources: [spout], vessel: {rotate: {rate: 0}}}]",
+     "scene.yaml:10:66: error: stages.first.vessel.rotate.rate: expected a rate other "
+     "than 0",
+     Judge::parser},
+    {"a vessel that turns too fast",
+     "stages: [{name: first, sources: [spout], vessel: {rotate: {rate: 900}}, until: {steps: 9}}]",
+     "scene.yaml:10:50: error: stages.first.vessel: a vessel turns too fast; a step "
+     "is 0.04 units of time",
+     Judge::parser},
+    {"a vessel that is shaken too fast",
+     "stages: [{name: first, sources: [spout], until: {steps: 9},\n"
+     "  vessel: {shake: {gamma: 900, amplitude: 1e-3}}}]",
+     "scene.yaml:11:11: error: stages.first.vessel: a vessel is shaken too fast or "
+     "not at all; a step is 0.04 units of time",
+     Judge::parser},
+    {"a vessel that is shaken without an amplitude",
+     "stages: [{name: first, sources: [spout], vessel: {shake: {gamma: 2}}}]",
+     "scene.yaml:10:58: error: stages.first.vessel.shake: key 'amplitude' is missing"},
+    {"a vessel that is shaken round about",
+     "stages: [{name: first, sources: [spout], until: {steps: 9},\n"
+     "  vessel: {shake: {gamma: 2, amplitude: 3, direction: round}}}]",
+     "scene.yaml:11:55: error: stages.first.vessel.shake.direction: expected one of "
+     "vertical, horizontal, found 'round'"},
+    {"a vessel that turns until it rests",
+     "stages: [{name: first, sources: [spout], vessel: {rotate: {rate: 0.1}}}]",
+     "scene.yaml:10:10: error: stages.first.until: never comes to rest while the "
+     "vessel turns; end the stage after cycles or steps, or give max_steps",
+     Judge::parser},
+    {"a periodic vessel that turns",
+     "box: {width: 51, height: 50, periodic: true}\n"
+     "stages: [{name: first, sources: [spout], until: {steps: 9}, vessel: {rotate: {rate: 1}}}]",
+     "scene.yaml:10:78: error: stages.first.vessel.rotate: a periodic box has no centre to turn "
+     "about; say 'periodic: false'", Judge::parser},
+    {"cycles of a vessel that tilts",
+     "stages: [{name: first, sources: [spout], until: {cycles: 9}, vessel: {tilt: 4}}]",
+     "scene.yaml:10:49: error: stages.first.until: no wall of this stage goes to and "
+     "fro, and its vessel neither turns nor is shaken; name one with a wave or a "
+     "shake under move",
+     Judge::parser},
+    {"a deposition in a vessel that is tilted",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: 4}}, {name: second, fill: {\n"
+     "  method: deposition, region: [0, 0, 50, 50], counts: {small: 3}}}]",
+     "scene.yaml:10:83: error: stages.second.fill: deposition needs a vessel that "
+     "stands upright; use 'method: random'",
+     Judge::parser},
     {"a table of contacts", "output: {contacts: {every: 2}}",
      "scene.yaml:12:20: error: output.contacts: model contact writes no contacts yet, model "
      "automaton does; remove it, or say 'model: automaton'",

@@ -30,7 +30,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "  - name: first\n"
      "    untill: settled",
      "scene.yaml:12:5: error: unknown key 'untill' in stages.first (allowed: name, fill, remove, "
-     "insert, move, sources, until, max_steps); did you mean 'until'?"},
+     "insert, move, sources, vessel, until, max_steps); did you mean 'until'?"},
     {"a fill without a region", "stages: [{name: first, fill: {counts: {small: 5}}}]",
      "scene.yaml:10:30: error: stages.first.fill: key 'region' is missing"},
     {"an unknown method of filling",
