@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lattice/bounded.hpp"
+
 namespace clca::lattice {
 
 namespace {
@@ -39,11 +41,6 @@ Part part_between(double from, double along, double low, double high) {
   const double enter = (low - from) / along;
   const double leave = (high - from) / along;
   return {std::max(0.0, std::min(enter, leave)), std::min(1.0, std::max(enter, leave))};
-}
-
-int bounded(double value, int low, int high) {
-  const double whole = std::floor(value);
-  return static_cast<int>(std::clamp(whole, static_cast<double>(low), static_cast<double>(high)));
 }
 
 /// The sites met on the way between the ends, those of the catchment at least: neighbours follow
@@ -118,6 +115,13 @@ void check(const Rectangle& rectangle) {
       throw std::invalid_argument("an edge of a rectangle is not a number");
     }
   }
+}
+
+Rectangle around(const Segment& segment) {
+  const double reach = segment.thickness + 1;
+  const Eigen::Vector2d low = segment.from.cwiseMin(segment.to);
+  const Eigen::Vector2d high = segment.from.cwiseMax(segment.to);
+  return {low.x() - reach, low.y() - reach, high.x() + reach, high.y() + reach};
 }
 
 std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle) {

@@ -18,22 +18,14 @@ namespace {
   throw SceneError(fmt::format("{}: error: walls.{}: {}", wall.place, wall.name, message));
 }
 
-lattice::Rectangle around(const WallPart& part) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
-    return *box;
-  }
-  const auto& line = std::get<lattice::Segment>(part);
-  const double reach = line.thickness + 1;
-  const Eigen::Vector2d low = line.from.cwiseMin(line.to);
-  const Eigen::Vector2d high = line.from.cwiseMax(line.to);
-  return {low.x() - reach, low.y() - reach, high.x() + reach, high.y() + reach};
-}
-
 /// Holds every site that the wall ever covers, as if nothing wrapped around.
 lattice::Rectangle around(const Wall& wall) {
-  lattice::Rectangle all = around(wall.parts.front());
+  const auto around_part = [](const WallPart& part) {
+    return std::visit([](const auto& form) { return lattice::around(form); }, part);
+  };
+  lattice::Rectangle all = around_part(wall.parts.front());
   for (const WallPart& part : wall.parts) {
-    const lattice::Rectangle one = around(part);
+    const lattice::Rectangle one = around_part(part);
     all = {std::min(all.left, one.left), std::min(all.bottom, one.bottom),
            std::max(all.right, one.right), std::max(all.top, one.top)};
   }

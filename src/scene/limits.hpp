@@ -17,6 +17,8 @@ inline constexpr double kWidest = 866'025;  ///< at most 1,000,000 columns
 inline constexpr double kHighest = 1'000'000;
 inline constexpr double kFarthest = 1'000'000;  ///< of a coordinate in lattice spacings
 inline constexpr double kThickest = 100;
+inline constexpr double kThinnestRing = 1;  ///< a thinner one would let sites through
+inline constexpr double kFarthestAngle = 360;
 
 inline constexpr int kLargestRadius = 100;
 inline constexpr int kLongestRod = 1000;

@@ -22,10 +22,14 @@ inline constexpr std::array<std::string_view, 6> kRulesKeys = {
 inline constexpr std::array<std::string_view, 8> kContactModelKeys = {
     "friction",    "wall_friction", "rolling",    "rolling_friction",
     "restitution", "sweeps",        "resolution", "fall_height"};
-inline constexpr std::array<std::string_view, 6> kWallKeys = {"box",    "line",    "parts",
-                                                              "motion", "passive", "friction"};
-inline constexpr std::array<std::string_view, 2> kPartKeys = {"box", "line"};
+inline constexpr std::array<std::string_view, 9> kWallKeys = {
+    "box", "line", "disc", "ring", "arc", "parts", "motion", "passive", "friction"};
+inline constexpr std::array<std::string_view, 5> kPartKeys = {"box", "line", "disc", "ring", "arc"};
 inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
+inline constexpr std::array<std::string_view, 2> kDiscKeys = {"centre", "radius"};
+inline constexpr std::array<std::string_view, 3> kRingKeys = {"centre", "radius", "thickness"};
+inline constexpr std::array<std::string_view, 5> kArcKeys = {"centre", "radius", "thickness",
+                                                             "from", "to"};
 inline constexpr std::array<std::string_view, 6> kMotionKeys = {"direction", "period", "distance",
                                                                 "wave",      "shake",  "path"};
 inline constexpr std::array<std::string_view, 3> kWaveKeys = {"form", "amplitude", "period"};

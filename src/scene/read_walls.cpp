@@ -42,6 +42,11 @@ bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& seg
   return !crosses && lattice::sites_along(lattice, segment).empty();
 }
 
+template <class Form>
+bool covers_no_site(const lattice::Lattice& lattice, const Form& form) {
+  return holds_no_site(lattice, form);
+}
+
 lattice::Segment read_line(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kLineKeys);
   lattice::Segment segment = {.from = read_point(fields.at("from"), fields.path("from")),
@@ -53,23 +58,66 @@ lattice::Segment read_line(const Value& value, const std::string& path) {
   return segment;
 }
 
-/// What is under the key `box` or `line`. Only a wall that moves may be outside the box at home.
+lattice::Disc read_disc(const Value& value, const std::string& path) {
+  const KeyedMap fields(value, path, kDiscKeys);
+  return {.centre = read_point(fields.at("centre"), fields.path("centre")),
+          .radius = fields.positive("radius", kFarthest)};
+}
+
+lattice::Ring read_ring(const KeyedMap& fields) {
+  return {.centre = read_point(fields.at("centre"), fields.path("centre")),
+          .radius = fields.positive("radius", kFarthest),
+          .thickness = fields.number("thickness", kThinnestRing, kThickest, 1)};
+}
+
+lattice::Arc read_arc(const Value& value, const std::string& path) {
+  const KeyedMap fields(value, path, kArcKeys);
+  const lattice::Arc arc = {.ring = read_ring(fields),
+                            .from = fields.number("from", -kFarthestAngle, kFarthestAngle),
+                            .to = fields.number("to", -kFarthestAngle, kFarthestAngle)};
+  if (arc.from >= arc.to || arc.to - arc.from >= 360) {
+    fail(value.place, fmt::format("{}: expected from < to, less than 360 degrees apart, found {} "
+                                  "to {}; a whole circle is a ring",
+                                  path, arc.from, arc.to));
+  }
+  return arc;
+}
+
+WallPart read_form(const Value& value, std::string_view key, const std::string& path) {
+  if (key == "box") {
+    return read_rectangle(value, path);
+  }
+  if (key == "line") {
+    return read_line(value, path);
+  }
+  if (key == "disc") {
+    return read_disc(value, path);
+  }
+  if (key == "ring") {
+    return read_ring(KeyedMap(value, path, kRingKeys));
+  }
+  return read_arc(value, path);
+}
+
+/// What is under one of kPartKeys. Only a wall that moves may be outside the box at home.
 WallPart read_part(const KeyedMap& fields, std::string_view key, const Box& box, bool moves) {
   const Value& value = fields.at(key);
   const std::string path = fields.path(key);
-  if (key == "box") {
-    return moves ? read_rectangle(value, path) : read_region(value, path, box);
+  if (key == "box" && !moves) {
+    return read_region(value, path, box);
   }
-  const lattice::Segment segment = read_line(value, path);
-  if (!moves && covers_no_site(lattice_of(box), segment)) {
+  WallPart part = read_form(value, key, path);
+  const lattice::Lattice lattice = lattice_of(box);
+  const auto empty = [&](const auto& form) { return covers_no_site(lattice, form); };
+  if (!moves && std::visit(empty, part)) {
     fail(value.place, fmt::format("{}: no site of the box, {} wide and {} high, lies on it", path,
                                   box.width, box.height));
   }
-  return segment;
+  return part;
 }
 
 std::vector<WallPart> read_parts(const KeyedMap& fields, const Box& box, bool moves) {
-  const std::string_view key = fields.only({"box", "line", "parts"});
+  const std::string_view key = fields.only({"box", "line", "disc", "ring", "arc", "parts"});
   if (key != "parts") {
     return {read_part(fields, key, box, moves)};
   }
@@ -77,7 +125,7 @@ std::vector<WallPart> read_parts(const KeyedMap& fields, const Box& box, bool mo
   const std::string path = fields.path(key);
   for (const Value& item : read_list(fields.at(key), path, 1, kMostThings)) {
     const KeyedMap part(item, join_path(path, std::to_string(parts.size())), kPartKeys);
-    parts.push_back(read_part(part, part.only({"box", "line"}), box, moves));
+    parts.push_back(read_part(part, part.only({"box", "line", "disc", "ring", "arc"}), box, moves));
   }
   return parts;
 }

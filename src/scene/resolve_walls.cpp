@@ -9,13 +9,27 @@ namespace clca::scene {
 
 namespace {
 
-std::string part_text(const WallPart& part) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
-    return fmt::format("box: {}", rectangle(*box));
-  }
-  const auto& line = std::get<lattice::Segment>(part);
+std::string text(const lattice::Rectangle& box) {
+  return fmt::format("box: {}", rectangle(box));
+}
+std::string text(const lattice::Segment& line) {
   return fmt::format("line: {{from: {}, to: {}, thickness: {}}}", point(line.from), point(line.to),
                      line.thickness);
+}
+std::string text(const lattice::Disc& disc) {
+  return fmt::format("disc: {{centre: {}, radius: {}}}", point(disc.centre), disc.radius);
+}
+std::string text(const lattice::Ring& ring) {
+  return fmt::format("ring: {{centre: {}, radius: {}, thickness: {}}}", point(ring.centre),
+                     ring.radius, ring.thickness);
+}
+std::string text(const lattice::Arc& arc) {
+  return fmt::format("arc: {{centre: {}, radius: {}, thickness: {}, from: {}, to: {}}}",
+                     point(arc.ring.centre), arc.ring.radius, arc.ring.thickness, arc.from, arc.to);
+}
+
+std::string part_text(const WallPart& part) {
+  return std::visit([](const auto& form) { return text(form); }, part);
 }
 
 std::string parts_text(const std::vector<WallPart>& parts) {

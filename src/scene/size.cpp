@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "automaton/claims.hpp"
@@ -70,19 +71,31 @@ double most_sites(const lattice::Catchment& catchment, const lattice::Rectangle&
   return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
 }
 
+/// Area that holds the cells of all sites, those on the edge included.
+double area(const lattice::Rectangle& box) {
+  return (box.right - box.left + 4) * (box.top - box.bottom + 4);
+}
+double area(const lattice::Segment& line) {
+  return ((line.to - line.from).norm() + line.thickness + 4) * (line.thickness + 4);
+}
+double area(const lattice::Disc& disc) {
+  return std::numbers::pi * (disc.radius + 2) * (disc.radius + 2);
+}
+double area(const lattice::Ring& ring) {
+  return std::numbers::pi * (2 * ring.radius + ring.thickness + 4) * (ring.thickness + 4);
+}
+double area(const lattice::Arc& arc) {
+  return area(arc.ring);
+}
+
+/// From above: by the area, or by the rectangle around it.
 double part_sites(const lattice::Catchment& catchment, const WallPart& part) {
-  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
-    return most_sites(catchment, *box);
-  }
-  const auto& line = std::get<lattice::Segment>(part);
-  // Of a band around the line, wide enough for the cells of the sites on its edge, or of the
-  // rectangle around it.
-  const double band = ((line.to - line.from).norm() + line.thickness + 4) * (line.thickness + 4) /
-                      lattice::kColumnPitch;
-  const Eigen::Vector2d reach(line.thickness, line.thickness);
-  const Eigen::Vector2d low = line.from.cwiseMin(line.to) - reach;
-  const Eigen::Vector2d high = line.from.cwiseMax(line.to) + reach;
-  return std::min(band, most_sites(catchment, {low.x(), low.y(), high.x(), high.y()}));
+  return std::visit(
+      [&](const auto& form) {
+        return std::min(area(form) / lattice::kColumnPitch,
+                        most_sites(catchment, lattice::around(form)));
+      },
+      part);
 }
 
 /// Each step of a motion brings in those along two edges of the box at the most.

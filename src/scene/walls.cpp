@@ -7,6 +7,19 @@
 
 namespace clca::scene {
 
+namespace {
+
+std::vector<lattice::Site> sites_of(const lattice::Catchment& catchment,
+                                    const lattice::Segment& segment) {
+  return lattice::sites_along(catchment, segment);
+}
+template <class Form>
+std::vector<lattice::Site> sites_of(const lattice::Catchment& catchment, const Form& form) {
+  return lattice::sites_in(catchment, form);
+}
+
+}  // namespace
+
 lattice::Catchment catchment_of(const lattice::Lattice& lattice, const Wall& wall) {
   if (!wall.motion) {
     return lattice::Catchment(lattice);
@@ -19,10 +32,8 @@ std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wal
   const lattice::Catchment catchment = catchment_of(lattice, wall);
   std::vector<lattice::Site> sites;
   for (const WallPart& part : wall.parts) {
-    const auto* box = std::get_if<lattice::Rectangle>(&part);
     const std::vector<lattice::Site> more =
-        box != nullptr ? lattice::sites_in(catchment, *box)
-                       : lattice::sites_along(catchment, std::get<lattice::Segment>(part));
+        std::visit([&](const auto& form) { return sites_of(catchment, form); }, part);
     sites.insert(sites.end(), more.begin(), more.end());
   }
   if (wall.parts.size() > 1) {

@@ -35,6 +35,12 @@ struct Segment {
   }
 };
 
+/// A rectangle that holds all sites of the part.
+inline Rectangle around(const Rectangle& rectangle) {
+  return rectangle;
+}
+Rectangle around(const Segment& segment);
+
 /// The sites inside `rectangle`, up the columns from the left: those of the lattice, or those that
 /// come into it. Throws as check().
 std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle);

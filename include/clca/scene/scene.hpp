@@ -13,6 +13,7 @@
 #include "clca/automaton/rules.hpp"
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/motion.hpp"
+#include "clca/lattice/circle.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/output.hpp"
@@ -72,7 +73,8 @@ struct Species {
 /// What moves the grains.
 enum class Model : std::uint8_t { automaton, contact };
 
-using WallPart = std::variant<lattice::Rectangle, lattice::Segment>;
+using WallPart =
+    std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring, lattice::Arc>;
 
 /// One body. Without motion each of its parts has a site in the box; see check_walls for the rest.
 struct Wall {

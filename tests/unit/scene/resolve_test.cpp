@@ -25,7 +25,10 @@ constexpr std::string_view kEverything =
     "  -rod: {shape: {rod: {radius: 1, length: 3}}}\n"
     "rules: {inertia: 0.1, scatter: 1e-3, gravity: up, update_priority: [gravity, rest, inertia],"
     " ties: direction}\n"
-    "walls: {left: {line: {from: [0.1, 0], to: [30, 5], thickness: 0}}, right: {box: [1, 1, 9, 9]}}"
+    "walls: {left: {line: {from: [0.1, 0], to: [30, 5], thickness: 0}}, right: {box: [1, 1, 9, 9]},"
+    " rock: {disc: {centre: [40.1, 3], radius: 0.7}}, drum: {ring: {centre: [70, 25], radius: "
+    "9.3}},"
+    " bowl: {parts: [{arc: {centre: [70, 25], radius: 2.5, thickness: 1.1, from: -90.5, to: 33}}]}}"
     "\n"
     "sources: {spout: {region: [1, 1, 9, 9], species: {-rod: 7}, rate: 1e-6},"
     " rain: {at: [9, 9.5], rate: 3, count: 5}}\n"
@@ -119,6 +122,14 @@ TEST(Scenes, DifferWhenAnyPartDiffers) {
        {"title: Other", "seed: 2", "box: {width: 100, height: 51}", "rules: {ties: direction}",
         "walls: {left: {box: [0, 0, 1, 50]}, right: {box: [50, 0, 51, 49]}}",
         "walls: {left: {box: [0, 0, 1, 50]}, right: {line: {from: [50, 0], to: [50, 50]}}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {disc: {centre: [50, 0], radius: 3}}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {ring: {centre: [50, 0], radius: 3}}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {ring: {centre: [50, 0], radius: 3, "
+        "thickness: 2}}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {arc: {centre: [50, 0], radius: 3, from: 0, "
+        "to: 90}}}",
+        "walls: {left: {box: [0, 0, 1, 50]}, right: {arc: {centre: [50, 0], radius: 3, from: 0, "
+        "to: 91}}}",
         "measure: [repose]", "output: {frames: {every: 11}, series: {every: 1}}",
         "output: {frames: {every: 10}, series: {every: 1}, trajectory: {every: 10}}"}) {
     EXPECT_NE(scene_with(part), scene) << part;

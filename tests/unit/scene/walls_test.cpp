@@ -100,7 +100,9 @@ TEST(WallsThere, FollowsWhatStagesInsertAndRemove) {
 TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
   const std::vector<WallPart> forms = {
       lattice::Rectangle{-5, -5, 4, 30}, lattice::Rectangle{3, 2, 5, 4},
-      lattice::Segment{{-10, 3}, {20, 9}, 1}, lattice::Segment{{4, -20}, {4, 40}, 3}};
+      lattice::Segment{{-10, 3}, {20, 9}, 1}, lattice::Segment{{4, -20}, {4, 40}, 3},
+      lattice::Disc{{-3, 5}, 6},              lattice::Ring{{5, 12}, 4, 2},
+      lattice::Arc{{{5, 3}, 5, 1}, 20, 250}};
   for (const bool periodic : {false, true}) {
     const lattice::Lattice lattice(12, 9, periodic);
     for (const lattice::Direction direction : lattice::kDirections) {
@@ -200,7 +202,10 @@ TEST(SizeOf, IsNeverBelowTheSitesOfAWallThatMoves) {
        {"up", "up_right", "down_right", "down", "down_left", "up_left"}) {
     for (const std::string form :
          {"box: [-1000, -1000, 1000, 1000]",
-          "line: {from: [-300, -200], to: [300, 260], thickness: 9}", "box: [-30, 40, 20, 70]"}) {
+          "line: {from: [-300, -200], to: [300, 260], thickness: 9}", "box: [-30, 40, 20, 70]",
+          "disc: {centre: [30, 20], radius: 12}", "disc: {centre: [90, 20], radius: 500}",
+          "ring: {centre: [30, 20], radius: 15}",
+          "arc: {centre: [30, 20], radius: 200, thickness: 20, from: -150, to: 200}"}) {
       const Scene scene =
           scene_with("walls: {plate: {" + form + ", motion: {direction: " + direction +
                      ", distance: 300}}}\n" + kOne);

@@ -1,0 +1,210 @@
+#include "clca/lattice/circle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+#include "lattice/bounded.hpp"
+
+namespace clca::lattice {
+
+namespace {
+
+// What rounding may move a site by is far less, so that sites on an edge are inside.
+constexpr double kOnEdge = 1e-6;
+constexpr double kTooLong = 1e8;
+
+/// The unit vector at an angle, by sums and products alone: the same on every machine.
+Eigen::Vector2d unit_at(double degrees) {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  constexpr int kPowers = 20;
+  const double quarter = std::round(degrees / 90);
+  const double angle = (degrees - 90 * quarter) * kDegree;  // within an eighth of a turn
+  double sine = 0;
+  double cosine = 1;
+  double term = 1;  // of the power series
+  for (int power = 1; power < kPowers; power += 2) {
+    term *= angle / power;
+    sine += term;
+    term *= -angle / (power + 1);
+    cosine += term;
+  }
+  switch (static_cast<int>(quarter) & 3) {
+    case 0:
+      return {cosine, sine};
+    case 1:
+      return {-sine, cosine};
+    case 2:
+      return {-cosine, -sine};
+    default:
+      return {sine, -cosine};
+  }
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Of the directions between two angles.
+class Sector {
+ public:
+  explicit Sector(const Arc& arc)
+      : from_(unit_at(arc.from)), to_(unit_at(arc.to)), wide_(arc.to - arc.from > 180) {}
+
+  bool contains(const Eigen::Vector2d& from_centre) const {
+    if (wide_) {
+      return cross(to_, from_centre) <= kOnEdge || cross(from_centre, from_) <= kOnEdge;
+    }
+    return cross(from_, from_centre) >= -kOnEdge && cross(from_centre, to_) >= -kOnEdge &&
+           (from_ + to_).dot(from_centre) >= -kOnEdge;
+  }
+
+ private:
+  Eigen::Vector2d from_;
+  Eigen::Vector2d to_;
+  bool wide_;
+};
+
+/// What discs, rings and arcs have in common.
+struct Band {
+  Eigen::Vector2d centre;
+  double inner = 0;  ///< radii that leave the edges inside
+  double outer = 0;
+  std::optional<Sector> sector = {};
+
+  bool contains(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d from_centre = point - centre;
+    const double square = from_centre.squaredNorm();
+    return square >= inner * inner && square <= outer * outer &&
+           (!sector || sector->contains(from_centre));
+  }
+};
+
+void check_length(double length) {
+  if (!(length >= 0 && length < kTooLong)) {
+    throw std::invalid_argument("a radius or thickness is negative or too long");
+  }
+}
+
+Band band_of(const Disc& disc) {
+  nearest_site(disc.centre);  // throws where it is too far
+  check_length(disc.radius);
+  return {.centre = disc.centre, .outer = disc.radius + kOnEdge};
+}
+
+Band band_of(const Ring& ring) {
+  nearest_site(ring.centre);
+  check_length(ring.radius);
+  check_length(ring.thickness);
+  return {.centre = ring.centre,
+          .inner = std::max(0.0, ring.radius - kOnEdge),
+          .outer = ring.radius + ring.thickness + kOnEdge};
+}
+
+Band band_of(const Arc& arc) {
+  Band band = band_of(arc.ring);
+  if (!(std::abs(arc.from) < kTooLong && arc.to > arc.from && arc.to - arc.from < 360)) {
+    throw std::invalid_argument("an arc ends less than 360 degrees after it begins");
+  }
+  band.sector = Sector(arc);
+  return band;
+}
+
+/// Half the height of a circle at a distance from its centre; 0 beside it.
+double half_chord(double radius, double distance) {
+  return std::sqrt(std::max(0.0, radius * radius - distance * distance));
+}
+
+using Visit = std::function<bool(Site)>;
+
+/// Goes up these rows of a column until `visit` holds for a site of the band.
+bool visit_rows(const Band& band, int column, Rows rows, const Visit& visit) {
+  for (int row = rows.first; row < rows.end; ++row) {
+    const Site site = {column, row};
+    if (band.contains(position(site)) && visit(site)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Goes through the sites, up the columns from the left, until `visit` holds for one.
+bool visit_sites(const Catchment& catchment, const Band& band, const Visit& visit) {
+  constexpr double kMargin = 2;  // more than a row and what rounding may lose
+  const int low = catchment.first_column();
+  const int high = catchment.end_column();
+  const int end = bounded((band.centre.x() + band.outer) / kColumnPitch + kMargin, low, high);
+  for (int column = bounded((band.centre.x() - band.outer) / kColumnPitch - 1, low, high);
+       column < end; ++column) {
+    const Rows all = catchment.rows(column);
+    const double distance = kColumnPitch * column - band.centre.x();
+    const double outside = half_chord(band.outer, distance) + kMargin;
+    const double inside = half_chord(band.inner, distance) - kMargin;
+    const auto row_at = [&](double height) {
+      return bounded(band.centre.y() + height, all.first, std::max(all.first, all.end));
+    };
+    // Below the inner circle and above it.
+    const int first = row_at(-outside);
+    const int last = row_at(outside);
+    const int gap = inside > 0 ? row_at(-inside) : last;
+    const int after_gap = inside > 0 ? row_at(inside) : last;
+    if (visit_rows(band, column, {first, gap}, visit) ||
+        visit_rows(band, column, {after_gap, last}, visit)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Form>
+std::vector<Site> gathered(const Catchment& catchment, const Form& form) {
+  std::vector<Site> sites;
+  visit_sites(catchment, band_of(form), [&](Site site) {
+    sites.push_back(site);
+    return false;
+  });
+  return sites;
+}
+
+template <class Form>
+bool empty(const Catchment& catchment, const Form& form) {
+  return !visit_sites(catchment, band_of(form), [](Site) { return true; });
+}
+
+}  // namespace
+
+std::vector<Site> sites_in(const Catchment& catchment, const Disc& disc) {
+  return gathered(catchment, disc);
+}
+std::vector<Site> sites_in(const Catchment& catchment, const Ring& ring) {
+  return gathered(catchment, ring);
+}
+std::vector<Site> sites_in(const Catchment& catchment, const Arc& arc) {
+  return gathered(catchment, arc);
+}
+
+bool holds_no_site(const Lattice& lattice, const Disc& disc) {
+  return empty(Catchment(lattice), disc);
+}
+bool holds_no_site(const Lattice& lattice, const Ring& ring) {
+  return empty(Catchment(lattice), ring);
+}
+bool holds_no_site(const Lattice& lattice, const Arc& arc) {
+  return empty(Catchment(lattice), arc);
+}
+
+Rectangle around(const Disc& disc) {
+  const double reach = disc.radius + 1;
+  return {disc.centre.x() - reach, disc.centre.y() - reach, disc.centre.x() + reach,
+          disc.centre.y() + reach};
+}
+Rectangle around(const Ring& ring) {
+  return around(Disc{ring.centre, ring.radius + ring.thickness});
+}
+Rectangle around(const Arc& arc) {
+  return around(arc.ring);
+}
+
+}  // namespace clca::lattice
