@@ -82,6 +82,7 @@ void check_rolling(const Scene& scene, const Value& species) {
 void check_model(const Scene& scene, const Value& root) {
   if (scene.model == Model::automaton) {
     refuse_foreign(root, "", "contact", Model::contact);
+    refuse_foreign(root, "", "units", Model::contact);
     if (const Value* walls = root.find("walls")) {
       for (const Entry& wall : walls->entries) {
         refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);

@@ -53,6 +53,10 @@ inline constexpr int kMostSweeps = 64;
 inline constexpr double kFinestResolution = 0.01;
 inline constexpr double kCoarsestResolution = 1;
 inline constexpr double kHighestFall = 1e6;
+inline constexpr double kLeastSpacing = 1e-9;      ///< metres
+inline constexpr double kGreatestSpacing = 1e3;    ///< metres
+inline constexpr double kLeastRealGravity = 1e-6;  ///< metres per second squared
+inline constexpr double kMostRealGravity = 1e6;
 
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kFewestInGas = 2;

@@ -9,9 +9,9 @@
 
 namespace clca::scene {
 
-inline constexpr std::array<std::string_view, 14> kSceneKeys = {
+inline constexpr std::array<std::string_view, 15> kSceneKeys = {
     "clca",    "title", "seed",    "model",   "box",    "species", "rules",
-    "contact", "walls", "sources", "outlets", "stages", "measure", "output"};
+    "contact", "units", "walls", "sources", "outlets", "stages", "measure", "output"};
 inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
 inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
 inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
@@ -22,6 +22,7 @@ inline constexpr std::array<std::string_view, 6> kRulesKeys = {
 inline constexpr std::array<std::string_view, 8> kContactModelKeys = {
     "friction",    "wall_friction", "rolling",    "rolling_friction",
     "restitution", "sweeps",        "resolution", "fall_height"};
+inline constexpr std::array<std::string_view, 2> kUnitsKeys = {"spacing", "gravity"};
 inline constexpr std::array<std::string_view, 6> kWallKeys = {"box",    "line",    "parts",
                                                               "motion", "passive", "friction"};
 inline constexpr std::array<std::string_view, 2> kPartKeys = {"box", "line"};
@@ -36,7 +37,7 @@ inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
 inline constexpr std::array<std::string_view, 8> kStageKeys = {
     "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
 inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
-inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
+inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "discharged", "cycles", "time"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
 inline constexpr std::array<std::string_view, 10> kFramesKeys = {
@@ -71,6 +72,9 @@ inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
     {{"none", contact::Rolling::none},
      {"resistance", contact::Rolling::resistance},
      {"free", contact::Rolling::free}}};
+/// A unit of length and how many of it make a metre.
+inline constexpr std::array<Named<double>, 4> kLengthUnits = {
+    {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
 /// For a height of fall that is estimated.
 inline constexpr std::string_view kAutoHeight = "auto";
 inline constexpr std::array<Named<automaton::Candidates>, 2> kCandidateNames = {
