@@ -98,7 +98,9 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
   }
   return {
       .exposure = painter_.expose(view.state, view.occupancy, colors),
-      .caption = {.title = scene_.title, .detail = fmt::format("{}, {}", history.stage, when)},
+      .caption = {.title = scene_.title,
+                  .detail = fmt::format("{}, {}", history.stage, when),
+                  .spacing = scene_.units ? scene_.units->spacing : 0},
       .overlay = std::move(drawn.overlay),
       .text = std::move(text)};
 }

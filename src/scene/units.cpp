@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clca/contact/contact_model.hpp"
 #include "clca/scene/contact.hpp"
 
 namespace clca::scene {
