@@ -91,8 +91,7 @@ std::string VtpWriter::beside(const std::string& part, std::uint64_t step) const
 }
 
 double VtpWriter::time(std::uint64_t step) const {
-  return time_step_ *
-         (static_cast<double>(step) + static_cast<double>(earlier_) / (earlier_ + 1));
+  return time_step_ * (static_cast<double>(step) + static_cast<double>(earlier_) / (earlier_ + 1));
 }
 
 // The end of a stage and the beginning of the next one are at the same step.

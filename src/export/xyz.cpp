@@ -33,7 +33,8 @@ void append_comment(Text& text, const grains::State& state, double time_step) {
                  "Lattice=\"{:.6f} 0 0 0 {:.6f} 0 0 0 1\" Origin=\"{:.6f} {:.6f} -0.5\" "
                  "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1 "
                  "Time={} Step={} pbc=\"{} F F\"\n",
-                 size.x(), size.y(), corner.x(), corner.y(), static_cast<double>(state.step) * time_step, state.step,
+                 size.x(), size.y(), corner.x(), corner.y(),
+                 static_cast<double>(state.step) * time_step, state.step,
                  state.lattice.periodic() ? 'T' : 'F');
 }
 

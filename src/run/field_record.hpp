@@ -15,7 +15,8 @@ namespace clca::run {
 
 /// Columns: stage, step (end of the window), of the contact model time, x, y (centre of the cell),
 /// packing, particles, vx, vy (spacings per step; of the contact model in the unit of velocity of
-/// scene::Conversion), fluctuation (in the square of that). Cells without particles and packing are left out.
+/// scene::Conversion), fluctuation (in the square of that). Cells without particles and packing are
+/// left out.
 class FieldRecord {
  public:
   FieldRecord(const scene::Fields& fields, const std::optional<scene::Conversion>& conversion);

@@ -96,13 +96,12 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
     text["Time"] = conversion_->time_text(step);
     when = "t = " + text["Time"];
   }
-  return {
-      .exposure = painter_.expose(view.state, view.occupancy, colors),
-      .caption = {.title = scene_.title,
-                  .detail = fmt::format("{}, {}", history.stage, when),
-                  .spacing = scene_.units ? scene_.units->spacing : 0},
-      .overlay = std::move(drawn.overlay),
-      .text = std::move(text)};
+  return {.exposure = painter_.expose(view.state, view.occupancy, colors),
+          .caption = {.title = scene_.title,
+                      .detail = fmt::format("{}, {}", history.stage, when),
+                      .spacing = scene_.units ? scene_.units->spacing : 0},
+          .overlay = std::move(drawn.overlay),
+          .text = std::move(text)};
 }
 
 Picture FramePainter::develop(const Negative& negative) {

@@ -10,8 +10,8 @@
 namespace clca::scene {
 
 inline constexpr std::array<std::string_view, 15> kSceneKeys = {
-    "clca",    "title", "seed",    "model",   "box",    "species", "rules",
-    "contact", "units", "walls", "sources", "outlets", "stages", "measure", "output"};
+    "clca",  "title", "seed",    "model",   "box",    "species", "rules", "contact",
+    "units", "walls", "sources", "outlets", "stages", "measure", "output"};
 inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
 inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
 inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
@@ -37,7 +37,8 @@ inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
 inline constexpr std::array<std::string_view, 8> kStageKeys = {
     "name", "fill", "remove", "insert", "move", "sources", "until", "max_steps"};
 inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
-inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "discharged", "cycles", "time"};
+inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "discharged", "cycles",
+                                                               "time"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
 inline constexpr std::array<std::string_view, 10> kFramesKeys = {

@@ -41,7 +41,8 @@ double read_fall_height(const Value& value, const std::string& path) {
 /// `1 mm` in metres.
 double read_length(const Value& value, const std::string& path) {
   const std::size_t end = value.text.find_last_of("0123456789.") + 1;
-  const std::size_t unit_begin = std::min(value.text.find_first_not_of(' ', end), value.text.size());
+  const std::size_t unit_begin =
+      std::min(value.text.find_first_not_of(' ', end), value.text.size());
   const std::string_view text = value.text;
   const auto number = to_number(text.substr(0, end));
   for (const Named<double>& unit : kLengthUnits) {

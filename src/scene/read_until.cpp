@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "clca/scene/units.hpp"
-
 #include "scene/fields.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
@@ -112,10 +111,11 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
   if (!value.is(Value::Kind::map)) {
     constexpr std::array<std::string_view, 1> kSettled = {"settled"};
     if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
-      fail(value.place,
-           fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
-                       "{{time: T}}, found {}{}",
-                       path, found(value), suggestion(value.text, kSettled)));
+      fail(
+          value.place,
+          fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
+                      "{{time: T}}, found {}{}",
+                      path, found(value), suggestion(value.text, kSettled)));
     }
     return UntilSettled{};
   }
@@ -186,9 +186,8 @@ void count_steps(Scene& scene, const Value& list) {
     const Value& value = list.items[number];
     const double steps = steps_until(until->time, *conversion(scene));
     if (steps > static_cast<double>(kMostSteps)) {
-      fail(value.find("until")->place,
-           fmt::format("{}: it takes {:.3g} steps; expected at most {}", join_path(path, "until"),
-                       steps, kMostSteps));
+      fail(value.find("until")->place, fmt::format("{}: it takes {:.3g} steps; expected at most {}",
+                                                   join_path(path, "until"), steps, kMostSteps));
     }
     until->steps = static_cast<std::uint64_t>(steps);
     const Value* max_steps = value.find("max_steps");

@@ -37,8 +37,8 @@ auto content(const Frames& frames) {
 
 auto content(const Scene& scene) {
   return std::tie(scene.title, scene.seed, scene.model, scene.box, scene.species, scene.rules,
-                  scene.contact, scene.units, scene.walls, scene.sources, scene.outlets, scene.stages,
-                  scene.measures, scene.output);
+                  scene.contact, scene.units, scene.walls, scene.sources, scene.outlets,
+                  scene.stages, scene.measures, scene.output);
 }
 
 }  // namespace

@@ -58,14 +58,10 @@ std::string to_json(const RunSummary& summary) {
   for (const StageSummary& stage : summary.stages) {
     stages.push_back(to_object(stage, summary.units));
   }
-  Json object = {{"clca", summary.version},
-                 {"kind", summary.kind},
-                 {"scene", summary.scene},
-                 {"seed", summary.seed},
-                 {"threads", summary.threads},
-                 {"status", summary.status},
-                 {"particles", summary.particles},
-                 {"steps", summary.steps}};
+  Json object = {{"clca", summary.version},        {"kind", summary.kind},
+                 {"scene", summary.scene},         {"seed", summary.seed},
+                 {"threads", summary.threads},     {"status", summary.status},
+                 {"particles", summary.particles}, {"steps", summary.steps}};
   add_time(object, summary.steps, summary.units);
   if (summary.units) {
     object["units"] = to_object(*summary.units);

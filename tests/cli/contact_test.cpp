@@ -117,7 +117,7 @@ TEST_F(ContactCliTest, TheAutomatonHasNoUnits) {
   const auto refused = run({"run", "small.yaml", "--set", "units={spacing: 1 mm}"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.err,
-            "clca: --set units={spacing: 1 mm}: error: units: only model contact has it; remove "
+            "--set units={spacing: 1 mm}: error: units: only model contact has it; remove "
             "it, or say 'model: contact'\n");
   EXPECT_EQ(run({"run", "small.yaml", "-o", "automaton"}).code, 0);
   const fs::path folder = folder_.path() / "automaton";
@@ -126,9 +126,8 @@ TEST_F(ContactCliTest, TheAutomatonHasNoUnits) {
 }
 
 TEST_F(ContactCliTest, ASweepOverTheSpacingHasTheTimeOfEachStage) {
-  const auto result = run({"sweep", "small.yaml", "--set", "model=contact", "--set",
-                           "units.spacing=1mm", "--vary", "units.spacing=1mm,4mm", "--seeds", "1",
-                           "-o", "sizes"});
+  const auto result = run({"sweep", "small.yaml", "--set", "model=contact", "--vary",
+                           "units.spacing=1mm,4mm", "--seeds", "1", "-o", "sizes"});
   EXPECT_EQ(result.code, 0) << result.err;
   const auto times = testing::csv_column(folder_.path() / "sizes" / "runs.csv", "flow.time");
   ASSERT_EQ(times.size(), 2U);

@@ -43,7 +43,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      Judge::parser},
     {"a misspelt key at the top", "sede: 1",
      "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, title, seed, model, box, "
-     "species, rules, contact, units, walls, sources, outlets, stages, measure, output); did you mean "
+     "species, rules, contact, units, walls, sources, outlets, stages, measure, output); did you "
+     "mean "
      "'seed'?"},
     {"a key of another kind of scene", "boltzmann: {particles: 10}",
      "scene.yaml:13:1: error: 'boltzmann' does not go with 'box': a scene of the Boltzmann "

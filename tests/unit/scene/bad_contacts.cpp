@@ -75,7 +75,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:13:1: error: units: only model contact has it; remove it, or say 'model: "
      "contact'"},
     {"units without a spacing", "units: {gravity: 9.81}",
-     "scene.yaml:13:8: error: units.spacing is missing"},
+     "scene.yaml:13:8: error: units: key 'spacing' is missing"},
     {"an unknown unit", "units: {spacing: 1 furlong}",
      "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
      "with one of the units m, cm, mm, um, as in 1 mm, found '1 furlong'"},
@@ -107,16 +107,16 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "mean 'gravity'?"},
     {"a time of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], until: {time: 1}}]",
-     "scene.yaml:10:48: error: stages.first.until.time: only model contact has times; give steps, "
+     "scene.yaml:10:49: error: stages.first.until.time: only model contact has times; give steps, "
      "or say 'model: contact'",
      Judge::parser},
     {"a time of nothing", "stages: [{name: first, sources: [spout], until: {time: 0}}]",
-     "scene.yaml:10:55: error: stages.first.until.time: expected a number above 0 and up to "
+     "scene.yaml:10:56: error: stages.first.until.time: expected a number above 0 and up to "
      "1000000000, found '0'"},
     {"a time of too many steps",
      "units: {spacing: 1 um, gravity: 1e6}\n"
      "stages: [{name: first, sources: [spout], until: {time: 1e6}}]",
-     "scene.yaml:10:48: error: stages.first.until: it takes 1.5e+13 steps; expected at most "
+     "scene.yaml:10:49: error: stages.first.until: it takes 2.5e+13 steps; expected at most "
      "1000000000000",
      Judge::parser},
     {"fewer steps than a time takes",

@@ -118,7 +118,8 @@ constexpr auto kTexts = std::to_array<BadText>({
      "scene.yaml:2:7: error: unknown key 'größe' in box (allowed: width, height, periodic)"},
     {"a very long word", "clca: 1\nthis-is-not-a-key-that-anyone-would-ever-think-of: 2\n"sv,
      "scene.yaml:2:1: error: unknown key 'this-is-not-a-key-that-anyone-would-ever...' "
-     "(allowed: clca, title, seed, model, box, species, rules, contact, units, walls, sources, outlets, "
+     "(allowed: clca, title, seed, model, box, species, rules, contact, units, walls, sources, "
+     "outlets, "
      "stages, measure, output)"},
 });
 

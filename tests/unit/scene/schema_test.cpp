@@ -268,8 +268,8 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
       "stages: [{name: first, sources: [spout], move: [plate], max_steps: 9}]\n"
       "output: {frames: {}, series: {}, fields: {}, contacts: {}, trajectory: {}}";
   nlohmann::json scene = json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
-  const auto contact = json_of(
-      to_yaml(parse(testing::contact_with("units: {spacing: 1 m}"), "scene.yaml")));
+  const auto contact =
+      json_of(to_yaml(parse(testing::contact_with("units: {spacing: 1 m}"), "scene.yaml")));
   scene["contact"] = contact.at("contact");
   scene["units"] = contact.at("units");
   const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {

@@ -124,7 +124,8 @@ TEST(Conversion, WritesTimesWithDecimalsThatTellStepsApart) {
 }
 
 TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
-  const Conversion units = {.time_step = 0.1};
+  const Conversion units = {
+      .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.1};
   EXPECT_EQ(steps_until(0.25, units), 3);
   EXPECT_EQ(steps_until(0.001, units), 1);
   for (std::uint64_t steps = 1; steps < 1000; ++steps) {
@@ -133,8 +134,8 @@ TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
   const Scene scene = contact_with("contact: {fall_height: 80}\n" + std::string(kUntilTime));
   EXPECT_EQ(scene.stages[0].until, Until(UntilTime{.time = 2.5, .steps = 80}));
   EXPECT_EQ(steps_of(scene.stages[0].until), 80U);
-  const Scene real =
-      contact_with("contact: {fall_height: 80}\nunits: {spacing: 1 cm}\n" + std::string(kUntilTime));
+  const Scene real = contact_with("contact: {fall_height: 80}\nunits: {spacing: 1 cm}\n" +
+                                  std::string(kUntilTime));
   EXPECT_EQ(steps_of(real.stages[0].until),
             static_cast<std::uint64_t>(std::ceil(2.5 / conversion(real)->time_step)));
 }
