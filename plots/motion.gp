@@ -16,8 +16,8 @@ do for [i = 1:2] {
     set yrange [0:*]
     set ytics autofreq
   }
-  set xlabel (i == 2 ? 'step' : '')
-  plot for [g = 1:|groups|] 'series.csv' using (of_group(g, column('step'))):(column(shown[i])) \
+  set xlabel (i == 2 ? time_title : '') noenhanced
+  plot for [g = 1:|groups|] 'series.csv' using (of_group(g, column(time_column))):(column(shown[i])) \
            with lines linewidth 1.5 linecolor rgb color(g, |groups|) \
            title (i == 1 ? groups[g] : '')
   unset title

@@ -4,6 +4,7 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -26,6 +27,9 @@ void print(const scene::Scene& scene) {
     scene::check_room(scene);
   }
   print_out("{}", scene::to_yaml(scene));
+  if (const auto units = scene::conversion(scene)) {
+    print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
+  }
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
             size.rows, size.particles, size.bytes / kMebibyte);
 }

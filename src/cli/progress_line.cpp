@@ -20,8 +20,9 @@ std::string left_text(const std::optional<double>& seconds) {
 }
 
 std::string to_text(const run::Progress& progress) {
-  return fmt::format("{} ({}/{}): step {}, {:.1f} % moving, {:.1f} million updates/s{}",
+  return fmt::format("{} ({}/{}): step {}{}, {:.1f} % moving, {:.1f} million updates/s{}",
                      progress.stage, progress.stage_number, progress.stage_count, progress.step,
+                     progress.time.empty() ? "" : ", t = " + progress.time,
                      100 * progress.moving_share, progress.updates_per_second / 1e6,
                      left_text(progress.seconds_left));
 }

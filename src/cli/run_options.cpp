@@ -13,8 +13,10 @@ namespace clca::cli {
 namespace {
 
 std::string totals(const store::RunSummary& summary) {
-  return fmt::format("{}: {} particles, {} steps in {:.3g} s, {:.3g} {}/s", summary.status,
-                     summary.particles, summary.steps, summary.wall_seconds, summary.rate,
+  const std::string time =
+      summary.units ? fmt::format(" (t = {})", summary.units->time_text(summary.steps)) : "";
+  return fmt::format("{}: {} particles, {} steps{} in {:.3g} s, {:.3g} {}/s", summary.status,
+                     summary.particles, summary.steps, time, summary.wall_seconds, summary.rate,
                      summary.kind == "boltzmann" ? "collisions" : "particle-updates");
 }
 

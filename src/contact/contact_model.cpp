@@ -73,7 +73,7 @@ double gravity(const Parameters& parameters) {
   if (!(parameters.fall_height > 0 && value <= kMostGravity && value >= kLeastGravity)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
-  return value;
+  return fixed(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
 }
 
 Energy energy(const State& state, double gravity) {

@@ -7,6 +7,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/measure/contacts.hpp"
 #include "clca/render/body.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::exports {
 
@@ -70,6 +71,11 @@ std::vector<Body> bodies(const grains::State& state) {
                       .kind = particle.kind});
   }
   return result;
+}
+
+double time_step(const scene::Scene& scene) {
+  const auto conversion = scene::conversion(scene);
+  return conversion ? conversion->time_step : 1;
 }
 
 std::vector<KindLook> kind_looks(const scene::Scene& scene,

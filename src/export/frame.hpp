@@ -32,6 +32,9 @@ struct KindLook {
   std::vector<Eigen::Vector2d> outline;  ///< corners from the centre of mass, anticlockwise
 };
 
+/// Of a step in the unit of time of the run: 1 where that is a step.
+double time_step(const scene::Scene& scene);
+
 std::vector<KindLook> kind_looks(const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::exports

@@ -78,6 +78,7 @@ std::string escaped(const std::string& text) {
 VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
     : collection_(std::move(collection)),
+      time_step_(time_step(scene)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
       kinds_(kind_looks(scene, kinds)) {
@@ -90,7 +91,7 @@ std::string VtpWriter::beside(const std::string& part, std::uint64_t step) const
 }
 
 double VtpWriter::time(std::uint64_t step) const {
-  return static_cast<double>(step) + static_cast<double>(earlier_) / (earlier_ + 1);
+  return time_step_ * (static_cast<double>(step) + static_cast<double>(earlier_) / (earlier_ + 1));
 }
 
 // The end of a stage and the beginning of the next one are at the same step.

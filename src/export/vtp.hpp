@@ -25,7 +25,8 @@ class VtpWriter : public Writer {
 
   /// STEM-000120.vtp beside the collection; STEM-000120-2.vtp for a second frame of that step.
   std::string beside(const std::string& part, std::uint64_t step) const;
-  /// Of this frame: its step, and a little more for a second one, as no two can be at one time.
+  /// Of this frame, in steps, or the unit of time of scene::Conversion: a little more for a second
+  /// frame of a step, as no two can be at one time.
   double time(std::uint64_t step) const;
   void count_frame(std::uint64_t step);
   void write_particles(const std::string& file, const grains::State& state) const;
@@ -33,6 +34,7 @@ class VtpWriter : public Writer {
   void collect(std::uint64_t step, int part, const std::string& name, const std::string& file);
 
   store::OutputFile collection_;
+  double time_step_;
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
   std::vector<KindLook> kinds_;

@@ -26,14 +26,15 @@ void append_vector(Text& text, const Eigen::Vector2d& vector) {
 }
 
 /// The line that says what follows. A box of one layer, half of it on either side of the plane.
-void append_comment(Text& text, const grains::State& state) {
+void append_comment(Text& text, const grains::State& state, double time_step) {
   const Eigen::Vector2d corner = lattice::Lattice::corner();
   const Eigen::Vector2d size = state.lattice.size();
   fmt::format_to(std::back_inserter(text),
                  "Lattice=\"{:.6f} 0 0 0 {:.6f} 0 0 0 1\" Origin=\"{:.6f} {:.6f} -0.5\" "
                  "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1 "
                  "Time={} Step={} pbc=\"{} F F\"\n",
-                 size.x(), size.y(), corner.x(), corner.y(), state.step, state.step,
+                 size.x(), size.y(), corner.x(), corner.y(),
+                 static_cast<double>(state.step) * time_step, state.step,
                  state.lattice.periodic() ? 'T' : 'F');
 }
 
@@ -41,7 +42,7 @@ void append_comment(Text& text, const grains::State& state) {
 
 XyzWriter::XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
-    : file_(file.create()) {
+    : file_(file.create()), time_step_(time_step(scene)) {
   for (const grains::Kind& kind : kinds) {
     species_.push_back(scene.species[kind.species].name);
   }
@@ -51,7 +52,7 @@ void XyzWriter::add(const grains::State& state) {
   const std::vector<Body> all = bodies(state);
   Text text;
   fmt::format_to(std::back_inserter(text), "{}\n", all.size());
-  append_comment(text, state);
+  append_comment(text, state, time_step_);
   for (const Body& body : all) {
     text.append(species_[body.kind]);
     append_vector(text, body.centre);

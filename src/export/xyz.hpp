@@ -18,6 +18,7 @@ class XyzWriter : public Writer {
 
  private:
   store::AtomicFile file_;
+  double time_step_;
   std::vector<std::string> species_;  // by kind
 };
 

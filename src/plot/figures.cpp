@@ -102,6 +102,9 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   text += fmt::format("group_column = {};", literal(one.groups));
   text += fmt::format("known_columns = {};", literal(known_columns(tables, one)));
   text += fmt::format("scene = {};", literal(tables.summary().scene));
+  const auto& units = tables.summary().units;
+  text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
+  text += fmt::format("time_title = {};", literal(units ? "time, " + units->time_unit : "step"));
   for (const std::string& measure : one.measures) {
     text += measure_text(tables.summary(), measure);
   }

@@ -51,7 +51,7 @@ void Annotator::draw(Image& image, const Layout& layout, const Caption& caption,
   fade_ = fade;
   draw_caption(caption);
   font_.set_size(layout.text_size);
-  const double right = draw_scale_bar() - em(kGap);
+  const double right = draw_scale_bar(caption.spacing) - em(kGap);
   double left = layout.text_left;
   for (const Legend::Bar& bar : legend.bars) {
     left = draw_color_bar(bar, left, right) + em(kGap);
@@ -77,11 +77,21 @@ void Annotator::draw_caption(const Caption& caption) {
              kInk);
 }
 
-double Annotator::draw_scale_bar() {
+std::string metres_text(double length) {
+  return length >= 1      ? fmt::format("{:g} m", length)
+         : length >= 1e-3 ? fmt::format("{:g} mm", length * 1e3)
+                          : fmt::format("{:g} µm", length * 1e6);
+}
+
+double Annotator::draw_scale_bar(double spacing) {
   const double room = layout_.text_right - layout_.text_left;
-  const double length =
-      round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale);
-  const std::string label = fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings");
+  const double unit = spacing > 0 ? spacing : 1;
+  const double shown =
+      round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
+  const double length = shown / unit;
+  const std::string label =
+      spacing > 0 ? metres_text(shown)
+                  : fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings");
   const double right = layout_.text_right;
   const double bar_left = right - length * layout_.scale;
   const double label_left = bar_left - em(0.7) - font_.width(label);

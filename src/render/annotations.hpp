@@ -14,6 +14,9 @@ namespace clca::render {
 /// Largest of 1, 2 and 5 times a power of ten that is not above `length` (which is positive).
 double round_length(double length);
 
+/// A length in metres in the unit, of m, mm and µm, that makes it a number of 1 or more.
+std::string metres_text(double length);
+
 /// Round numbers from `low` to `high`, at most `count` of them.
 std::vector<double> ticks(double low, double high, int count);
 
@@ -42,7 +45,7 @@ class Annotator {
 
   void draw_caption(const Caption& caption);
   /// Returns the left end, to keep clear of.
-  double draw_scale_bar();
+  double draw_scale_bar(double spacing);
   double draw_color_bar(const Legend::Bar& bar, double left, double right);
   Stroke key_stroke(const Legend::Line& line) const;
   std::vector<Entry> entries_of(const Legend& legend) const;

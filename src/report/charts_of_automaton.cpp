@@ -16,7 +16,7 @@ struct Quantity {
 };
 
 /// Values of a column over those of another, a curve for each stage.
-Chart chart_by_stage(const RunTable& table, const char* across, const char* x_title,
+Chart chart_by_stage(const RunTable& table, const char* across, const std::string& x_title,
                      const Quantity& quantity) {
   Chart chart = {.title = quantity.title, .x_title = x_title, .curves = {}};
   const auto x = table.numbers(across);
@@ -35,10 +35,22 @@ Chart chart_by_stage(const RunTable& table, const char* across, const char* x_ti
   return chart;
 }
 
+/// The axis of the course of a run.
+struct Clock {
+  const char* column = "step";
+  std::string title = "step";
+};
+
+Clock clock_of(const RunTable& table, const store::RunSummary& summary) {
+  const bool has_time = summary.units && table.cells().find("time") != nullptr;
+  return has_time ? Clock{.column = "time", .title = "time, " + summary.units->time_unit} : Clock();
+}
+
 /// One curve for each column whose name begins so: travel.plate is that of the wall plate.
-Chart chart_by_wall(const RunTable& table, const std::string& start, const char* title) {
-  Chart chart = {.title = title, .x_title = "step", .curves = {}};
-  const auto step = table.numbers("step");
+Chart chart_by_wall(const RunTable& table, const Clock& clock, const std::string& start,
+                    const char* title) {
+  Chart chart = {.title = title, .x_title = clock.title, .curves = {}};
+  const auto step = table.numbers(clock.column);
   for (const std::string& name : table.cells().names) {
     if (!step || !name.starts_with(start)) {
       continue;
@@ -61,21 +73,22 @@ bool changes(const Chart& chart) {
   });
 }
 
-void add_series(std::vector<Chart>& charts, const RunTable& table) {
+void add_series(std::vector<Chart>& charts, const RunTable& table, const Clock& clock) {
   constexpr std::array<Quantity, 4> kQuantities = {
       Quantity{"moving_share", "Share of the particles that move"},
       Quantity{"mean_height", "Mean height of all particles, lattice spacings"},
       Quantity{"kinetic_energy", "Kinetic energy, weights of a site times lattice spacings"},
       Quantity{"discharged_sites", "Discharged through outlets, sites"}};
   for (const Quantity& quantity : kQuantities) {
-    add_chart(charts, chart_by_stage(table, "step", "step", quantity));
+    add_chart(charts, chart_by_stage(table, clock.column, clock.title, quantity));
   }
-  Chart particles = chart_by_stage(table, "step", "step", {"particles", "Particles in the box"});
+  Chart particles =
+      chart_by_stage(table, clock.column, clock.title, {"particles", "Particles in the box"});
   if (changes(particles)) {
     add_chart(charts, std::move(particles));
   }
-  add_chart(charts, chart_by_wall(table, "travel.", "Travel of walls from home, sites"));
-  add_chart(charts, chart_by_wall(table, "index.", "Overlap that began at a wall, sites"));
+  add_chart(charts, chart_by_wall(table, clock, "travel.", "Travel of walls from home, sites"));
+  add_chart(charts, chart_by_wall(table, clock, "index.", "Overlap that began at a wall, sites"));
 }
 
 void add_cycles(std::vector<Chart>& charts, const RunTable& table) {
@@ -175,7 +188,7 @@ std::vector<Chart> charts_of_automaton(const Tables& tables) {
   std::vector<Chart> charts;
   add_profiles(charts, tables.find_all("profile"));
   if (const auto series = tables.find("series")) {
-    add_series(charts, *series);
+    add_series(charts, *series, clock_of(*series, tables.summary()));
   }
   if (const auto cycles = tables.find("cycles")) {
     add_cycles(charts, *cycles);

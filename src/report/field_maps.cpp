@@ -10,6 +10,7 @@
 #include "report/charts.hpp"
 #include "report/map.hpp"
 #include "report/maps.hpp"
+#include "report/measure_names.hpp"
 
 namespace clca::report {
 
@@ -84,15 +85,15 @@ std::size_t windows(const FieldColumns& all, const Group& stage) {
 /// Packing with velocities over it, and the energy of the fluctuations; means over the stage, of
 /// the velocities by particle.
 void add_maps_of_stage(std::vector<std::string>& figures, const FieldColumns& all,
-                       const Group& stage) {
+                       const Group& stage, const std::optional<scene::Conversion>& units) {
   const std::size_t count = windows(all, stage);
   const std::string when = fmt::format(" in stage {}, mean over {} {}", stage.name, count,
                                        count == 1 ? "window" : "windows");
   Map packing = {.title = "Packing and velocity" + when,
                  .value_title = "packing",
-                 .arrow_title = "spacings/step"};
+                 .arrow_title = shown_unit("spacings/step", units)};
   Map energy = {.title = "Energy of fluctuations" + when,
-                .value_title = "½⟨|v - ⟨v⟩|²⟩, (spacings/step)²"};
+                .value_title = shown_unit("½⟨|v - ⟨v⟩|²⟩, (spacings/step)²", units)};
   for (const auto& [place, sum] : cell_sums(all, stage)) {
     const double weight = std::max(sum.particles, 1.0);
     packing.cells.push_back({.x = place.first,
@@ -119,7 +120,7 @@ void add_field_maps(std::vector<std::string>& figures, const Tables& tables) {
   }
   const std::vector<Group> stages = groups_of(*table, "stage");
   for (const std::size_t stage : evenly(stages.size(), kMostStagesOfMaps)) {
-    add_maps_of_stage(figures, *columns, stages[stage]);
+    add_maps_of_stage(figures, *columns, stages[stage], tables.summary().units);
   }
 }
 

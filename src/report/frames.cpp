@@ -138,10 +138,10 @@ class Writer {
       const auto bytes = png_bytes(picture.file);
       const std::string stage = escaped(summary_.stages[picture.end_of - 1].name);
       html += fmt::format(
-          R"(<figure><img id="end-{0}" src="{1}" width="{2}" height="{3}" alt="Picture of the particles at the end of stage {4}, step {5}"><figcaption>End of <b>{4}</b>, step {5}</figcaption></figure>
+          R"(<figure><img id="end-{0}" src="{1}" width="{2}" height="{3}" alt="Picture of the particles at the end of stage {4}, {5}"><figcaption>End of <b>{4}</b>, {5}</figcaption></figure>
 )",
           picture.end_of, data_url(bytes), number_at(bytes, 16), number_at(bytes, 20), stage,
-          whole(picture.step));
+          escaped(when(picture.step)));
       shown_.push_back(picture.step);
     } catch (const store::StoreError& error) {
       warnings_.add(error.what());
@@ -151,6 +151,9 @@ class Writer {
   /// An entry of the list that the script steps through.
   void add_frame(std::string& list, const Picture& picture, const std::vector<Picture>& ends) {
     nlohmann::json entry = {{"step", picture.step}, {"stage", stage_at(picture.step)}};
+    if (summary_.units) {
+      entry["time"] = summary_.units->time_text(picture.step);
+    }
     const auto end = std::find_if(ends.begin(), ends.end(), [&](const Picture& one) {
       return one.step == picture.step &&
              std::find(shown_.begin(), shown_.end(), one.step) != shown_.end();
@@ -172,6 +175,13 @@ class Writer {
   std::size_t count() const { return count_; }
 
  private:
+  /// `step 120`, with its time where it has one.
+  std::string when(std::uint64_t step) const {
+    const std::string time =
+        summary_.units ? fmt::format(", t = {}", summary_.units->time_text(step)) : "";
+    return fmt::format("step {}{}", whole(step), time);
+  }
+
   std::string stage_at(std::uint64_t step) const {
     const auto end = std::lower_bound(ends_.begin(), ends_.end(), step);
     return end == ends_.end() ? std::string()

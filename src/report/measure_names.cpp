@@ -26,6 +26,7 @@ constexpr auto kMeasureNames = std::to_array<MeasureName>({
     {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"},
     {"outflow_sites_per_step", "Outflow", "sites/step",
      "steady part: while 20 % to 70 % of what left the box left"},
+    {"outflow_sites_per_time", "Outflow over time", "sites/time", "the same"},
     {"discharged_share", "Share discharged", "", "of the particles, through outlets, in the stage"},
     {"clogged", "Clogged", "", "at rest, and nothing can fall out"},
     {"overlap_depth_max", "Deepest overlap", "moves",
@@ -80,6 +81,21 @@ constexpr auto kMeasureNames = std::to_array<MeasureName>({
 });
 
 }  // namespace
+
+std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
+  std::string text(unit);
+  const auto replace = [&text](std::string_view word, const std::string& with) {
+    const std::size_t place = text.find(word);
+    if (place != std::string::npos) {
+      text.replace(place, word.size(), with);
+    }
+  };
+  if (units) {
+    replace("spacings/step", units->velocity_unit);
+    replace("sites/time", "sites/" + units->time_unit);
+  }
+  return text;
+}
 
 const MeasureName* find_measure_name(std::string_view key) {
   const auto* found = std::find_if(kMeasureNames.begin(), kMeasureNames.end(),

@@ -1,16 +1,24 @@
 #pragma once
 // What the measures in run.json mean.
 
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "clca/scene/units.hpp"
 
 namespace clca::report {
 
 struct MeasureName {
   std::string_view key;   ///< in run.json
   std::string_view name;  ///< in words
-  std::string_view unit;
+  std::string_view unit;  ///< as for shown_unit
   std::string_view meaning;
 };
+
+/// `unit` with the unit of velocity for `spacings/step` and that of time in
+/// `sites/time`, where a run has them.
+std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
 /// None where the name is not known.
 const MeasureName* find_measure_name(std::string_view key);

@@ -78,7 +78,8 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
   return text;
 }
 
-std::string row_html(const std::vector<StageSummary>& stages, const std::string& key) {
+std::string row_html(const std::vector<StageSummary>& stages, const std::string& key,
+                     const std::optional<scene::Conversion>& units) {
   const MeasureName* known = find_measure_name(key);
   const MeasureName shown =
       known != nullptr ? *known : MeasureName{.key = key, .name = key, .unit = {}, .meaning = {}};
@@ -93,7 +94,7 @@ std::string row_html(const std::vector<StageSummary>& stages, const std::string&
   }
   return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                           escaped(shown.unit), escaped(key));
+                           escaped(shown_unit(shown.unit, units)), escaped(key));
 }
 
 std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {
@@ -104,12 +105,15 @@ std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) 
   return shown;
 }
 
-std::string head_html(const std::vector<StageSummary>& stages) {
+std::string head_html(const std::vector<StageSummary>& stages,
+                      const std::optional<scene::Conversion>& units) {
   std::string names = R"(<tr><th scope="col">Stage</th>)";
   std::string ends = R"(<tr class="how"><th scope="row">Steps, and how it ended</th>)";
   for (const StageSummary& stage : stages) {
     names += fmt::format(R"(<th scope="col">{}</th>)", escaped(stage.name));
-    ends += fmt::format("<td>{} <small>{}</small></td>", whole(stage.steps), escaped(stage.ended));
+    const std::string time = units ? fmt::format(" ({})", units->time_text(stage.steps)) : "";
+    ends += fmt::format("<td>{}{} <small>{}</small></td>", whole(stage.steps), escaped(time),
+                        escaped(stage.ended));
   }
   return fmt::format(
       R"(<thead>{}<th scope="col" class="unit">Unit</th><th scope="col" class="key">In run.json</th></tr></thead><tbody>
@@ -128,11 +132,11 @@ std::string measures_html(const store::RunSummary& summary) {
   const std::vector<StageSummary> stages = shown_stages(summary.stages);
   std::string html =
       R"(<div class="wide" tabindex="0" role="region" aria-label="Measures"><table>)";
-  html += head_html(stages);
+  html += head_html(stages, summary.units);
   std::vector<std::string> keys = measure_keys(stages);
   keys.resize(std::min(keys.size(), kMostMeasures));
   for (const std::string& key : keys) {
-    html += row_html(stages, key);
+    html += row_html(stages, key, summary.units);
   }
   html += "</tbody></table></div>\n";
   if (stages.size() < summary.stages.size()) {

@@ -49,6 +49,9 @@ std::string facts_html(const store::RunSummary& summary) {
   std::string facts = fact("Seed", fmt::format("{}", summary.seed));
   facts += fact("Particles", whole(summary.particles));
   facts += fact("Steps", whole(summary.steps));
+  if (summary.units) {
+    facts += fact("Time", escaped(summary.units->time_text(summary.steps)));
+  }
   facts += fact("Time taken", brief(summary.wall_seconds) + " s");
   facts += fact(is_gas(summary) ? "Collisions per second" : "Particle updates per second",
                 brief(summary.rate));

@@ -17,7 +17,8 @@
   function show(number) {
     at = Math.max(0, Math.min(frames.length - 1, number));
     const frame = frames[at];
-    const words = 'Step ' + frame.step + (frame.stage ? ', stage ' + frame.stage : '');
+    const words = 'Step ' + frame.step + (frame.time ? ', t = ' + frame.time : '') +
+      (frame.stage ? ', stage ' + frame.stage : '');
     picture.src = frame.same ? document.getElementById(frame.same).src : frame.image;
     picture.alt = 'Picture of the particles. ' + words;
     slider.value = at;

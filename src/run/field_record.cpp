@@ -4,9 +4,25 @@
 
 namespace clca::run {
 
-FieldRecord::FieldRecord(const scene::Fields& fields)
+namespace {
+
+std::vector<std::string> field_columns(bool has_time) {
+  std::vector<std::string> names = {"stage",     "step", "x",  "y",          "packing",
+                                    "particles", "vx",   "vy", "fluctuation"};
+  if (has_time) {
+    names.insert(names.begin() + 2, "time");
+  }
+  return names;
+}
+
+}  // namespace
+
+FieldRecord::FieldRecord(const scene::Fields& fields,
+                         const std::optional<scene::Conversion>& conversion)
     : fields_(fields),
-      table_({"stage", "step", "x", "y", "packing", "particles", "vx", "vy", "fluctuation"}) {}
+      conversion_(conversion),
+      speed_(conversion ? conversion->velocity(1) : 1),
+      table_(field_columns(conversion.has_value())) {}
 
 void FieldRecord::begin_stage(const std::string& stage, const grains::State& state) {
   stage_ = stage;
@@ -38,9 +54,19 @@ void FieldRecord::end_window(const grains::State& state) {
   const measure::Fields fields = window_->fields(state, fields_.cell);
   for (const measure::FieldCell& cell : fields.cells) {
     if (cell.particles > 0 || cell.packing > 0) {
-      table_.add_row({stage_, state.step, cell.centre.x(), cell.centre.y(), cell.packing,
-                      std::uint64_t{cell.particles}, cell.velocity.x(), cell.velocity.y(),
-                      cell.fluctuation});
+      std::vector<store::Cell> cells = {stage_,
+                                        state.step,
+                                        cell.centre.x(),
+                                        cell.centre.y(),
+                                        cell.packing,
+                                        std::uint64_t{cell.particles},
+                                        cell.velocity.x() * speed_,
+                                        cell.velocity.y() * speed_,
+                                        cell.fluctuation * speed_ * speed_};
+      if (conversion_) {
+        cells.insert(cells.begin() + 2, conversion_->time(state.step));
+      }
+      table_.add_row(std::move(cells));
     }
   }
   const std::uint64_t steps = state.step - window_begin_;
@@ -54,7 +80,8 @@ void FieldRecord::end_window(const grains::State& state) {
 }
 
 double FieldRecord::fluctuation_energy() const {
-  return steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
+  const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
+  return energy * speed_ * speed_;
 }
 
 std::string FieldRecord::fluctuation_csv() const {

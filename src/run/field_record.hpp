@@ -8,15 +8,18 @@
 #include "clca/measure/fields.hpp"
 #include "clca/measure/fluctuation.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
 
-/// Columns: stage, step (end of the window), x, y (centre of the cell), packing, particles, vx, vy
-/// (spacings per step), fluctuation. Cells without particles and packing are left out.
+/// Columns: stage, step (end of the window), of the contact model time, x, y (centre of the cell),
+/// packing, particles, vx, vy (spacings per step; of the contact model in the unit of velocity of
+/// scene::Conversion), fluctuation (in the square of that). Cells without particles and packing are
+/// left out.
 class FieldRecord {
  public:
-  explicit FieldRecord(const scene::Fields& fields);
+  FieldRecord(const scene::Fields& fields, const std::optional<scene::Conversion>& conversion);
 
   /// Also of a stage that goes on; what fields() lists has then still to be loaded.
   void begin_stage(const std::string& stage, const grains::State& state);
@@ -25,7 +28,7 @@ class FieldRecord {
   /// Ends the last window, however short.
   void end_stage(const grains::State& state);
 
-  /// Mean over the windows of the stage, weighted by their steps.
+  /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
   double fluctuation_energy() const;
   store::Table& table() { return table_; }
 
@@ -49,6 +52,8 @@ class FieldRecord {
   void end_window(const grains::State& state);
 
   scene::Fields fields_;
+  std::optional<scene::Conversion> conversion_;
+  double speed_ = 1;  // a lattice spacing per step, in the unit of velocity
   std::string stage_;
   store::Table table_;
   std::optional<measure::FieldWindow> window_;

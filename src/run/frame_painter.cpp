@@ -79,6 +79,7 @@ render::PngText scene_text(const scene::Scene& scene) {
 FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads)
     : scene_(scene),
       frames_(*scene.output.frames),
+      conversion_(scene::conversion(scene)),
       strongest_force_(strongest_force(scene)),
       painter_(make_painter(scene, state, threads)) {}
 
@@ -90,17 +91,23 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
   render::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
-  return {
-      .exposure = painter_.expose(view.state, view.occupancy, colors),
-      .caption = {.title = scene_.title, .detail = fmt::format("{}, step {}", history.stage, step)},
-      .overlay = std::move(drawn.overlay),
-      .turn = frames_.upright ? contact::degrees(view.angle) : 0,
-      .text = std::move(text)};
+  std::string when = fmt::format("step {}", step);
+  if (conversion_) {
+    text["Time"] = conversion_->time_text(step);
+    when = "t = " + text["Time"];
+  }
+  return {.exposure = painter_.expose(view.state, view.occupancy, colors),
+          .caption = {.title = scene_.title,
+                      .detail = fmt::format("{}, {}", history.stage, when),
+                      .spacing = scene_.units ? scene_.units->spacing : 0},
+          .overlay = std::move(drawn.overlay),
+          .turn = frames_.upright ? contact::degrees(view.angle) : 0,
+          .text = std::move(text)};
 }
 
 Picture FramePainter::develop(const Negative& negative) {
   return {painter_.develop(negative.exposure, negative.caption, negative.overlay, negative.turn),
-          negative.text};
+          negative.caption.detail, negative.text};
 }
 
 render::Coloring FramePainter::coloring(const grains::State& state,

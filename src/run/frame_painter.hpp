@@ -14,6 +14,7 @@
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "run/cycle_record.hpp"
 
 namespace clca::run {
@@ -57,6 +58,7 @@ struct Negative {
 
 struct Picture {
   render::Image image;
+  std::string moment;  ///< stage and step, or time
   render::PngText text;
 };
 
@@ -79,6 +81,7 @@ class FramePainter {
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;
+  std::optional<scene::Conversion> conversion_;
   double strongest_force_;
   render::Painter painter_;
 };

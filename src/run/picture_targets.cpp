@@ -89,9 +89,7 @@ void SheetTarget::add(const Picture& picture) {
   const render::Image& image = picture.image;
   const int width = cell_width(columns_);
   const int height = std::max(1, width * image.height / image.width);
-  images_.push_back(
-      {render::scaled(image, width, height),
-       fmt::format("{}, step {}", picture.text.at("Stage"), picture.text.at("Step"))});
+  images_.push_back({render::scaled(image, width, height), picture.moment});
 }
 
 void SheetTarget::finish() {

@@ -24,7 +24,7 @@ void load(const char* path, const fields::Columns& columns, double most_bytes, R
 Records::Records(const scene::Scene& scene)
     : scene_(scene), cycles_(scene.output.fields.value_or(scene::Fields{}).cell) {
   if (scene.output.fields) {
-    fields_.emplace(*scene.output.fields);
+    fields_.emplace(*scene.output.fields, scene::conversion(scene));
   }
   if (has_overlaps(scene)) {
     forces_.emplace(scene.output.contacts);

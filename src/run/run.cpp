@@ -10,6 +10,7 @@
 #include "clca/measure/profile.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "clca/store/file.hpp"
 #include "run/begin.hpp"
@@ -56,6 +57,7 @@ class Run {
       : scene_(scene),
         options_(options),
         events_(events),
+        conversion_(scene::conversion(scene)),
         model_(scene, std::move(state),
                {.threads = options.threads, .reference = options.reference}),
         outputs_(scene, model_.state(), options),
@@ -104,6 +106,7 @@ class Run {
   const scene::Scene& scene_;
   const RunOptions& options_;
   const RunEvents& events_;
+  std::optional<scene::Conversion> conversion_;
   WallClock wall_clock_;  // since this run began or went on
   Stopwatch step_clock_;
   Model model_;
@@ -236,8 +239,10 @@ void Run::end_stage(StageEnd end) {
                      .steps = history_.steps,
                      .ended = to_text(end),
                      .measures = stage_measures(scene_, model_, history_, records_)});
-  log_->info(
-      fmt::format("stage {}: {} steps, ended: {}", stage().name, history_.steps, to_text(end)));
+  const std::string time =
+      conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
+  log_->info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
+                         to_text(end)));
   for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
     log_->info(line);
   }
@@ -276,6 +281,7 @@ void Run::show_progress(double moving_share, std::optional<double> seconds_left)
                       .stage_number = course_.stage + 1,
                       .stage_count = scene_.stages.size(),
                       .step = model_.state().step,
+                      .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
                       .particles = model_.state().particles.size(),
                       .moving_share = moving_share,
                       .updates_per_second = rate(),
@@ -291,6 +297,7 @@ store::RunSummary Run::summary(const std::string& status) const {
   summary.status = status;
   summary.particles = model_.state().particles.size();
   summary.steps = model_.state().step;
+  summary.units = conversion_;
   summary.wall_seconds = wall_seconds();
   summary.step_seconds = step_seconds();
   summary.rate = rate();

@@ -72,10 +72,9 @@ store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double m
 /// Throws ScenePlaceError for an end that the last stage has passed.
 void require_ahead(const std::string& until, const scene::Stage& stage,
                    const StageHistory& history) {
-  const auto* steps = std::get_if<scene::UntilSteps>(&stage.until);
+  const auto steps = scene::steps_of(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
-  if ((steps != nullptr && steps->steps < history.steps) ||
-      (cycles != nullptr && cycles->cycles < history.cycles)) {
+  if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
     throw ScenePlaceError(fmt::format(
         "--until {}: error: stage {} has passed this end: it is at step {}{}", until, stage.name,
         history.steps, cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));

@@ -30,6 +30,7 @@ std::vector<std::string> columns(const scene::Scene& scene) {
                                     "discharged_particles",
                                     "discharged_sites"};
   if (scene.model == scene::Model::contact) {
+    names.insert(names.begin() + 1, "time");
     names.insert(names.end(), {"kinetic_energy", "potential_energy"});
   }
   for (const scene::Wall& wall : scene.walls) {
@@ -61,7 +62,9 @@ std::vector<std::uint64_t> indices(const Model& model) {
 }  // namespace
 
 SeriesTable::SeriesTable(const scene::Scene& scene)
-    : every_(scene.output.series->every), table_(columns(scene)) {}
+    : every_(scene.output.series->every),
+      conversion_(scene::conversion(scene)),
+      table_(columns(scene)) {}
 
 void SeriesTable::add(const std::string& stage, const Model& model, std::size_t moving,
                       bool always) {
@@ -77,6 +80,9 @@ void SeriesTable::add(const std::string& stage, const Model& model, std::size_t 
   std::vector<store::Cell> cells = {
       state.step,         stage,         present,  std::uint64_t{moving}, share,
       mean_height(state), out.particles, out.sites};
+  if (conversion_) {
+    cells.insert(cells.begin() + 1, conversion_->time(state.step));
+  }
   if (const auto energy = model.energy()) {
     cells.insert(cells.end(), {energy->kinetic, energy->potential});
   }

@@ -4,16 +4,17 @@
 #include <string>
 
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 #include "run/model.hpp"
 
 namespace clca::run {
 
-/// Columns: step, stage, particles (present), moving, moving_share, mean_height (of the centres,
-/// weighted by sites, in lattice spacings), discharged_particles, discharged_sites (totals); of
-/// the contact model kinetic_energy and potential_energy (see contact::Energy); for each wall that
-/// moves travel.NAME (sites from home), and where it lets overlap index.NAME (sites that overlap in
-/// all contacts that began at it).
+/// Columns: step, of the contact model time (scene::Conversion), stage, particles (present),
+/// moving, moving_share, mean_height (of the centres, weighted by sites, in lattice spacings),
+/// discharged_particles, discharged_sites (totals); of the contact model kinetic_energy and
+/// potential_energy (see contact::Energy); for each wall that moves travel.NAME (sites from home),
+/// and where it lets overlap index.NAME (sites that overlap in all contacts that began at it).
 class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);
@@ -26,6 +27,7 @@ class SeriesTable {
 
  private:
   std::uint64_t every_;
+  std::optional<scene::Conversion> conversion_;
   store::Table table_;
   std::optional<std::uint64_t> last_step_;
 };

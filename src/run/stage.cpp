@@ -84,6 +84,8 @@ std::string to_text(StageEnd end) {
       return "stalled";
     case StageEnd::steps:
       return "steps";
+    case StageEnd::time:
+      return "time";
     case StageEnd::discharged:
       return "discharged";
     case StageEnd::cycles:
@@ -101,8 +103,10 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
   if (history.steps == 0) {
     return std::nullopt;
   }
-  if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return history.steps >= until->steps ? std::optional(StageEnd::steps) : std::nullopt;
+  if (const auto steps = scene::steps_of(stage.until)) {
+    const bool by_time = std::holds_alternative<scene::UntilTime>(stage.until);
+    return history.steps >= *steps ? std::optional(by_time ? StageEnd::time : StageEnd::steps)
+                                   : std::nullopt;
   }
   const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until);
   if (discharged != nullptr && history.discharged_share() >= discharged->share) {
@@ -120,8 +124,8 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
 
 double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
                   double most_moving) {
-  if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return static_cast<double>(history.steps) / static_cast<double>(until->steps);
+  if (const auto steps = scene::steps_of(stage.until)) {
+    return static_cast<double>(history.steps) / static_cast<double>(*steps);
   }
   if (const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until)) {
     return std::min(1.0, history.discharged_share() / discharged->share);

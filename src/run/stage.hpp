@@ -22,6 +22,7 @@ enum class StageEnd : std::uint8_t {
   settled,
   stalled,
   steps,
+  time,
   discharged,
   cycles,
   bound,

@@ -3,6 +3,7 @@
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 #include "run/contact_tables.hpp"
 #include "run/force_measures.hpp"
@@ -39,8 +40,13 @@ void add_moved(Results& results, const grains::State& state) {
   results.emplace_back("moved_share_2", measure::moved_share(state, 2));
 }
 
-void add_outflow(Results& results, const Model& model, const StageHistory& history) {
+void add_outflow(Results& results, const Model& model, const StageHistory& history,
+                 const std::optional<scene::Conversion>& conversion) {
   results.emplace_back("outflow_sites_per_step", history.outflow.sites_per_step());
+  if (conversion) {
+    results.emplace_back("outflow_sites_per_time",
+                         history.outflow.sites_per_step() / conversion->time_step);
+  }
   if (!model.state().outlets.empty()) {
     results.emplace_back("discharged_share", history.discharged_share());
     results.emplace_back("clogged",
@@ -112,7 +118,7 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         add_moved(results, state);
         break;
       case scene::Measure::outflow:
-        add_outflow(results, model, history);
+        add_outflow(results, model, history, scene::conversion(scene));
         break;
       case scene::Measure::force:
         if (const auto forces = model.forces()) {

@@ -7,6 +7,7 @@
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 #include "scene/fields.hpp"
 #include "scene/sections.hpp"
 
@@ -93,8 +94,8 @@ void check_vessels(const Scene& scene, const Value& stages) {
       vessel = vessel_in(scene, stage, vessel);
     } catch (const std::invalid_argument& error) {
       fail(stages.items[i].find("vessel")->place,
-           fmt::format("stages.{}.vessel: {}; a step is {:.3g} units of time", stage.name,
-                       error.what(), time_step(scene)));
+           fmt::format("stages.{}.vessel: {}; a step takes {}", stage.name, error.what(),
+                       conversion(scene)->time_text(1)));
     }
     if (vessel.turn_steps > 0) {
       vessel.angle += 1;  // somewhere else in the end
@@ -107,6 +108,7 @@ void check_vessels(const Scene& scene, const Value& stages) {
 void check_model(const Scene& scene, const Value& root) {
   if (scene.model == Model::automaton) {
     refuse_foreign(root, "", "contact", Model::contact);
+    refuse_foreign(root, "", "units", Model::contact);
     if (const Value* walls = root.find("walls")) {
       for (const Entry& wall : walls->entries) {
         refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);

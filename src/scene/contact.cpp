@@ -6,6 +6,7 @@
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/lattice/lattice.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::scene {
 
@@ -50,12 +51,8 @@ contact::Parameters contact_parameters(const Scene& scene) {
   return parameters;
 }
 
-double time_step(const Scene& scene) {
-  return std::sqrt(contact::gravity(contact_parameters(scene)));
-}
-
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
-  const double step = time_step(scene);
+  const double step = conversion(scene)->time_step;
   const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);
   if (!stage.vessel) {
     return at_rest(before);
@@ -68,7 +65,8 @@ contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact:
     return rotating(before, rotate->rate * step, rotate->centre.value_or(middle));
   }
   const auto& shake = std::get<VesselShake>(*stage.vessel);
-  const double radians = std::sqrt(shake.gamma / shake.amplitude) * step;
+  const double gravity = contact::gravity(contact_parameters(scene));
+  const double radians = std::sqrt(shake.gamma * gravity / shake.amplitude);
   return shaken(before, shake.gamma, radians / (2 * std::numbers::pi), shake.sideways);
 }
 

@@ -36,16 +36,20 @@ bool is_plain_number(std::string_view text) {
 }
 
 template <class T>
-std::optional<T> converted(const Value& value) {
-  const bool plain =
-      std::is_integral_v<T> ? is_plain_integer(value.text) : is_plain_number(value.text);
-  if (!value.is(Value::Kind::scalar) || value.quoted || !plain) {
+std::optional<T> converted(std::string_view text) {
+  const bool plain = std::is_integral_v<T> ? is_plain_integer(text) : is_plain_number(text);
+  if (!plain) {
     return {};
   }
   T result = 0;
-  const char* end = value.text.data() + value.text.size();
-  const auto [stop, error] = std::from_chars(value.text.data(), end, result);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, result);
   return stop == end && error == std::errc() ? std::optional(result) : std::nullopt;
+}
+
+template <class T>
+std::optional<T> converted(const Value& value) {
+  return value.is(Value::Kind::scalar) && !value.quoted ? converted<T>(value.text) : std::nullopt;
 }
 
 [[noreturn]] void unexpected(const Value& value, std::string_view path, std::string_view allowed) {
@@ -77,6 +81,10 @@ std::uint64_t read_count(const Value& value, std::string_view path, std::uint64_
 
 int read_int(const Value& value, std::string_view path, int low, int high) {
   return read_ranged(value, path, low, high);
+}
+
+std::optional<double> to_number(std::string_view text) {
+  return converted<double>(text);
 }
 
 double read_number(const Value& value, std::string_view path, double low, double high) {

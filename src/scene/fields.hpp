@@ -19,6 +19,8 @@ namespace clca::scene {
 std::uint64_t read_count(const Value& value, std::string_view path, std::uint64_t low,
                          std::uint64_t high);
 int read_int(const Value& value, std::string_view path, int low, int high);
+/// The number that the text is, as the format writes numbers; nothing for other text.
+std::optional<double> to_number(std::string_view text);
 double read_number(const Value& value, std::string_view path, double low, double high);
 /// A number above 0 and up to `high`.
 double read_positive(const Value& value, std::string_view path, double high);

@@ -59,6 +59,10 @@ inline constexpr double kGreatestTilt = 180;        ///< degrees
 inline constexpr double kGreatestVesselRate = 1e6;  ///< per unit of time
 inline constexpr double kGreatestGamma = 1000;
 inline constexpr double kWidestShake = 1000;  ///< in lattice spacings
+inline constexpr double kLeastSpacing = 1e-9;      ///< metres
+inline constexpr double kGreatestSpacing = 1e3;    ///< metres
+inline constexpr double kLeastRealGravity = 1e-6;  ///< metres per second squared
+inline constexpr double kMostRealGravity = 1e6;
 
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kFewestInGas = 2;

@@ -9,9 +9,9 @@
 
 namespace clca::scene {
 
-inline constexpr std::array<std::string_view, 14> kSceneKeys = {
-    "clca",    "title", "seed",    "model",   "box",    "species", "rules",
-    "contact", "walls", "sources", "outlets", "stages", "measure", "output"};
+inline constexpr std::array<std::string_view, 15> kSceneKeys = {
+    "clca",  "title", "seed",    "model",   "box",    "species", "rules", "contact",
+    "units", "walls", "sources", "outlets", "stages", "measure", "output"};
 inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
 inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
 inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
@@ -25,6 +25,7 @@ inline constexpr std::array<std::string_view, 8> kContactModelKeys = {
 inline constexpr std::array<std::string_view, 9> kWallKeys = {
     "box", "line", "disc", "ring", "arc", "parts", "motion", "passive", "friction"};
 inline constexpr std::array<std::string_view, 5> kPartKeys = {"box", "line", "disc", "ring", "arc"};
+inline constexpr std::array<std::string_view, 2> kUnitsKeys = {"spacing", "gravity"};
 inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
 inline constexpr std::array<std::string_view, 2> kDiscKeys = {"centre", "radius"};
 inline constexpr std::array<std::string_view, 3> kRingKeys = {"centre", "radius", "thickness"};
@@ -45,7 +46,8 @@ inline constexpr std::array<std::string_view, 2> kRotateKeys = {"rate", "centre"
 inline constexpr std::array<std::string_view, 3> kVesselShakeKeys = {"gamma", "amplitude",
                                                                      "direction"};
 inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
-inline constexpr std::array<std::string_view, 3> kUntilKeys = {"steps", "discharged", "cycles"};
+inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "discharged", "cycles",
+                                                               "time"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
 inline constexpr std::array<std::string_view, 11> kFramesKeys = {
@@ -80,6 +82,9 @@ inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
     {{"none", contact::Rolling::none},
      {"resistance", contact::Rolling::resistance},
      {"free", contact::Rolling::free}}};
+/// A unit of length and how many of it make a metre.
+inline constexpr std::array<Named<double>, 4> kLengthUnits = {
+    {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
 /// For a height of fall that is estimated.
 inline constexpr std::string_view kAutoHeight = "auto";
 inline constexpr std::array<Named<automaton::Candidates>, 2> kCandidateNames = {

@@ -82,6 +82,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   scene.species = read_species(fields.at("species"), scene.box);
   read_into(scene.rules, fields, "rules", read_rules);
   read_into(scene.contact, fields, "contact", read_contact);
+  read_into(scene.units, fields, "units", read_units);
   read_into(scene.walls, fields, "walls", read_walls, scene);
   check_model(scene, root);
   read_into(scene.sources, fields, "sources", read_sources, scene);
@@ -89,6 +90,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   scene.stages = read_stages(fields.at("stages"), scene);
   check_history(scene, fields.at("stages"));
   check_time_step(scene, root);
+  count_steps(scene, fields.at("stages"));
   read_into(scene.measures, fields, "measure", read_measures);
   scene.output.checkpoint = kDefaultCheckpoints;
   read_into(scene.output, fields, "output", read_output, scene);

@@ -1,6 +1,8 @@
-// The contact model.
+// The contact model and its units.
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "scene/fields.hpp"
 #include "scene/limits.hpp"
@@ -36,7 +38,36 @@ double read_fall_height(const Value& value, const std::string& path) {
   return read_positive(value, path, kHighestFall);
 }
 
+/// `1 mm` in metres.
+double read_length(const Value& value, const std::string& path) {
+  const std::size_t end = value.text.find_last_of("0123456789.") + 1;
+  const std::size_t unit_begin =
+      std::min(value.text.find_first_not_of(' ', end), value.text.size());
+  const std::string_view text = value.text;
+  const auto number = to_number(text.substr(0, end));
+  for (const Named<double>& unit : kLengthUnits) {
+    const double length = number.value_or(0) / unit.value;
+    if (text.substr(unit_begin) == unit.name && length >= kLeastSpacing &&
+        length <= kGreatestSpacing) {
+      return length;
+    }
+  }
+  fail(value.place,
+       fmt::format("{}: expected a length from {} m to {} m, a number with one of the units {}, as "
+                   "in 1 mm, found {}",
+                   path, kLeastSpacing, kGreatestSpacing, fmt::join(words(kLengthUnits), ", "),
+                   found(value)));
+}
+
 }  // namespace
+
+Units read_units(const Value& value) {
+  const KeyedMap fields(value, "units", kUnitsKeys);
+  Units units;
+  units.spacing = read_length(fields.at("spacing"), fields.path("spacing"));
+  units.gravity = fields.number("gravity", kLeastRealGravity, kMostRealGravity, units.gravity);
+  return units;
+}
 
 contact::Parameters read_contact(const Value& value) {
   const KeyedMap fields(value, "contact", kContactModelKeys);

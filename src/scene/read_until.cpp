@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "clca/scene/units.hpp"
 #include "scene/fields.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
@@ -110,6 +111,11 @@ void check_waits(const Stage& stage, const Scene& scene, const Place& place,
   }
 }
 
+void refuse_max_steps(const Place& place, const std::string& path, std::uint64_t most,
+                      std::uint64_t least, std::string_view reason) {
+  fail(place, fmt::format("{}: {} is less than the {} steps {}", path, most, least, reason));
+}
+
 }  // namespace
 
 Until read_until(const Value& value, const std::string& path, const Stage& stage,
@@ -117,15 +123,16 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
   if (!value.is(Value::Kind::map)) {
     constexpr std::array<std::string_view, 1> kSettled = {"settled"};
     if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
-      fail(value.place,
-           fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}} or {{cycles: "
-                       "N}}, found {}{}",
-                       path, found(value), suggestion(value.text, kSettled)));
+      fail(
+          value.place,
+          fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
+                      "{{time: T}}, found {}{}",
+                      path, found(value), suggestion(value.text, kSettled)));
     }
     return UntilSettled{};
   }
   const KeyedMap fields(value, path, kUntilKeys);
-  const std::string_view key = fields.only({"steps", "discharged", "cycles"});
+  const std::string_view key = fields.only({"steps", "discharged", "cycles", "time"});
   if (key == "steps") {
     return UntilSteps{fields.count(key, 1, kMostSteps)};
   }
@@ -139,6 +146,14 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
                                         : ""));
     }
     return UntilCycles{fields.count(key, 1, kMostSteps)};
+  }
+  if (key == "time") {
+    if (scene.model != Model::contact) {
+      fail(value.place, fmt::format("{}: only model contact has times; give steps, or say 'model: "
+                                    "contact'",
+                                    fields.path(key)));
+    }
+    return UntilTime{.time = fields.positive(key, kLongestTime)};
   }
   const UntilDischarged discharged = {fields.positive(key, 1)};
   if (scene.outlets.empty()) {
@@ -155,9 +170,8 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
   if (const Value* value = fields.find("max_steps")) {
     const std::uint64_t most = fields.count("max_steps", 1, kMostSteps);
     if (most < least) {
-      fail(value->place,
-           fmt::format("{}: {} is less than the {} steps {}", fields.path("max_steps"), most, least,
-                       cycles ? "that the cycles of until take" : "of until"));
+      refuse_max_steps(value->place, fields.path("max_steps"), most, least,
+                       cycles ? "that the cycles of until take" : "of until");
     }
     return most;
   }
@@ -174,6 +188,30 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
     check_waits(stage, scene, place, fields.path("until"));
   }
   return std::max(stage.max_steps, least);
+}
+
+void count_steps(Scene& scene, const Value& list) {
+  for (std::size_t number = 0; number < scene.stages.size(); ++number) {
+    Stage& stage = scene.stages[number];
+    auto* until = std::get_if<UntilTime>(&stage.until);
+    if (until == nullptr) {
+      continue;
+    }
+    const std::string path = join_path("stages", stage.name);
+    const Value& value = list.items[number];
+    const double steps = steps_until(until->time, *conversion(scene));
+    if (steps > static_cast<double>(kMostSteps)) {
+      fail(value.find("until")->place, fmt::format("{}: it takes {:.3g} steps; expected at most {}",
+                                                   join_path(path, "until"), steps, kMostSteps));
+    }
+    until->steps = static_cast<std::uint64_t>(steps);
+    const Value* max_steps = value.find("max_steps");
+    if (max_steps != nullptr && stage.max_steps < until->steps) {
+      refuse_max_steps(max_steps->place, join_path(path, "max_steps"), stage.max_steps,
+                       until->steps, "of until");
+    }
+    stage.max_steps = std::max(stage.max_steps, until->steps);
+  }
 }
 
 }  // namespace clca::scene

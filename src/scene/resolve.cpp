@@ -92,6 +92,9 @@ std::string until(const UntilDischarged& end) {
 std::string until(const UntilCycles& end) {
   return fmt::format("{{cycles: {}}}", end.cycles);
 }
+std::string until(const UntilTime& end) {
+  return fmt::format("{{time: {}}}", end.time);
+}
 
 template <class Thing>
 std::string references(std::string_view key, const std::vector<std::size_t>& places,
@@ -186,6 +189,7 @@ std::string to_yaml(const Scene& scene) {
                       scene.box.height, scene.box.periodic);
   text += section("species", scene.species, species_line);
   text += contact ? contact_block(scene.contact) : rules_block(scene.rules);
+  text += scene.units ? units_line(*scene.units) : "";
   text += section("walls", scene.walls, wall_line);
   text += section("sources", scene.sources,
                   [&](const Source& source) { return source_line(source, scene); });

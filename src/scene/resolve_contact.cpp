@@ -16,4 +16,8 @@ std::string contact_block(const contact::Parameters& contact) {
       contact.fall_height > 0 ? fmt::format("{}", contact.fall_height) : std::string(kAutoHeight));
 }
 
+std::string units_line(const Units& units) {
+  return fmt::format("\nunits: {{spacing: {} m, gravity: {}}}\n", units.spacing, units.gravity);
+}
+
 }  // namespace clca::scene

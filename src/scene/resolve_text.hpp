@@ -24,6 +24,9 @@ std::string wall_line(const Wall& wall);
 /// `contact:` and a line for each key.
 std::string contact_block(const contact::Parameters& contact);
 
+/// `units: {...}` and a line end.
+std::string units_line(const Units& units);
+
 /// `open`, the texts of the items with commas between, `close`.
 template <class Items, class Text>
 std::string enclosed(char open, const Items& items, char close, Text text) {

@@ -37,11 +37,19 @@ auto content(const Frames& frames) {
 
 auto content(const Scene& scene) {
   return std::tie(scene.title, scene.seed, scene.model, scene.box, scene.species, scene.rules,
-                  scene.contact, scene.walls, scene.sources, scene.outlets, scene.stages,
-                  scene.measures, scene.output);
+                  scene.contact, scene.units, scene.walls, scene.sources, scene.outlets,
+                  scene.stages, scene.measures, scene.output);
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> steps_of(const Until& until) {
+  if (const auto* time = std::get_if<UntilTime>(&until)) {
+    return time->steps;
+  }
+  const auto* steps = std::get_if<UntilSteps>(&until);
+  return steps != nullptr ? std::optional(steps->steps) : std::nullopt;
+}
 
 bool Box::operator==(const Box& other) const {
   return content(*this) == content(other);

@@ -21,6 +21,7 @@ ReadShape read_shape(const Value& value, const std::string& path);
 std::vector<Species> read_species(const Value& value, const Box& box);
 automaton::Rules read_rules(const Value& value);
 contact::Parameters read_contact(const Value& value);
+Units read_units(const Value& value);
 
 /// [left, bottom, right, top], not empty.
 lattice::Rectangle read_rectangle(const Value& value, const std::string& path);
@@ -50,6 +51,10 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
 /// The bound on the steps of a stage that has been read so far, and whether the end that it waits
 /// for can come at all.
 std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene);
+
+/// The steps of stages until a time, once all that the time step follows from has been read.
+/// `list` is what the stages were read from.
+void count_steps(Scene& scene, const Value& list);
 
 std::vector<Measure> read_measures(const Value& value);
 Output read_output(const Value& value, const Scene& scene);

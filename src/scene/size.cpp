@@ -50,8 +50,7 @@ double emitted(const Scene& scene, std::size_t source) {
   double steps = 0;
   for (const Stage& stage : scene.stages) {
     if (std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end()) {
-      const auto* until = std::get_if<UntilSteps>(&stage.until);
-      steps += static_cast<double>(until == nullptr ? stage.max_steps : until->steps);
+      steps += static_cast<double>(steps_of(stage.until).value_or(stage.max_steps));
     }
   }
   const double most = std::ceil(steps * scene.sources[source].rate);

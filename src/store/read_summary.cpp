@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
@@ -121,6 +122,18 @@ class Limits {
   std::array<int, kDeepest + 1> keys_ = {};  // so far, by depth
 };
 
+std::optional<scene::Conversion> units(const Json& object) {
+  if (!object.is_object() || !object.contains("units")) {
+    return std::nullopt;
+  }
+  const Json& found = field(object, "units", &Json::is_object);
+  return scene::Conversion{.length_unit = text(found, "length"),
+                           .time_unit = text(found, "time"),
+                           .velocity_unit = text(found, "velocity"),
+                           .spacing = number(found, "spacing"),
+                           .time_step = number(found, "time_step")};
+}
+
 RunSummary summary_of(const Json& object) {
   const Json& build = field(object, "build", &Json::is_object);
   RunSummary summary = {.kind = text(object, "kind"),
@@ -131,6 +144,7 @@ RunSummary summary_of(const Json& object) {
                         .status = text(object, "status"),
                         .particles = count(object, "particles"),
                         .steps = count(object, "steps"),
+                        .units = units(object),
                         .wall_seconds = number(object, "wall_seconds"),
                         .step_seconds = number(object, "step_seconds"),
                         .rate = number(object, rate_key(text(object, "kind"))),

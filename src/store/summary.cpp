@@ -20,15 +20,31 @@ Json to_value(const MeasureValue& value) {
   return nullptr;
 }
 
-Json to_object(const StageSummary& stage) {
+Json to_object(const scene::Conversion& units) {
+  return {{"length", units.length_unit},
+          {"time", units.time_unit},
+          {"velocity", units.velocity_unit},
+          {"spacing", units.spacing},
+          {"time_step", units.time_step}};
+}
+
+/// The time that the steps take, where they have one.
+void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
+  if (units) {
+    object["time"] = units->time(steps);
+  }
+}
+
+Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>& units) {
   Json measures = Json::object();
   for (const auto& [name, value] : stage.measures) {
     measures[name] = to_value(value);
   }
-  return {{"name", stage.name},
-          {"steps", stage.steps},
-          {"ended", stage.ended},
-          {"measures", std::move(measures)}};
+  Json object = {{"name", stage.name}, {"steps", stage.steps}};
+  add_time(object, stage.steps, units);
+  object["ended"] = stage.ended;
+  object["measures"] = std::move(measures);
+  return object;
 }
 
 }  // namespace
@@ -40,22 +56,22 @@ const char* rate_key(std::string_view kind) {
 std::string to_json(const RunSummary& summary) {
   Json stages = Json::array();
   for (const StageSummary& stage : summary.stages) {
-    stages.push_back(to_object(stage));
+    stages.push_back(to_object(stage, summary.units));
   }
-  const Json object = {{"clca", summary.version},
-                       {"kind", summary.kind},
-                       {"scene", summary.scene},
-                       {"seed", summary.seed},
-                       {"threads", summary.threads},
-                       {"status", summary.status},
-                       {"particles", summary.particles},
-                       {"steps", summary.steps},
-                       {"wall_seconds", summary.wall_seconds},
-                       {"step_seconds", summary.step_seconds},
-                       {rate_key(summary.kind), summary.rate},
-                       {"state_hash", fmt::format("{:016x}", summary.state_hash)},
-                       {"build", {{"compiler", summary.compiler}, {"type", summary.build_type}}},
-                       {"stages", std::move(stages)}};
+  Json object = {{"clca", summary.version},        {"kind", summary.kind},
+                 {"scene", summary.scene},         {"seed", summary.seed},
+                 {"threads", summary.threads},     {"status", summary.status},
+                 {"particles", summary.particles}, {"steps", summary.steps}};
+  add_time(object, summary.steps, summary.units);
+  if (summary.units) {
+    object["units"] = to_object(*summary.units);
+  }
+  object["wall_seconds"] = summary.wall_seconds;
+  object["step_seconds"] = summary.step_seconds;
+  object[rate_key(summary.kind)] = summary.rate;
+  object["state_hash"] = fmt::format("{:016x}", summary.state_hash);
+  object["build"] = {{"compiler", summary.compiler}, {"type", summary.build_type}};
+  object["stages"] = std::move(stages);
   constexpr int kIndent = 2;
   return object.dump(kIndent) + '\n';
 }

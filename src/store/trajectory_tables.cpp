@@ -1,13 +1,22 @@
 #include "store/trajectory_tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "clca/scene/units.hpp"
 
 namespace clca::store {
 
 namespace {
 
-constexpr const char* kUnits =
-    "lengths in lattice spacings, heights from the lowest sites, time in steps";
+std::string units_text(const scene::Scene& scene) {
+  std::string text = "lengths in lattice spacings, heights from the lowest sites, time in steps";
+  if (const auto units = scene::conversion(scene)) {
+    text += fmt::format(" of {} {}", units->time_step, units->time_unit);
+  }
+  return text;
+}
 
 template <class Things>
 std::vector<std::string> names_of(const Things& things) {
@@ -49,6 +58,7 @@ void SiteSets::add(int one, int other) {
 
 SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
     : name(scene.name),
+      units(units_text(scene)),
       seed({state.seed}),
       lattice({static_cast<std::uint32_t>(state.lattice.columns()),
                static_cast<std::uint32_t>(state.lattice.rows()),
@@ -75,7 +85,7 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
 
 void SceneTables::write(const Hdf5Writer& file) const {
   file.add_text("scene/name", name);
-  file.add_text("scene/units", kUnits);
+  file.add_text("scene/units", units);
   file.add<double>("scene/kinds/centre", kind_centre, 2);
   for_each_table(
       *this, [&file]<class T>(const char* path, const std::vector<T>& list, std::size_t columns) {

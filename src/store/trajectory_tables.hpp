@@ -24,6 +24,7 @@ struct SiteSets {
 
 struct SceneTables {
   std::string name;
+  std::string units;  ///< of all that is in the trajectory, in words
   std::vector<std::uint64_t> seed;
   std::vector<std::uint32_t> lattice;  ///< columns, rows, 1 if periodic
   std::vector<std::string> species;
@@ -38,7 +39,7 @@ struct SceneTables {
   SceneTables(const scene::Scene& scene, const grains::State& state);
 
   void write(const Hdf5Writer& file) const;
-  /// All but the name. This object has to outlive the list.
+  /// All but name and units. This object has to outlive the list.
   std::vector<Hdf5Dataset> datasets();
   /// What differs, in words; nothing where they are of the same scene.
   std::string difference(const SceneTables& other) const;

@@ -33,6 +33,9 @@ template <class Use>
 void for_each_measure(const Result& result, Use use) {
   for (const store::StageSummary& stage : result.summary.stages) {
     use(Key(stage.name, "steps"), static_cast<double>(stage.steps));
+    if (const auto& units = result.summary.units) {
+      use(Key(stage.name, "time"), units->time(stage.steps));
+    }
     for (const auto& [name, value] : stage.measures) {
       use(Key(stage.name, name), number(value));
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -76,6 +77,70 @@ TEST_F(ContactCliTest, AReferenceOfTheAutomatonOrAnUnknownEngineIsWrongInput) {
     EXPECT_EQ(result.out, "");
     EXPECT_FALSE(fs::exists(folder_.path() / "renders"));
   }
+}
+
+TEST_F(ContactCliTest, TimesAreInSecondsWithUnitsAndSayTheirUnitWithoutThem) {
+  const auto plain = run({"run", "small.yaml", "--set", "model=contact", "-o", "plain"});
+  const auto real = run({"run", "small.yaml", "--set", "model=contact", "--set",
+                         "units={spacing: 1 mm}", "-o", "real"});
+  EXPECT_EQ(real.code, 0) << real.err;
+  EXPECT_EQ(state_line(real), state_line(plain));
+  const auto summary = [&](const char* folder) {
+    return nlohmann::json::parse(std::ifstream(folder_.path() / folder / "run.json"));
+  };
+  EXPECT_EQ(summary("plain")["units"]["time"], "√(spacing/gravity)");
+  EXPECT_EQ(summary("plain")["units"]["spacing"], 1);
+  EXPECT_EQ(summary("real")["units"]["time"], "s");
+  EXPECT_EQ(summary("real")["units"]["velocity"], "m/s");
+  EXPECT_EQ(summary("real")["units"]["spacing"], 0.001);
+  EXPECT_THAT(plain.out, HasSubstr(" √(spacing/gravity)) in "));
+  EXPECT_THAT(real.out, HasSubstr(" s) in "));
+  const double factor = std::sqrt(0.001 / 9.81);
+  const auto times = [&](const char* folder) {
+    return testing::csv_column(folder_.path() / folder / "series.csv", "time");
+  };
+  ASSERT_EQ(times("real").size(), times("plain").size());
+  for (std::size_t row = 0; row < times("plain").size(); ++row) {
+    EXPECT_DOUBLE_EQ(times("real")[row], factor * times("plain")[row]);
+  }
+  for (const char* folder : {"plain", "real"}) {
+    const nlohmann::json json = summary(folder);
+    const double time_step = json["units"]["time_step"];
+    EXPECT_EQ(json["time"], 600 * time_step);
+    EXPECT_EQ(json["stages"][1]["time"], 300 * time_step);
+    EXPECT_EQ(times(folder).back(), 600 * time_step);
+    EXPECT_EQ(json["stages"][1]["measures"]["outflow_sites_per_time"], 0);
+  }
+}
+
+TEST_F(ContactCliTest, CheckSaysWhatAStepTakes) {
+  const std::vector<std::string> check = {"check", "small.yaml", "--set", "model=contact",
+                                          "--set", "contact.fall_height=80"};
+  EXPECT_THAT(run(check).out, HasSubstr("\n# a step takes 0.03163 √(spacing/gravity)\n#"));
+  auto with_units = check;
+  with_units.insert(with_units.end(), {"--set", "units={spacing: 1 mm}"});
+  EXPECT_THAT(run(with_units).out, HasSubstr("\n# a step takes 0.0003193 s\n#"));
+}
+
+TEST_F(ContactCliTest, TheAutomatonHasNoUnits) {
+  const auto refused = run({"run", "small.yaml", "--set", "units={spacing: 1 mm}"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err,
+            "--set units={spacing: 1 mm}: error: units: only model contact has it; remove "
+            "it, or say 'model: contact'\n");
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "automaton"}).code, 0);
+  const fs::path folder = folder_.path() / "automaton";
+  EXPECT_FALSE(nlohmann::json::parse(std::ifstream(folder / "run.json")).contains("units"));
+  EXPECT_THROW(testing::csv_column(folder / "series.csv", "time"), std::out_of_range);
+}
+
+TEST_F(ContactCliTest, ASweepOverTheSpacingHasTheTimeOfEachStage) {
+  const auto result = run({"sweep", "small.yaml", "--set", "model=contact", "--vary",
+                           "units.spacing=1mm,4mm", "--seeds", "1", "-o", "sizes"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto times = testing::csv_column(folder_.path() / "sizes" / "runs.csv", "flow.time");
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_DOUBLE_EQ(times[1], 2 * times[0]);
 }
 
 TEST_F(ContactCliTest, ARunStoppedByASignalOrByTimeEndsAsOneThatWasNot) {

@@ -41,6 +41,7 @@ struct Style {
 struct Caption {
   std::string title;
   std::string detail;  ///< such as "flow, step 120"
+  double spacing = 0;  ///< of the lattice in metres, for the scale bar; 0: it counts spacings
 };
 
 /// What a picture shows of a state. Holds as much memory as the picture has samples, whatever the

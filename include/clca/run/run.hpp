@@ -29,6 +29,7 @@ struct Progress {
   std::size_t stage_number = 0;  ///< from 1
   std::size_t stage_count = 0;
   std::uint64_t step = 0;
+  std::string time;  ///< with its unit; empty where steps have no length
   std::size_t particles = 0;
   double moving_share = 0;        ///< of the particles, in the last step
   double updates_per_second = 0;  ///< particles x steps / time in steps

@@ -10,10 +10,6 @@ namespace clca::scene {
 /// regions; that of the box where there are sources without a count, or no fills.
 contact::Parameters contact_parameters(const Scene& scene);
 
-/// Of the contact model: the length of a step in units of time, the root of lattice spacing over
-/// gravity.
-double time_step(const Scene& scene);
-
 /// The vessel as a stage begins, after one that left it as `before`. Throws std::invalid_argument
 /// for a motion that is too fast or too slow for the time step.
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before);

@@ -73,6 +73,14 @@ struct Species {
 /// What moves the grains.
 enum class Model : std::uint8_t { automaton, contact };
 
+/// What makes lengths and times of the contact model real ones.
+struct Units {
+  double spacing = 0;     ///< of the lattice, metres
+  double gravity = 9.81;  ///< metres per second squared
+
+  bool operator==(const Units&) const = default;
+};
+
 using WallPart =
     std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring, lattice::Arc>;
 
@@ -139,10 +147,20 @@ struct UntilCycles {
 
   bool operator==(const UntilCycles&) const = default;
 };
-using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles>;
+/// Of Model::contact.
+struct UntilTime {
+  double time = 0;          ///< in the unit of time of Conversion
+  std::uint64_t steps = 0;  ///< that it takes
+
+  bool operator==(const UntilTime&) const = default;
+};
+using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
+
+/// Steps after which such an end comes, where it says so by steps or time.
+std::optional<std::uint64_t> steps_of(const Until& until);
 
 /// The vessel stands at an angle from upright, in degrees anticlockwise: at once, or turned to it
-/// with `rate` degrees per unit of time.
+/// with `rate` degrees per unit of time (of Conversion).
 struct Tilt {
   double to = 0;
   std::optional<double> rate;
@@ -191,6 +209,7 @@ struct Scene {
   std::vector<Species> species;  ///< in the order of the file, as all lists here
   automaton::Rules rules;        ///< of Model::automaton
   contact::Parameters contact;   ///< of Model::contact
+  std::optional<Units> units;    ///< of Model::contact
   std::vector<Wall> walls;
   std::vector<Source> sources;
   std::vector<Outlet> outlets;

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "clca/scene/units.hpp"
+
 namespace clca::store {
 
 /// A number, yes or no, or nothing where the state has none (written as null).
@@ -37,6 +39,7 @@ struct RunSummary {
   std::string status;  ///< running, done, interrupted or failed
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
+  std::optional<scene::Conversion> units = {};  ///< of the contact model
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
   double rate = 0;          ///< see rate_key

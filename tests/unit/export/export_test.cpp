@@ -1,11 +1,13 @@
 #include "clca/export/export.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "clca/scene/parse.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/file.hpp"
 #include "export/frame.hpp"
 #include "support/runs.hpp"
@@ -15,6 +17,7 @@ namespace clca::exports {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -130,6 +133,27 @@ TEST(Vtp, ASecondFrameOfAStepHasAFileAndATimeOfItsOwn) {
   EXPECT_TRUE(fs::exists(folder.path() / "a<b&c-000007-2.vtp"));
   EXPECT_THAT(text_of(file), HasSubstr("timestep=\"7.5\" part=\"0\" name=\"particles\" "
                                        "file=\"a&lt;b&amp;c-000007-2.vtp\""));
+}
+
+TEST(Writers, GiveTheTimeThatStepsOfTheContactModelTake) {
+  const testing::ScratchFolder folder;
+  const grains::State state = three_particles();
+  scene::Scene scene = two_species();
+  scene.model = scene::Model::contact;
+  scene.contact.fall_height = 80;
+  scene.units = {.spacing = 0.001, .gravity = 9.81};
+  const double step = scene::conversion(scene)->time_step;
+  const auto written = [&](Format format, const char* name) {
+    const auto out = writer(format, store::named_file(folder.path() / name), scene, state.kinds);
+    out->add(state);
+    out->add(state);
+    out->finish();
+    return text_of(folder.path() / name);
+  };
+  EXPECT_THAT(written(Format::xyz, "a.xyz"), HasSubstr(fmt::format("Time={} Step=7", 7 * step)));
+  EXPECT_THAT(written(Format::vtp, "a.pvd"),
+              AllOf(HasSubstr(fmt::format("timestep=\"{}\" part=\"0\"", 7 * step)),
+                    HasSubstr(fmt::format("timestep=\"{}\" part=\"0\"", 7.5 * step))));
 }
 
 TEST(Writers, LeaveNothingUnlessTheyFinish) {

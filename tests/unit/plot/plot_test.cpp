@@ -127,6 +127,18 @@ TEST_F(FiguresTest, TemplatesLearnOfColumnsAndMeasuresThatAreThere) {
   EXPECT_THAT(setting, HasSubstr("scene = 'it''s';"));
 }
 
+TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {
+  write_template("t", "# needs: series.csv: x\n");
+  write("series.csv", "x\n1\n");
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = 'step';time_title = 'step';"));
+  store::RunSummary summary;
+  summary.scene = "small";
+  summary.units = {
+      .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
+  write("run.json", store::to_json(summary));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = 'time';time_title = 'time, s';"));
+}
+
 TEST_F(FiguresTest, TablesThatNoTemplateNamesAreNotRead) {
   write_template("t", "# needs: series.csv: x\n");
   write("series.csv", "x\n1\n");

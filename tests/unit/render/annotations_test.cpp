@@ -40,6 +40,13 @@ TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(round_length(0.3), 0.2);
 }
 
+TEST(MetresText, TakesTheUnitThatMakesTheNumberOneOrMore) {
+  EXPECT_EQ(metres_text(round_length(30)), "20 m");
+  EXPECT_EQ(metres_text(round_length(0.7)), "500 mm");
+  EXPECT_EQ(metres_text(round_length(0.0012)), "1 mm");
+  EXPECT_EQ(metres_text(round_length(0.00025)), "200 µm");
+}
+
 TEST(Ticks, AreFewAndRound) {
   EXPECT_EQ(ticks(0, 40, 6), (std::vector<double>{0, 10, 20, 30, 40}));
   EXPECT_EQ(ticks(3, 3, 6), (std::vector<double>{3}));

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
+#include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "support/run_folders.hpp"
@@ -110,6 +112,114 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
   EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).state_hash, expected.state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("unbroken"), path()), "");
+}
+
+TEST_F(ContactRunTest, UnitsChangeNoStateAndScaleTimesAndVelocities) {
+  const std::vector<scene::Override> fields = {"output.fields={cell: 10, every: 100}"};
+  auto with_units = fields;
+  with_units.emplace_back("units={spacing: 2 mm, gravity: 5}");
+  const auto plain = run(small(fields), {.folder = path("plain")});
+  const auto real = run(small(with_units), {.folder = path("real")});
+  EXPECT_EQ(real.state_hash, plain.state_hash);
+  const double second = std::sqrt(0.002 / 5);  // for one √(spacing/gravity)
+  const double speed = std::sqrt(0.002 * 5);   // for one √(spacing·gravity)
+  const auto expect_scaled = [&](const char* table, const char* column, double factor) {
+    const auto before = testing::csv_column(path("plain") / table, column);
+    const auto after = testing::csv_column(path("real") / table, column);
+    ASSERT_EQ(after.size(), before.size());
+    EXPECT_GT(*std::max_element(before.begin(), before.end()), 0) << column;
+    for (std::size_t row = 0; row < before.size(); ++row) {
+      EXPECT_NEAR(after[row], factor * before[row], 1e-12 * std::abs(after[row])) << column;
+    }
+  };
+  expect_scaled("series.csv", "step", 1);
+  expect_scaled("series.csv", "time", second);
+  expect_scaled("series.csv", "mean_height", 1);
+  expect_scaled("series.csv", "kinetic_energy", 1);
+  expect_scaled("fields.csv", "step", 1);
+  expect_scaled("fields.csv", "time", second);
+  expect_scaled("fields.csv", "vx", speed);
+  expect_scaled("fields.csv", "fluctuation", speed * speed);
+  const auto measure = [](const store::RunSummary& summary, const char* name) {
+    return testing::measure_of(summary, "flow", name);
+  };
+  EXPECT_EQ(measure(real, "outflow_sites_per_step"), measure(plain, "outflow_sites_per_step"));
+  EXPECT_GT(measure(plain, "outflow_sites_per_time"), 0);
+  EXPECT_NEAR(measure(real, "outflow_sites_per_time"),
+              measure(plain, "outflow_sites_per_time") / second, 1e-9);
+  EXPECT_NEAR(measure(plain, "outflow_sites_per_time"),
+              measure(plain, "outflow_sites_per_step") / plain.units->time_step, 1e-12);
+  EXPECT_NEAR(measure(real, "fluctuation_energy"),
+              measure(plain, "fluctuation_energy") * speed * speed, 1e-12);
+}
+
+// s = g t²/2; the tolerance of a step is what rounding up and the two steps at rest cost.
+TEST_F(ContactRunTest, AGrainFallsFreelyForTheSecondsOfNewton) {
+  const scene::Scene fall = scene::parse(R"(clca: 1
+model: contact
+box: {width: 20, height: 420}
+species: {grain: {shape: {hexagon: 1}}}
+contact: {fall_height: 400}
+units: {spacing: 1 cm}
+stages:
+  - name: fall
+    fill: {region: [8, 408, 12, 414], counts: {grain: 1}}
+    until: {time: 0.9}
+output: {series: {}, fields: {cell: 1000, every: 50}}
+)",
+                                         "fall.yaml");
+  const auto summary = run(fall, {.folder = path()});
+  constexpr double kGravity = 9.81;
+  const double time_step = summary.units->time_step;
+  const auto time = testing::csv_column(path() / "series.csv", "time");
+  const auto potential = testing::csv_column(path() / "series.csv", "potential_energy");
+  const auto kinetic = testing::csv_column(path() / "series.csv", "kinetic_energy");
+  EXPECT_NEAR(time.back(), 0.9, time_step);
+  constexpr double kSites = 7;
+  const auto fallen = [&](std::size_t row) {  // metres
+    return (potential.front() - potential[row]) / kSites * 0.01;
+  };
+  for (const double height : {0.1, 0.5, 1.0, 2.0, 3.5}) {
+    std::size_t row = 0;
+    while (fallen(row) < height) {
+      ASSERT_LT(++row, time.size());
+    }
+    EXPECT_NEAR(time[row], std::sqrt(2 * height / kGravity), 1.5 * time_step) << height;
+    EXPECT_NEAR(kinetic[row], potential.front() - potential[row], 0.05 * kinetic[row]) << height;
+  }
+  const auto end = testing::csv_column(path() / "fields.csv", "time");
+  const auto velocity = testing::csv_column(path() / "fields.csv", "vy");
+  ASSERT_GT(end.size(), 3U);
+  for (std::size_t window = 0; window + 1 < end.size(); ++window) {  // the last one is shorter
+    const double middle = end[window] - 25 * time_step;
+    EXPECT_NEAR(velocity[window], -kGravity * middle, 0.01 / (50 * time_step)) << window;
+  }
+}
+
+TEST_F(ContactRunTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
+  const auto timed = [&](const std::string& time) {
+    return small({"units={spacing: 1 mm}", "stages.flow.until={time: " + time + "}"});
+  };
+  const auto first = run(timed("0.1"), {.folder = path()});
+  EXPECT_EQ(first.stages[1].ended, "time");
+  EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
+  EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
+              ::testing::ThrowsMessage<ScenePlaceError>(HasSubstr("has passed this end")));
+  const auto later = resume(load_run(path(), kMuch, "{time: 0.2}"), {});
+  EXPECT_EQ(later.state_hash, run(timed("0.2"), {.folder = path("at once")}).state_hash);
+  EXPECT_EQ(testing::difference_of_runs(path("at once"), path()), "");
+}
+
+TEST_F(ContactRunTest, PicturesAndProgressSayTheTime) {
+  std::string last;
+  const RunEvents events = {.progress = [&](const Progress& at) { last = at.time; },
+                            .progress_interval = {}};
+  const auto summary = run(small({"units={spacing: 1 mm}"}), {.folder = path()}, events);
+  EXPECT_EQ(last, summary.units->time_text(600));
+  EXPECT_THAT(last, EndsWith(" s"));
+  const auto text = render::decode_png(testing::bytes_of(path() / "frames/small-000600.png")).text;
+  EXPECT_EQ(text.at("Time"), last);
+  EXPECT_EQ(text.at("Step"), "600");
 }
 
 // Contents that no run has saved, under a right checksum.

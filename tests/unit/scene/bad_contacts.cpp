@@ -71,6 +71,59 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a negative friction of a wall", "walls: {left: {box: [0, 0, 1, 50], friction: -1}}",
      "scene.yaml:7:46: error: walls.left.friction: expected a number from 0 to 1000000000, found "
      "'-1'"},
+    {"units of the automaton", "model: automaton\nunits: {spacing: 1 mm}",
+     "scene.yaml:13:1: error: units: only model contact has it; remove it, or say 'model: "
+     "contact'"},
+    {"units without a spacing", "units: {gravity: 9.81}",
+     "scene.yaml:13:8: error: units: key 'spacing' is missing"},
+    {"an unknown unit", "units: {spacing: 1 furlong}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found '1 furlong'"},
+    {"a negative spacing", "units: {spacing: -1 mm}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found '-1 mm'"},
+    {"a spacing without a unit", "units: {spacing: 0.001}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found '0.001'"},
+    {"a unit alone", "units: {spacing: mm}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found 'mm'"},
+    {"a spacing of nothing", "units: {spacing: 0 mm}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found '0 mm'",
+     Judge::parser},
+    {"a spacing of more than a kilometre", "units: {spacing: 1001 m}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found '1001 m'",
+     Judge::parser},
+    {"a list of spacings", "units: {spacing: [1 mm]}",
+     "scene.yaml:13:18: error: units.spacing: expected a length from 1e-09 m to 1000 m, a number "
+     "with one of the units m, cm, mm, um, as in 1 mm, found a list"},
+    {"gravity that points up", "units: {spacing: 1 mm, gravity: -9.81}",
+     "scene.yaml:13:33: error: units.gravity: expected a number from 1e-06 to 1000000, found "
+     "'-9.81'"},
+    {"a misspelt key of units", "units: {spacing: 1 mm, gravty: 9.81}",
+     "scene.yaml:13:24: error: unknown key 'gravty' in units (allowed: spacing, gravity); did you "
+     "mean 'gravity'?"},
+    {"a time of the automaton",
+     "model: automaton\nstages: [{name: first, sources: [spout], until: {time: 1}}]",
+     "scene.yaml:10:49: error: stages.first.until.time: only model contact has times; give steps, "
+     "or say 'model: contact'",
+     Judge::parser},
+    {"a time of nothing", "stages: [{name: first, sources: [spout], until: {time: 0}}]",
+     "scene.yaml:10:56: error: stages.first.until.time: expected a number above 0 and up to "
+     "1000000000, found '0'"},
+    {"a time of too many steps",
+     "units: {spacing: 1 um, gravity: 1e6}\n"
+     "stages: [{name: first, sources: [spout], until: {time: 1e6}}]",
+     "scene.yaml:10:49: error: stages.first.until: it takes 2.5e+13 steps; expected at most "
+     "1000000000000",
+     Judge::parser},
+    {"fewer steps than a time takes",
+     "contact: {fall_height: 80}\n"
+     "stages: [{name: first, sources: [spout], until: {time: 1}, max_steps: 31}]",
+     "scene.yaml:10:71: error: stages.first.max_steps: 31 is less than the 32 steps of until",
+     Judge::parser},
     {"rods, which do not roll",
      "species: {small: {shape: {hexagon: 1}}, large: {shape: {rod: {radius: 0, length: 2}}}}",
      "scene.yaml:5:41: error: species.large: only hexagons roll; give it the shape of one, or say "
@@ -134,7 +187,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "stages: [{name: first, sources: [spout], until: {steps: 9},\n"
      "  vessel: {shake: {gamma: 900, amplitude: 1e-3}}}]",
      "scene.yaml:11:11: error: stages.first.vessel: a vessel is shaken too fast or "
-     "not at all; a step is 0.04 units of time",
+     "not at all; a step takes ?",
      Judge::parser},
     {"a vessel that is shaken without an amplitude",
      "stages: [{name: first, sources: [spout], vessel: {shake: {gamma: 2}}}]",

@@ -73,13 +73,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
      Judge::parser},
     {"a misspelt end", "stages: [{name: first, sources: [spout], until: setled}]",
      "scene.yaml:10:49: error: stages.first.until: expected settled, {steps: N}, {discharged: "
-     "SHARE} or {cycles: N}, found 'setled'; did you mean 'settled'?"},
+     "SHARE}, {cycles: N} or {time: T}, found 'setled'; did you mean 'settled'?"},
     {"a misspelt key of an end", "stages: [{name: first, sources: [spout], until: {step: 5}}]",
      "scene.yaml:10:50: error: unknown key 'step' in stages.first.until (allowed: steps, "
-     "discharged, cycles); did you mean 'steps'?"},
+     "discharged, cycles, time); did you mean 'steps'?"},
     {"two ends", "stages: [{name: first, sources: [spout], until: {steps: 5, discharged: 1}}]",
      "scene.yaml:10:49: error: stages.first.until: expected exactly one of steps, discharged, "
-     "cycles, found steps and discharged"},
+     "cycles, time, found steps and discharged"},
     {"an end after 0 steps", "stages: [{name: first, sources: [spout], until: {steps: 0}}]",
      "scene.yaml:10:57: error: stages.first.until.steps: expected a whole number from 1 to "
      "1000000000000, found '0'"},

@@ -43,7 +43,8 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "unknown key 'inertai' in rules (allowed: inertia, scatter, candidates, gravity, "
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
-     "unknown key 'rule' (allowed: clca, title, seed, model, box, species, rules, contact, walls, "
+     "unknown key 'rule' (allowed: clca, title, seed, model, box, species, rules, contact, units, "
+     "walls, "
      "sources, outlets, stages, measure, output); did you mean 'rules'?"},
     {"rules={inertia: 2}", "rules.inertia: expected a number from 0 to 1, found '2'"},
     {"rules.inertia=much", "rules.inertia: expected a number from 0 to 1, found 'much'"},
@@ -54,9 +55,9 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "stages has no item 'flwo'; it has 2, numbered from 0, named first, flow; did you mean "
      "'flow'?"},
     {"stages.flow.until=setled",
-     "stages.flow.until: expected settled, {steps: N}, {discharged: SHARE} or {cycles: N}, found "
-     "'setled'; did "
-     "you mean 'settled'?"},
+     "stages.flow.until: expected settled, {steps: N}, {discharged: SHARE}, {cycles: N} or {time: "
+     "T}, "
+     "found 'setled'; did you mean 'settled'?"},
     {"measure.0=profil",
      "measure: expected one of profile, repose, runout, packing, moved, outflow, force, "
      "segregation, intruder, convection, found 'profil'; "

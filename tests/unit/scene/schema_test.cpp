@@ -180,6 +180,9 @@ TEST(Schema, AcceptsEverySceneInTheTreeAsTheParserDoes) {
 
 TEST(Schema, AcceptsEveryKeyOfTheContactModel) {
   const std::string text = testing::contact_with(
+      "units: {spacing: 1.5 cm, gravity: 1.62}\n"
+      "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 5}},"
+      " sources: [spout], until: {time: 2}}]\n"
       "contact: {friction: 0.2, wall_friction: 0.3, rolling: none, rolling_friction: 0.1,"
       " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90}\n"
       "walls: {left: {box: [0, 0, 1, 50], friction: 0.1}}");
@@ -204,6 +207,7 @@ TEST(Schema, KnowsTheKeysAndWordsOfTheParser) {
       {"/definitions/automaton/properties/box", words_of(kBoxKeys)},
       {"/definitions/automaton/properties/rules", words_of(kRulesKeys)},
       {"/definitions/automaton/properties/contact", words_of(kContactModelKeys)},
+      {"/definitions/automaton/properties/units", words_of(kUnitsKeys)},
       {"/definitions/automaton/properties/outlets/additionalProperties", words_of(kOutletKeys)},
       {"/definitions/automaton/properties/output", words_of(kOutputKeys)},
       {"/definitions/boltzmann_scene", words_of(kBoltzmannSceneKeys)},
@@ -274,20 +278,28 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
       "output: {frames: {}, series: {}, fields: {}, contacts: {}, trajectory: {}}";
   nlohmann::json scene = json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
   scene["output"]["frames"]["upright"] = false;  // the contact model's only
-  scene["contact"] = json_of(to_yaml(parse(testing::small_contact(), "scene.yaml"))).at("contact");
+  const auto contact =
+      json_of(to_yaml(parse(testing::contact_with("units: {spacing: 1 m}"), "scene.yaml")));
+  scene["contact"] = contact.at("contact");
+  scene["units"] = contact.at("units");
   const auto compare = [&](const std::string& schema_pointer, const std::string& scene_pointer) {
     const auto& properties = schema_text().at(nlohmann::json::json_pointer(schema_pointer));
+    const auto required = properties.value("required", std::vector<std::string>());
+    const auto is_required = [&](const std::string& key) {
+      return std::find(required.begin(), required.end(), key) != required.end();
+    };
     for (const auto& [key, property] : properties.at("properties").items()) {
       const auto& value = scene.at(nlohmann::json::json_pointer(scene_pointer));
       if (property.contains("default")) {
         EXPECT_EQ(property["default"], value.at(key)) << key;
-      } else {
+      } else if (!is_required(key)) {
         EXPECT_FALSE(value.contains(key)) << key << " has a default that the schema does not name";
       }
     }
   };
   compare("/definitions/automaton/properties/rules", "/rules");
   compare("/definitions/automaton/properties/contact", "/contact");
+  compare("/definitions/automaton/properties/units", "/units");
   compare("/definitions/frames", "/output/frames");
   compare("/definitions/series", "/output/series");
   compare("/definitions/fields", "/output/fields");

@@ -124,6 +124,15 @@ TEST_F(ReadSummary, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.seed, summary.seed);
   EXPECT_EQ(read.wall_seconds, summary.wall_seconds);
   EXPECT_EQ(read.stages.at(0).measures, summary.stages.at(0).measures);
+  EXPECT_FALSE(read.units.has_value());
+  summary.units = {.length_unit = "m",
+                   .time_unit = "√(spacing/gravity)",
+                   .velocity_unit = "m/s",
+                   .spacing = 0.001,
+                   .time_step = 0.1 + 0.2};
+  write_whole(folder_ / "run.json", to_json(summary));
+  EXPECT_EQ(read_summary(folder_ / "run.json").units, summary.units);
+  EXPECT_EQ(to_json(read_summary(folder_ / "run.json")), to_json(summary));
 }
 
 TEST_F(ReadSummary, WhatIsCutOffAnywhereIsAnError) {
@@ -157,6 +166,11 @@ TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
     write_whole(file, std::string_view(text));
     EXPECT_THROW(read_summary(file), StoreError) << text;
   }
+  auto json = nlohmann::ordered_json::parse(to_json(full_summary()));
+  json["units"] = {{"time", "s"}};
+  write_whole(file, json.dump());
+  EXPECT_THAT([&] { read_summary(file); },
+              ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("'length'")));
   EXPECT_THAT([&] { read_summary(folder_ / "none"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("No such file")));
 }
