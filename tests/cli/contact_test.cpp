@@ -114,8 +114,8 @@ TEST_F(ContactCliTest, TimesAreInSecondsWithUnitsAndSayTheirUnitWithoutThem) {
 }
 
 TEST_F(ContactCliTest, CheckSaysWhatAStepTakes) {
-  const std::vector<std::string> check = {"check", "small.yaml", "--set", "model=contact",
-                                          "--set", "contact.fall_height=80"};
+  const std::vector<std::string> check = {"check",         "small.yaml", "--set",
+                                          "model=contact", "--set",      "contact.fall_height=80"};
   EXPECT_THAT(run(check).out, HasSubstr("\n# a step takes 0.03163 √(spacing/gravity)\n#"));
   auto with_units = check;
   with_units.insert(with_units.end(), {"--set", "units={spacing: 1 mm}"});
