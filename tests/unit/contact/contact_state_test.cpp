@@ -156,7 +156,7 @@ TEST(OnlyHexagons, Turn) {
 
 TEST(Gravity, IsThatOfAFallThatEndsWithTheResolution) {
   const double value = gravity({.resolution = 0.4, .fall_height = 80});
-  EXPECT_DOUBLE_EQ(std::sqrt(2 * value * 80), 0.4);
+  EXPECT_NEAR(std::sqrt(2 * value * 80), 0.4, 1e-4);
   EXPECT_DOUBLE_EQ(gravity({.resolution = 1, .fall_height = 2}), 0.25);
   EXPECT_THROW(gravity({.resolution = 1, .fall_height = 1.9}), std::invalid_argument);
   EXPECT_THROW(gravity({.resolution = 0.01, .fall_height = 1e6}), std::invalid_argument);

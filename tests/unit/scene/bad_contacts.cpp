@@ -181,13 +181,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a vessel that turns too fast",
      "stages: [{name: first, sources: [spout], vessel: {rotate: {rate: 900}}, until: {steps: 9}}]",
      "scene.yaml:10:50: error: stages.first.vessel: a vessel turns too fast; a step "
-     "is 0.04 units of time",
+     "takes 0.04 √(spacing/gravity)",
      Judge::parser},
     {"a vessel that is shaken too fast",
      "stages: [{name: first, sources: [spout], until: {steps: 9},\n"
      "  vessel: {shake: {gamma: 900, amplitude: 1e-3}}}]",
      "scene.yaml:11:11: error: stages.first.vessel: a vessel is shaken too fast or "
-     "not at all; a step takes ?",
+     "not at all; a step takes 0.04 √(spacing/gravity)",
      Judge::parser},
     {"a vessel that is shaken without an amplitude",
      "stages: [{name: first, sources: [spout], vessel: {shake: {gamma: 2}}}]",
@@ -206,7 +206,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "box: {width: 51, height: 50, periodic: true}\n"
      "stages: [{name: first, sources: [spout], until: {steps: 9}, vessel: {rotate: {rate: 1}}}]",
      "scene.yaml:10:78: error: stages.first.vessel.rotate: a periodic box has no centre to turn "
-     "about; say 'periodic: false'", Judge::parser},
+     "about; say 'periodic: false'",
+     Judge::parser},
     {"cycles of a vessel that tilts",
      "stages: [{name: first, sources: [spout], until: {cycles: 9}, vessel: {tilt: 4}}]",
      "scene.yaml:10:49: error: stages.first.until: no wall of this stage goes to and "
