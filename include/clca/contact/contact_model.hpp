@@ -33,7 +33,7 @@ struct Options {
 };
 
 // In lattice spacings per step squared.
-inline constexpr double kLeastGravity = 1.0 / kSpacing;
+inline constexpr double kLeastGravity = 0x1p-20;
 inline constexpr double kMostGravity = 0.25;
 
 /// The acceleration by gravity in lattice spacings per step squared. Throws std::invalid_argument

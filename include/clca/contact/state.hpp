@@ -12,17 +12,18 @@
 
 namespace clca::contact {
 
-/// Velocities and lengths are whole numbers of 2^-20 lattice spacings (a step).
-inline constexpr int kFractionBits = 20;
+/// Velocities and lengths are whole numbers of 2^-23 lattice spacings (a step). With 2^-20 the
+/// forces of a bed at rest drift by rounding until some contact slides.
+inline constexpr int kFractionBits = 23;
 inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
 
 // Bounds that no run of any use comes near, so that no product overflows.
-inline constexpr std::int32_t kFastest = 1 << 27;  ///< velocities and spins
+inline constexpr std::int32_t kFastest = 16 * kSpacing;  ///< velocities and spins
 inline constexpr std::int32_t kFarthest =
     8 * kSpacing;                                    ///< remainders: a step makes six moves at most
 inline constexpr std::int32_t kStrongest = 1 << 29;  ///< impulses
 
-/// Cartesian, in 2^-20 lattice spacings.
+/// Cartesian, in 2^-23 lattice spacings.
 struct Vector {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -33,7 +34,7 @@ struct Vector {
   }
 };
 
-/// Of a grain, in 2^-20 lattice spacings a step.
+/// Of a grain, in 2^-23 lattice spacings a step.
 template <class Int>
 struct Velocity {
   Int x = {};
@@ -67,8 +68,8 @@ struct UnitVector {
   }
 };
 
-/// What a body gives the upper one in a step, in 2^-20 lattice spacings a step times the unit of
-/// mass, which is a site, or more where there are grains of more than 64 sites (see forces()).
+/// What a body gives the upper one in a step, in 2^-23 lattice spacings a step times the unit of
+/// mass, which is a site, or more where there are grains of more than 16 sites (see forces()).
 template <class Int>
 struct Impulse {
   Int normal = {};   ///< not negative

@@ -17,7 +17,7 @@ inline constexpr int kCentrifugalBits = 40;  ///< of their squares
 
 /// In one step; the same for all grains but for where and how fast they are.
 struct Acceleration {
-  Vector gravity;  ///< and shaking, in 2^-20 lattice spacings per step squared
+  Vector gravity;  ///< and shaking, in 2^-23 lattice spacings per step squared
   bool turns = false;
   std::int32_t rate = 0;  ///< angular velocity of the vessel
   std::int64_t squared_rate = 0;
@@ -31,7 +31,7 @@ UnitVector gravity_unit(const Vessel& vessel);
 /// The direction of the lattice nearest to it.
 lattice::Direction down(const Vessel& vessel);
 
-/// `gravity` in 2^-20 lattice spacings per step squared. A periodic box has no centre to turn
+/// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre to turn
 /// about: there gravity turns and nothing else.
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic);
 

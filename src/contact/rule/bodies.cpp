@@ -48,7 +48,7 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
 }  // namespace
 
 double mass_unit(const std::vector<grains::Kind>& kinds) {
-  constexpr double kMany = 64;        // sites
+  constexpr double kMany = 16;        // sites
   constexpr double kMostInverse = 8;  // which 2^-26 leave room for
   double least = std::numeric_limits<double>::infinity();
   double most = 1;

@@ -28,7 +28,7 @@ struct Coefficients {
 };
 using Pair = Coefficients<std::int32_t>;
 
-/// Unit of mass in sites: 1 where no grain has more than 64, else a power of two, so that impulses
+/// Unit of mass in sites: 1 where no grain has more than 16, else a power of two, so that impulses
 /// of large grains are no larger numbers than those of small ones.
 double mass_unit(const std::vector<grains::Kind>& kinds);
 

@@ -14,7 +14,7 @@ namespace clca::contact {
 
 /// What does not change in a run, in whole numbers. Ratios in 2^-16.
 struct Rule {
-  std::int32_t gravity = 0;  ///< in 2^-20 lattice spacings per step squared
+  std::int32_t gravity = 0;  ///< in 2^-23 lattice spacings per step squared
   std::int32_t restitution = 0;
   int sweeps = 2;
   std::int32_t friction = 0;                     ///< between grains

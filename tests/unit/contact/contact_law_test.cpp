@@ -1,5 +1,5 @@
 // What passes between two bodies that touch. Bounds on rounding: a velocity is changed by a whole
-// impulse, of 2^-20 site times spacing a step, and is rounded itself.
+// impulse, of 2^-23 unit of mass times spacing a step, and is rounded itself.
 
 #include "contact/rule/contact_law.hpp"
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/rule/bodies.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact {
@@ -111,8 +112,9 @@ TEST_P(ContactModelTest, ImpulsesOnTheFloorCarryTheWeightOfAllGrains) {
       }
     }
     const double sites = 60 * 7 + 30 * 19;
-    EXPECT_NEAR(sum / kSteps / kSpacing / gravity(parameters), sites, 0.01 * sites)
-        << static_cast<int>(rolling);
+    const double carried =
+        sum / kSteps / kSpacing / gravity(parameters) * mass_unit(bed.grains().kinds);
+    EXPECT_NEAR(carried, sites, 0.01 * sites) << static_cast<int>(rolling);
   }
 }
 
@@ -128,8 +130,9 @@ TEST_P(ContactModelTest, AColumnOfGrainsIsHeldByTheLowestOne) {
   }
   for (const Contact& contact : column.state().contacts) {
     const double above = 8 - contact.upper;
-    EXPECT_NEAR(contact.impulse.normal / (kSpacing * gravity(kParameters)), 7 * above,
-                0.01 * 7 * 8);
+    const double carried = contact.impulse.normal / (kSpacing * gravity(kParameters)) *
+                           mass_unit(column.grains().kinds);
+    EXPECT_NEAR(carried, 7 * above, 0.01 * 7 * 8);
   }
 }
 
