@@ -14,6 +14,7 @@ namespace clca::contact {
 /// Velocities and lengths are whole numbers of 2^-20 lattice spacings (a step).
 inline constexpr int kFractionBits = 20;
 inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
+static_assert(kSpacing == grains::kSpacing);
 
 // Bounds that no run of any use comes near, so that no product overflows.
 inline constexpr std::int32_t kFastest = 1 << 27;  ///< velocities and spins
@@ -101,6 +102,8 @@ struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
+  /// By wall: how far its motion is ahead of it, in 2^-20 lattice spacings along its direction.
+  std::vector<std::int64_t> wall_remainders = {};
   /// Of the last step, in the order in which they are swept.
   std::vector<Contact> contacts = {};
   /// Something other than the step itself has changed walls or grains: contacts are put in order
@@ -113,6 +116,7 @@ struct State {
     using fields::field;
     return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
                            field("remainders", &State::remainders),
+                           field("wall_remainders", &State::wall_remainders),
                            field("contacts", &State::contacts), field("changed", &State::changed),
                            field("quiet_steps", &State::quiet_steps));
   }

@@ -9,6 +9,7 @@
 #include "contact/rule/bodies.hpp"
 #include "contact/rule/contact_law.hpp"
 #include "contact/rule/normal_table.hpp"
+#include "grains/wall_step.hpp"
 
 namespace clca::contact {
 
@@ -46,6 +47,7 @@ inline bool sorts_contacts(const State& state) {
 /// more than once.
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
-                                          const Rule& rule, NormalTable& normals);
+                                          const grains::WallEdges& edges, const Rule& rule,
+                                          NormalTable& normals);
 
 }  // namespace clca::contact

@@ -34,10 +34,12 @@ struct Bench {
     }
     grains::Occupancy occupancy(state);
     const grains::FootprintTable footprints(state, {});
-    std::vector<std::uint32_t> moved;
-    move_grains(state, remainders, occupancy, footprints, ids, moved);
+    State all{.grains = state, .remainders = remainders};
+    Moves moves = move_all(all, occupancy, footprints, grains::WallEdges(state), ids, {});
+    state = all.grains;
+    remainders = all.remainders;
     EXPECT_EQ(occupancy, grains::Occupancy(state));
-    return moved;
+    return moves.moved;
   }
 };
 
