@@ -109,8 +109,6 @@ TEST_P(MovingWalls, AWallAgainstAFullColumnStallsAndOverlapsNothing) {
   EXPECT_GT(travel(one).stalls, 100U);
   EXPECT_TRUE(travel(one).stalled_since);
   EXPECT_LT(travel(one).offset, 24);
-  // It goes on once there is room, and makes up for what it has lost: the lid is no wall, so the
-  // motion ends here.
   check_valid(one.state());
 }
 
