@@ -95,6 +95,11 @@ const std::vector<ContactRun>& contact_runs() {
       all.push_back({fmt::format("contact-{}", rolling), common});
       all.back().overrides.push_back(fmt::format("contact.rolling={}", rolling));
     }
+    // A gate that is drawn up, slowly enough for the column to flow out below it.
+    all.push_back({"contact-gate",
+                   {"model=contact", "stages.packing.until={steps: 1500}",
+                    "walls.right.motion={direction: up, period: 8, distance: 40}",
+                    "stages.flow={name: flow, move: [right], until: {steps: 400}}"}});
     return all;
   }();
   return runs;
