@@ -37,7 +37,7 @@ inline constexpr std::uint64_t kLongestWave = 10'000'000;
 inline constexpr std::uint64_t kSineSteps = 7;  ///< of a period, for each site of amplitude
 inline constexpr std::uint64_t kTriangleSteps = 4;
 inline constexpr std::uint64_t kSlowestShake = 1'000'000;  ///< steps for each site
-inline constexpr std::size_t kMostPoints = 100'000;  ///< of a path
+inline constexpr std::size_t kMostPoints = 100'000;        ///< of a path
 
 inline constexpr int kLeastPixels = 16;
 inline constexpr int kMostPixels = 65'536;

@@ -72,7 +72,7 @@ template <Number T>
 constexpr T no_value() {
   using Numbers = std::numeric_limits<T>;
   return Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
-                               : (Numbers::is_signed ? Numbers::min() : Numbers::max());
+                                : (Numbers::is_signed ? Numbers::min() : Numbers::max());
 }
 
 template <Number T>

@@ -75,8 +75,8 @@ class ContactModel {
   const grains::State& grains() const;
   const grains::Occupancy& occupancy() const;
 
-  /// One step: sources, contacts, impulses, moves of grains and walls, outlets. What comes from a source is at rest,
-  /// within half a spacing from its site to either side.
+  /// One step: sources, contacts, impulses, moves of grains and walls, outlets. What comes from a
+  /// source is at rest, within half a spacing from its site to either side.
   StepReport step();
 
   // As those of automaton::Automaton. What is new is at rest.

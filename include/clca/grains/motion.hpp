@@ -113,8 +113,8 @@ bool is_cyclic(const Motion& motion);
 std::int32_t target(const Wave& wave, std::uint64_t clock);
 std::int32_t target(const Path& path, std::uint64_t clock);
 
-/// How far the motion goes in its next step, in 2^-20 lattice spacings along the direction. `ahead`,
-/// in the same unit: how far it is beyond where the wall is.
+/// How far the motion goes in its next step, in 2^-20 lattice spacings along the direction.
+/// `ahead`, in the same unit: how far it is beyond where the wall is.
 std::int32_t velocity(const Motion& motion, const Travel& travel, std::int64_t ahead);
 
 /// Whether a motion that is so far ahead of the wall can be where it is: by its clock, or for a

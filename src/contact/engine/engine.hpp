@@ -47,7 +47,7 @@ class Engine {
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
-  std::size_t first_grain_;                // its body
+  std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
   std::vector<std::int32_t> new_lanes_;    // lanes of contacts that are new in this step
   std::vector<std::uint32_t> moved_;       // in the last step

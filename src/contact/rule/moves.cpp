@@ -87,10 +87,9 @@ class Mover {
   }
   void enter(std::uint32_t id, Direction direction) {
     grains::Particle& grain = state_.particles[id];
-    for_each_place(grain, footprints_.of(grain).lead[lattice::index_of(direction)],
-                   [&](std::size_t place) {
-                     occupancy_.take(place, static_cast<grains::Owner>(id));
-                   });
+    for_each_place(
+        grain, footprints_.of(grain).lead[lattice::index_of(direction)],
+        [&](std::size_t place) { occupancy_.take(place, static_cast<grains::Owner>(id)); });
     const lattice::Site target = grain.site() + unit(direction);
     grain.column = target.column;
     grain.row = target.row;

@@ -24,9 +24,10 @@ struct Moves {
 };
 
 /// Moves each of the grains `ids` by a site in every direction in which its remainder asks for it
-/// and its way is free; one that follows another goes with it. Each of the walls takes the move that
-/// it wants, and takes along what is in its way, and what is in the way of that, unless the border
-/// or another wall is. What has been pushed may move like `ids` in the directions that follow.
+/// and its way is free; one that follows another goes with it. Each of the walls takes the move
+/// that it wants, and takes along what is in its way, and what is in the way of that, unless the
+/// border or another wall is. What has been pushed may move like `ids` in the directions that
+/// follow.
 Moves move_all(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
                const grains::WallEdges& edges, std::span<const std::uint32_t> ids,
                std::span<WallMove> walls);

@@ -28,10 +28,10 @@ class Contacts {
     const auto& grains = state_.grains.particles;
     Velocity<std::int32_t> side;
     Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
-    Velocity<std::int32_t>& other_velocity =
-        !on_wall                      ? state_.velocities[other]
-        : contact.other <= kRightSide ? side
-                                      : walls_[grains::wall_number(contact.other)];
+    Velocity<std::int32_t>& other_velocity = !on_wall ? state_.velocities[other]
+                                             : contact.other <= kRightSide
+                                                 ? side
+                                                 : walls_[grains::wall_number(contact.other)];
     Touching<std::int32_t> touching = {
         .upper = upper_velocity,
         .other = other_velocity,

@@ -30,8 +30,7 @@ Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
     return {};
   }
   const std::int64_t lag = state.wall_remainders[wall];
-  const std::int32_t speed =
-      grains::velocity(*one.motion, one.travel, lag) + lower(haste(lag));
+  const std::int32_t speed = grains::velocity(*one.motion, one.travel, lag) + lower(haste(lag));
   const UnitVector& unit = unit_of(one.motion->direction);
   return {.x = lower(scaled(product(speed, unit.x), kUnitBits)),
           .y = lower(scaled(product(speed, unit.y), kUnitBits))};
@@ -46,8 +45,8 @@ std::vector<WallMove> advance_walls(State& state) {
     }
     std::int64_t& ahead = state.wall_remainders[wall];
     ahead += grains::velocity(*one.motion, one.travel, ahead);
-    result.push_back({.wall = wall,
-                      .wished = (ahead > kSpacing / 2 ? 1 : 0) - (ahead < -kSpacing / 2 ? 1 : 0)});
+    result.push_back(
+        {.wall = wall, .wished = (ahead > kSpacing / 2 ? 1 : 0) - (ahead < -kSpacing / 2 ? 1 : 0)});
   }
   return result;
 }

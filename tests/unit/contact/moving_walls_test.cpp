@@ -33,8 +33,9 @@ class MovingWalls : public ::testing::TestWithParam<bool> {
     state.grains.walls = {wall};
     ContactModel result(std::move(state), kParameters, {.reference = GetParam()});
     if (grains > 0) {
-      EXPECT_TRUE(result.fill({0, static_cast<double>(bottom + thick), 20, 1e3},
-                              std::vector<std::size_t>{grains})
+      EXPECT_TRUE(result
+                      .fill({0, static_cast<double>(bottom + thick), 20, 1e3},
+                            std::vector<std::size_t>{grains})
                       .complete);
     }
     return result;
