@@ -9,54 +9,16 @@ namespace clca::automaton {
 
 namespace {
 
-/// Particles that have to go along with a wall.
-class Train {
- public:
-  Train(const World& world, const WallStep& step)
-      : world_(world), step_(step), aboard_(world.state.particles.size(), false) {}
+using grains::Train;
 
-  /// Returns false when the way is barred.
-  bool gather() {
-    for (const std::size_t place : step_.enters) {
-      take(place);
-    }
-    for (std::size_t i = 0; i < ids_.size() && !barred_; ++i) {
-      const grains::Particle& particle = world_.state.particles[ids_[i]];
-      const grains::Footprint& footprint = world_.footprints.of(particle);
-      const auto visit = [&](std::size_t place) { take(place); };
-      world_.for_each_place(particle, footprint.lead[index_of(step_.direction)], visit);
-      if (world_.pushes.engaged(ids_[i])) {  // whoever overlaps with it
-        world_.for_each_place(particle, visit);
-      }
-    }
-    return !barred_;
-  }
+Train train_of(const World& world, const WallStep& step) {
+  return {world.state, world.occupancy, world.footprints, step};
+}
 
-  const std::vector<std::uint32_t>& ids() const { return ids_; }
-
- private:
-  void take(std::size_t place) {
-    take_owner(world_.occupancy.owner(place));
-    take_owner(world_.occupancy.second_owner(place));
-  }
-  void take_owner(grains::Owner owner) {
-    if (grains::is_particle(owner)) {
-      const auto id = static_cast<std::uint32_t>(owner);
-      if (!aboard_[id]) {
-        aboard_[id] = true;
-        ids_.push_back(id);
-      }
-    } else {
-      barred_ = barred_ || (owner != grains::kFree && owner != grains::wall_code(step_.wall));
-    }
-  }
-
-  const World& world_;
-  const WallStep& step_;
-  std::vector<bool> aboard_;
-  std::vector<std::uint32_t> ids_;
-  bool barred_ = false;
-};
+/// Returns false when the way is barred.
+bool gather(const World& world, Train& train) {
+  return train.gather([&](std::uint32_t id) { return world.pushes.engaged(id); });
+}
 
 void leave(World& world, const WallStep& step) {
   for (const std::size_t place : step.leaves) {
@@ -141,8 +103,8 @@ void forget_behind(World& world, const WallStep& step) {
 }  // namespace
 
 bool push_along(World& world, const WallStep& step) {
-  Train train(world, step);
-  if (!train.gather()) {
+  Train train = train_of(world, step);
+  if (!gather(world, train)) {
     return false;
   }
   leave(world, step);
@@ -179,7 +141,8 @@ bool enter(World& world, const WallStep& step) {
 
 bool can_take(World& world, const WallStep& step) {
   if (!world.state.walls[step.wall].lets_overlap()) {
-    return Train(world, step).gather();
+    Train train = train_of(world, step);
+    return gather(world, train);
   }
   if (!may_enter(world, step)) {
     return false;

@@ -1,19 +1,12 @@
 #pragma once
 // One step of one wall: what it does with the particles in its way.
 
-#include <vector>
-
 #include "automaton/world.hpp"
+#include "grains/wall_step.hpp"
 
 namespace clca::automaton {
 
-/// A wall about to take a step: the places in memory it enters and leaves.
-struct WallStep {
-  std::size_t wall = 0;
-  lattice::Direction direction = lattice::Direction::up;
-  std::vector<std::size_t> enters;
-  std::vector<std::size_t> leaves;
-};
+using grains::WallStep;
 
 /// Pushes the particles in the way, and all that these stand against, along with the wall. Does
 /// nothing and returns false when one of them would meet the border or another wall.

@@ -14,12 +14,12 @@
 #include "contact/engine/engine.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/step.hpp"
+#include "contact/rule/walls.hpp"
+#include "grains/wall_step.hpp"
 
 namespace clca::contact {
 
 namespace {
-
-constexpr std::uint64_t kQuietSteps = 60;  // in a row: settled
 
 Rule make_rule(const State& state, const Parameters& parameters, const Options& options) {
   const auto friction = [](double value) { return fixed(value, kRatioBits); };
@@ -43,6 +43,9 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
 }
 
 State valid(State state, const Parameters& parameters, const Options& options) {
+  if (state.grains.step == 0 && state.wall_remainders.empty()) {
+    state.wall_remainders.resize(state.grains.walls.size());
+  }
   check_valid(state);
   const bool walls_sane =
       std::all_of(options.wall_friction.begin(), options.wall_friction.end(),
@@ -105,9 +108,17 @@ void check_valid(const State& state) {
   grains::check_valid(state.grains);
   check_valid(state.vessel);
   const auto fail = [](const char* reason) { throw std::invalid_argument(reason); };
-  for (const grains::Wall& wall : state.grains.walls) {
-    if (wall.motion) {
-      fail("the contact model knows no walls that move");
+  if (grains::may_overlap(state.grains)) {
+    fail("the contact model lets no walls overlap");
+  }
+  if (state.wall_remainders.size() != state.grains.walls.size()) {
+    fail("there is not one remainder for each wall");
+  }
+  for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
+    const grains::Wall& one = state.grains.walls[wall];
+    const std::int64_t ahead = state.wall_remainders[wall];
+    if (one.motion ? !grains::can_be_ahead(*one.motion, one.travel, ahead) : ahead != 0) {
+      fail("a wall is not where its motion has brought it");
     }
   }
   const std::size_t grains = state.grains.particles.size();
@@ -167,10 +178,11 @@ class ContactModel::Impl {
       : state_(valid(std::move(initial), parameters, options)),
         occupancy_(state_.grains),
         footprints_(state_.grains, {}),
+        edges_(state_.grains),
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
-      engine_.emplace(state_, occupancy_, footprints_, rule_);
+      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_);
     }
   }
 
@@ -215,7 +227,8 @@ class ContactModel::Impl {
       if (report.emitted > 0) {
         state_.quiet_steps = 0;  // what is new still has to fall
       }
-      report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
+      report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 &&
+                       !sources.waiting && walls_rest(state_);
       report.moved = moved_;
       written_back_ = false;
       return report;
@@ -241,6 +254,14 @@ class ContactModel::Impl {
     });
   }
 
+  void set_motion(std::size_t wall, bool active) {
+    grains::Wall& moving = state_.grains.walls.at(wall);
+    if (!moving.motion) {
+      throw std::invalid_argument("a wall without motion cannot be set in motion");
+    }
+    moving.travel.active = active;
+    state_.quiet_steps = 0;
+  }
   void set_source(std::size_t source, bool open) { state_.grains.sources.at(source).open = open; }
   void set_vessel(const Vessel& vessel) {
     check_valid(vessel);
@@ -280,7 +301,7 @@ class ContactModel::Impl {
       engine_->step();
       moved.assign(engine_->moved().begin(), engine_->moved().end());
     } else {
-      moved = reference_step(state_, occupancy_, footprints_, rule_, normals_);
+      moved = reference_step(state_, occupancy_, footprints_, edges_, rule_, normals_);
       std::sort(moved.begin(), moved.end());
       moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     }
@@ -321,6 +342,7 @@ class ContactModel::Impl {
   State state_;
   grains::Occupancy occupancy_;
   grains::FootprintTable footprints_;
+  grains::WallEdges edges_;
   Rule rule_;
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
@@ -381,6 +403,10 @@ bool ContactModel::insert_wall(std::size_t wall) {
   return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
     return grains::insert_wall(state, occupancy, wall);
   });
+}
+
+void ContactModel::set_motion(std::size_t wall, bool active) {
+  impl_->set_motion(wall, active);
 }
 
 void ContactModel::set_source(std::size_t source, bool open) {

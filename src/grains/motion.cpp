@@ -14,21 +14,114 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;  // for clang 14
 
-/// The quotient rounded to the nearest whole number, halves away from zero.
-std::int32_t rounded_ratio(std::int64_t numerator, std::int64_t denominator) {
-  const std::int64_t half = numerator < 0 ? -denominator / 2 : denominator / 2;
-  return static_cast<std::int32_t>((numerator + half) / denominator);
+/// Of sites.
+struct Ratio {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;  // positive, below 2^50
+};
+
+/// The nearest whole number, halves away from zero.
+std::int32_t rounded(const Ratio& ratio) {
+  const std::int64_t half = ratio.numerator < 0 ? -ratio.denominator / 2 : ratio.denominator / 2;
+  return static_cast<std::int32_t>((ratio.numerator + half) / ratio.denominator);
+}
+
+/// In 2^-20 lattice spacings, towards zero: by long division, so that nothing overflows.
+std::int64_t fine(const Ratio& ratio) {
+  constexpr std::int64_t kDigit = 1 << 10;
+  static_assert(kDigit * kDigit == kSpacing);
+  std::int64_t result = ratio.numerator / ratio.denominator;
+  std::int64_t rest = ratio.numerator % ratio.denominator;
+  for (int digit = 0; digit < 2; ++digit) {
+    result = result * kDigit + rest * kDigit / ratio.denominator;
+    rest = rest * kDigit % ratio.denominator;
+  }
+  return result;
 }
 
 /// amplitude x sin(pi t / half) for t in [0, half] by Bhaskara's formula.
-std::int32_t half_sine(std::int64_t amplitude, std::int64_t t, std::int64_t half) {
+Ratio half_sine(std::int64_t amplitude, std::int64_t t, std::int64_t half) {
   const std::int64_t product = t * (half - t);
-  return rounded_ratio(16 * amplitude * product, 5 * half * half - 4 * product);
+  return {16 * amplitude * product, 5 * half * half - 4 * product};
 }
 
 /// Rises from 0 to the amplitude and falls back in `half` units of time.
-std::int32_t half_triangle(std::int64_t amplitude, std::int64_t t, std::int64_t half) {
-  return rounded_ratio(2 * amplitude * std::min(t, half - t), half);
+Ratio half_triangle(std::int64_t amplitude, std::int64_t t, std::int64_t half) {
+  return {2 * amplitude * std::min(t, half - t), half};
+}
+
+/// Where a Wave wants to be.
+Ratio offset_at(const Wave& wave, std::uint64_t clock) {
+  // In half steps, so that half a period is a whole number.
+  const auto half = static_cast<std::int64_t>(wave.period);
+  const auto time = static_cast<std::int64_t>(2 * (clock % wave.period));
+  const bool second_half = time >= half;
+  const std::int64_t t = second_half ? time - half : time;
+  Ratio height = wave.form == Waveform::sine ? half_sine(wave.amplitude, t, half)
+                                             : half_triangle(wave.amplitude, t, half);
+  height.numerator *= second_half ? -1 : 1;
+  return height;
+}
+
+/// Of a Path: the last point, and how far it wants to be from there.
+struct Leg {
+  std::int32_t from = 0;
+  Ratio rise;
+};
+
+Leg leg_at(const Path& path, std::uint64_t clock) {
+  const auto next = std::upper_bound(
+      path.points.begin(), path.points.end(), clock,
+      [](std::uint64_t step, const Path::Point& point) { return step < point.step; });
+  const Path::Point before = next == path.points.begin() ? Path::Point{} : *std::prev(next);
+  if (next == path.points.end()) {
+    return {.from = before.offset, .rise = {}};
+  }
+  const auto rise = static_cast<std::int64_t>(next->offset) - before.offset;
+  return {.from = before.offset,
+          .rise = {rise * static_cast<std::int64_t>(clock - before.step),
+                   static_cast<std::int64_t>(next->step - before.step)}};
+}
+
+// Where motions want to be after `clock` steps, in 2^-20 lattice spacings.
+std::int64_t position(const Drive& drive, std::uint64_t clock) {
+  const auto distance = static_cast<std::uint64_t>(drive.distance);
+  return clock / drive.period >= distance
+             ? drive.distance * kSpacing
+             : fine({static_cast<std::int64_t>(clock), static_cast<std::int64_t>(drive.period)});
+}
+std::int64_t position(const Wave& wave, std::uint64_t clock) {
+  return fine(offset_at(wave, clock));
+}
+std::int64_t position(const Path& path, std::uint64_t clock) {
+  const Leg leg = leg_at(path, clock);
+  return leg.from * kSpacing + fine(leg.rise);
+}
+
+template <class Program>
+std::int64_t velocity_of(const Program& program, const Travel& travel, std::int64_t /*now*/) {
+  return position(program, travel.clock + 1) - position(program, travel.clock);
+}
+std::int64_t velocity_of(const Shake& shake, const Travel& travel, std::int64_t now) {
+  constexpr std::uint64_t kPeriod = 10;
+  const std::int64_t most = kSpacing / static_cast<std::int64_t>(shake.period.value_or(kPeriod));
+  switch (travel.phase) {
+    case Travel::Phase::rising:
+      return std::min(most, shake.amplitude * kSpacing - now);
+    case Travel::Phase::falling:
+      return -std::min(most, now);
+    case Travel::Phase::waiting:
+      break;
+  }
+  return 0;
+}
+
+template <class Program>
+bool can_be_at(const Program& program, std::uint64_t clock, std::int64_t now) {
+  return now == position(program, clock);
+}
+bool can_be_at(const Shake& shake, std::uint64_t /*clock*/, std::int64_t now) {
+  return now >= 0 && now <= shake.amplitude * kSpacing;
 }
 
 int sign(std::int32_t value) {
@@ -89,28 +182,28 @@ bool is_cyclic(const Motion& motion) {
 }
 
 std::int32_t target(const Wave& wave, std::uint64_t clock) {
-  // In half steps, so that half a period is a whole number.
-  const auto half = static_cast<std::int64_t>(wave.period);
-  const auto time = static_cast<std::int64_t>(2 * (clock % wave.period));
-  const bool second_half = time >= half;
-  const std::int64_t t = second_half ? time - half : time;
-  const std::int32_t height = wave.form == Waveform::sine ? half_sine(wave.amplitude, t, half)
-                                                          : half_triangle(wave.amplitude, t, half);
-  return second_half ? -height : height;
+  return rounded(offset_at(wave, clock));
 }
 
 std::int32_t target(const Path& path, std::uint64_t clock) {
-  const auto next = std::upper_bound(
-      path.points.begin(), path.points.end(), clock,
-      [](std::uint64_t step, const Path::Point& point) { return step < point.step; });
-  const Path::Point before = next == path.points.begin() ? Path::Point{} : *std::prev(next);
-  if (next == path.points.end()) {
-    return before.offset;
-  }
-  const auto rise = static_cast<std::int64_t>(next->offset) - before.offset;
-  const auto done = static_cast<std::int64_t>(clock - before.step);
-  return before.offset +
-         rounded_ratio(rise * done, static_cast<std::int64_t>(next->step - before.step));
+  const Leg leg = leg_at(path, clock);
+  return leg.from + rounded(leg.rise);
+}
+
+std::int32_t velocity(const Motion& motion, const Travel& travel, std::int64_t ahead) {
+  const std::int64_t now = travel.offset * kSpacing + ahead;
+  return static_cast<std::int32_t>(std::visit(
+      [&](const auto& program) { return velocity_of(program, travel, now); }, motion.program));
+}
+
+bool can_be_ahead(const Motion& motion, const Travel& travel, std::int64_t ahead) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 50;
+  return ahead > -kFar && ahead < kFar &&
+         std::visit(
+             [&](const auto& program) {
+               return can_be_at(program, travel.clock, travel.offset * kSpacing + ahead);
+             },
+             motion.program);
 }
 
 int wish(const Motion& motion, const Travel& travel) {
@@ -147,7 +240,8 @@ int lasting_wish(const Motion& motion, const Travel& travel) {
   return at_last ? sign(path->points.back().offset - travel.offset) : 0;
 }
 
-void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step) {
+void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step,
+               std::int64_t ahead) {
   ++travel.clock;
   if (wished != 0 && done) {
     travel.offset += wished;
@@ -156,7 +250,7 @@ void take_step(const Motion& motion, Travel& travel, int wished, bool done, std:
     ++travel.stalls;
     travel.stalled_since = travel.stalled_since.value_or(step);
   }
-  if (const auto* shake = std::get_if<Shake>(&motion.program)) {
+  if (const auto* shake = std::get_if<Shake>(&motion.program); shake != nullptr && ahead == 0) {
     turn(*shake, travel);
   }
   if (const auto* wave = std::get_if<Wave>(&motion.program)) {

@@ -53,7 +53,9 @@ bool can_be_carried_out(const Wave& wave) {
          wave.amplitude <= 10'000;
 }
 bool can_be_carried_out(const Shake& shake) {
-  return shake.amplitude >= 0 && shake.amplitude < kFarthest;
+  return shake.amplitude >= 0 && shake.amplitude < kFarthest &&
+         (!shake.period ||
+          (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kSpacing)));
 }
 bool can_be_carried_out(const Path& path) {
   std::uint64_t last = 0;

@@ -37,7 +37,9 @@ const grains::State& grains_of(const ModelState& state) {
 ModelState first_state(const scene::Scene& scene) {
   grains::State grains = initial_state(scene);
   if (scene.model == scene::Model::contact) {
-    return contact::State{.grains = std::move(grains)};
+    const std::size_t walls = grains.walls.size();
+    return contact::State{.grains = std::move(grains),
+                          .wall_remainders = std::vector<std::int64_t>(walls)};
   }
   return grains;
 }
@@ -126,7 +128,7 @@ bool Model::insert_wall(std::size_t wall) {
 }
 
 void Model::set_motion(std::size_t wall, bool active) {
-  std::get<automaton::Automaton>(model_).set_motion(wall, active);
+  std::visit([&](auto& model) { model.set_motion(wall, active); }, model_);
 }
 
 void Model::set_source(std::size_t source, bool open) {

@@ -55,9 +55,8 @@ void refuse_word(const Value* value, std::string_view word, std::string_view pat
 void check_able(const Value& root) {
   if (const Value* walls = root.find("walls")) {
     for (const Entry& wall : walls->entries) {
-      if (const Entry* motion = entry_of(wall.value, "motion")) {
-        refuse_yet(motion->place, fmt::format("walls.{}.motion", wall.key), "moves no walls");
-      }
+      refuse_word(wall.value.find("passive"), "overlap", fmt::format("walls.{}.passive", wall.key),
+                  "lets nothing overlap");
     }
   }
   refuse_word(value_at(root, {"output", "frames", "color_by"}), "force", "output.frames.color_by",
@@ -111,7 +110,11 @@ void check_model(const Scene& scene, const Value& root) {
     refuse_foreign(root, "", "units", Model::contact);
     if (const Value* walls = root.find("walls")) {
       for (const Entry& wall : walls->entries) {
-        refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);
+        const std::string path = join_path("walls", wall.key);
+        refuse_foreign(wall.value, path, "friction", Model::contact);
+        if (const Value* shake = value_at(wall.value, {"motion", "shake"})) {
+          refuse_foreign(*shake, join_path(path, "motion.shake"), "period", Model::contact);
+        }
       }
     }
     if (const Value* frames = value_at(root, {"output", "frames"})) {

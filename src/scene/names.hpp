@@ -34,7 +34,7 @@ inline constexpr std::array<std::string_view, 5> kArcKeys = {"centre", "radius",
 inline constexpr std::array<std::string_view, 6> kMotionKeys = {"direction", "period", "distance",
                                                                 "wave",      "shake",  "path"};
 inline constexpr std::array<std::string_view, 3> kWaveKeys = {"form", "amplitude", "period"};
-inline constexpr std::array<std::string_view, 2> kShakeKeys = {"amplitude", "wait"};
+inline constexpr std::array<std::string_view, 3> kShakeKeys = {"amplitude", "wait", "period"};
 inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", "species", "rate",
                                                                 "count"};
 inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};

@@ -65,8 +65,12 @@ grains::Shake read_shake(const Value& value, const std::string& path) {
                      "nothing",
                      fields.path("amplitude"), kFarthestOffset));
   }
-  return {.amplitude = fields.integer("amplitude", 1, kFarthestOffset),
-          .wait = read_wait(fields.find("wait"), fields.path("wait"))};
+  grains::Shake shake = {.amplitude = fields.integer("amplitude", 1, kFarthestOffset),
+                         .wait = read_wait(fields.find("wait"), fields.path("wait"))};
+  if (fields.find("period") != nullptr) {
+    shake.period = fields.count("period", 1, kSlowestShake);
+  }
+  return shake;
 }
 
 using Point = grains::Path::Point;

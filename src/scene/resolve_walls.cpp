@@ -45,8 +45,9 @@ std::string program(const grains::Wave& wave) {
                      name_of(kWaveformNames, wave.form), wave.amplitude, wave.period);
 }
 std::string program(const grains::Shake& shake) {
-  return fmt::format("shake: {{amplitude: {}, wait: {}}}", shake.amplitude,
-                     shake.wait ? std::to_string(*shake.wait) : "settled");
+  return fmt::format("shake: {{amplitude: {}, wait: {}{}}}", shake.amplitude,
+                     shake.wait ? std::to_string(*shake.wait) : "settled",
+                     shake.period ? fmt::format(", period: {}", *shake.period) : "");
 }
 std::string program(const grains::Path& path) {
   return fmt::format("path: {}", list(path.points, [](const grains::Path::Point& point) {

@@ -70,9 +70,9 @@ void map_parts(const Handle& creation, const Handle& whole, const Column& column
 /// a value.
 template <Number T>
 constexpr T no_value() {
-  using Limits = std::numeric_limits<T>;
-  return Limits::has_quiet_NaN ? Limits::quiet_NaN()
-                               : (Limits::is_signed ? Limits::min() : Limits::max());
+  using Numbers = std::numeric_limits<T>;
+  return Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
+                                : (Numbers::is_signed ? Numbers::min() : Numbers::max());
 }
 
 template <Number T>

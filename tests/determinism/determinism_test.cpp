@@ -97,6 +97,11 @@ const std::vector<ContactRun>& contact_runs() {
     }
     all.push_back({"contact-vessel", common});
     all.back().overrides.emplace_back("stages.flow.vessel={rotate: {rate: -0.02}}");
+    // A gate that is drawn up, slowly enough for the column to flow out below it.
+    all.push_back({"contact-gate",
+                   {"model=contact", "stages.packing.until={steps: 1500}",
+                    "walls.right.motion={direction: up, period: 8, distance: 40}",
+                    "stages.flow={name: flow, move: [right], until: {steps: 400}}"}});
     return all;
   }();
   return runs;

@@ -135,6 +135,10 @@ inline ContactRun any_contact_run(bool open, int steps) {
                        .seed = *rc::gen::arbitrary<std::uint64_t>()};
   grains.kinds = any_kinds(hexagons, narrow);
   add_static_walls(grains);
+  const int moving = open ? *rc::gen::inRange(0, 3) : 0;
+  for (int i = 0; i < moving; ++i) {
+    add_moving_wall(grains, lattice::Direction::down, MovingWalls::rigid);
+  }
   ContactRun run{.state = {.grains = std::move(grains)},
                  .parameters = any_contact_parameters(hexagons),
                  .wall_friction = {}};
@@ -149,6 +153,11 @@ inline ContactRun any_contact_run(bool open, int steps) {
     add_outlet(run.state.grains);
   }
   contact::ContactModel model = run.model();
+  for (std::size_t wall = 0; wall < run.state.grains.walls.size(); ++wall) {
+    if (run.state.grains.walls[wall].motion) {
+      model.set_motion(wall, within(0, 8) != 0);
+    }
+  }
   model.fill({0, 0, 1e3, 1e3},
              std::vector<std::size_t>(run.state.grains.kinds.size(), within<std::size_t>(1, 60)));
   run.state = model.state();

@@ -21,7 +21,7 @@ struct StepReport {
   std::size_t emitted = 0;
   std::size_t removed = 0;
   /// Nothing has moved for some time, nothing has more than the velocity that gravity gives in two
-  /// steps, and no source will give more.
+  /// steps, no source will give more, and no wall will move.
   bool settled = false;
 };
 
@@ -54,10 +54,11 @@ std::uint64_t hash(const State& state);
 
 /// Throws std::invalid_argument, with the reason, unless the model can work with the state (see
 /// grains::check_valid): one motion for each grain, contacts of grains, walls and sides that are
-/// there, no number out of range, and no wall in motion.
+/// there, no number out of range, no wall that lets overlap, and none elsewhere than its motion has
+/// brought it.
 void check_valid(const State& state);
 
-/// Runs a State. Walls that move are not known to it. When a change throws other than
+/// Runs a State. When a change throws other than
 /// std::invalid_argument or std::out_of_range, it is half done: all that would change the state
 /// after that throws std::logic_error.
 class ContactModel {
@@ -77,8 +78,8 @@ class ContactModel {
   const grains::Occupancy& occupancy() const;
   const Vessel& vessel() const;
 
-  /// One step: sources, contacts, impulses, moves, outlets. What comes from a source is at rest,
-  /// within half a spacing from its site to either side.
+  /// One step: sources, contacts, impulses, moves of grains and walls, outlets. What comes from a
+  /// source is at rest, within half a spacing from its site to either side.
   StepReport step();
 
   // As those of automaton::Automaton. What is new is at rest.
@@ -86,6 +87,7 @@ class ContactModel {
   grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   void remove_wall(std::size_t wall);
   bool insert_wall(std::size_t wall);
+  void set_motion(std::size_t wall, bool active);
   void set_source(std::size_t source, bool open);
   /// Throws std::invalid_argument for one that is not valid. Grains at rest stay so in the vessel.
   void set_vessel(const Vessel& vessel);

@@ -103,6 +103,8 @@ struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
+  /// By wall: how far its motion is ahead of it, in 2^-20 lattice spacings along its direction.
+  std::vector<std::int64_t> wall_remainders = {};
   /// Of the last step, in the order in which they are swept.
   std::vector<Contact> contacts = {};
   /// Something other than the step itself has changed walls or grains: contacts are put in order
@@ -114,11 +116,11 @@ struct State {
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
     using fields::field;
-    return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
-                           field("remainders", &State::remainders),
-                           field("contacts", &State::contacts), field("changed", &State::changed),
-                           field("quiet_steps", &State::quiet_steps),
-                           field("vessel", &State::vessel));
+    return std::make_tuple(
+        field("grains", &State::grains), field("velocities", &State::velocities),
+        field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
+        field("contacts", &State::contacts), field("changed", &State::changed),
+        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
   }
 };
 

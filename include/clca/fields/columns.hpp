@@ -20,7 +20,8 @@ namespace clca::fields {
 
 using Column =
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::uint32_t>,
-                 std::vector<std::uint64_t>, std::vector<std::int32_t>, std::vector<double>>;
+                 std::vector<std::uint64_t>, std::vector<std::int32_t>, std::vector<double>,
+                 std::vector<std::int64_t>>;
 using Columns = std::map<std::string, Column>;
 
 /// Columns that do not belong to the value: one is missing, too short, of other numbers.

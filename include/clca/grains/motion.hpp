@@ -1,5 +1,7 @@
 #pragma once
 // How walls move: by themselves, one lattice site a step at most, whatever stands in their way.
+// A motion says in sites where the automaton wants a wall (wish), and finer where the contact model
+// wants it (velocity).
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +13,8 @@
 
 namespace clca::grains {
 
-/// One site every `period` steps, `distance` sites in all. What a stall costs is not made up for.
+/// One site every `period` steps, `distance` sites in all. What a stall costs is not made up for by
+/// the automaton.
 struct Drive {
   std::uint64_t period = 1;
   std::int32_t distance = 0;
@@ -34,6 +37,9 @@ struct Wave {
 struct Shake {
   std::int32_t amplitude = 1;
   std::optional<std::uint64_t> wait;  ///< steps after the last drop; none: until no particle moves
+  /// Steps for each site, at most kSpacing; none: ten. Of the contact model: that of the automaton
+  /// takes one.
+  std::optional<std::uint64_t> period = {};
 
   bool operator==(const Shake&) const = default;
 };
@@ -51,6 +57,9 @@ struct Path {
 
   bool operator==(const Path&) const = default;
 };
+
+/// Finer than sites: a lattice spacing.
+inline constexpr std::int64_t kSpacing = 1 << 20;
 
 struct Motion {
   lattice::Direction direction = lattice::Direction::up;
@@ -104,6 +113,14 @@ bool is_cyclic(const Motion& motion);
 std::int32_t target(const Wave& wave, std::uint64_t clock);
 std::int32_t target(const Path& path, std::uint64_t clock);
 
+/// How far the motion goes in its next step, in 2^-20 lattice spacings along the direction.
+/// `ahead`, in the same unit: how far it is beyond where the wall is.
+std::int32_t velocity(const Motion& motion, const Travel& travel, std::int64_t ahead);
+
+/// Whether a motion that is so far ahead of the wall can be where it is: by its clock, or for a
+/// Shake between its ends.
+bool can_be_ahead(const Motion& motion, const Travel& travel, std::int64_t ahead);
+
 /// The step that the wall wants to take now: +1 along the direction, -1 against it, 0 none.
 int wish(const Motion& motion, const Travel& travel);
 
@@ -115,8 +132,9 @@ bool is_over(const Motion& motion, const Travel& travel);
 int lasting_wish(const Motion& motion, const Travel& travel);
 
 /// Accounts for the move of this step: what the wall wished and whether it was done. `step` is the
-/// number of the step.
-void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step);
+/// number of the step. A Shake turns once the wall is where it turns and nothing is `ahead`.
+void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step,
+               std::int64_t ahead = 0);
 
 /// Ends the step, in which particles moved or did not: what waits for them may go on.
 void end_step(const Motion& motion, Travel& travel, bool particles_moved);

@@ -13,13 +13,11 @@ namespace clca::contact {
 
 inline constexpr std::size_t kLanes = 8;
 
-/// Numbers of bodies: a wall, then grains by id.
-inline constexpr std::int32_t kWallBody = 0;
-inline std::int32_t body_of(grains::Owner grain) {
-  return grain + 1;
-}
+/// Numbers of bodies: one at rest, as are all sides of the box; then walls; then grains by id.
+inline constexpr std::int32_t kRestingBody = 0;
+inline constexpr std::int32_t kFirstWallBody = 1;
 
-/// Eight contacts. An empty lane is a contact of the wall with itself, without any effect.
+/// Eight contacts. An empty lane is a contact of the resting body with itself, without any effect.
 struct alignas(32) Batch {
   template <class T>
   using PerLane = std::array<T, kLanes>;

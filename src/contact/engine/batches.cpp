@@ -55,7 +55,7 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
   batch.upper[i] = body_of(static_cast<grains::Owner>(content.upper));
-  batch.other[i] = grains::is_particle(content.other) ? body_of(content.other) : kWallBody;
+  batch.other[i] = body_of(content.other);
   batch.normal_x[i] = content.normal.x;
   batch.normal_y[i] = content.normal.y;
   batch.impulse.normal[i] = content.impulse.normal;
@@ -69,8 +69,17 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
 void Batches::remove(std::int32_t lane) {
   constexpr Pair kNone = {};
   set(lane, {.pair = &kNone});
-  batch(lane).upper[in_batch(lane)] = kWallBody;
-  batch(lane).other[in_batch(lane)] = kWallBody;
+  batch(lane).upper[in_batch(lane)] = kRestingBody;
+  batch(lane).other[in_batch(lane)] = kRestingBody;
+}
+
+std::int32_t Batches::body_of(grains::Owner owner) const {
+  if (grains::is_particle(owner)) {
+    return first_grain_ + owner;
+  }
+  return owner <= kRightSide
+             ? kRestingBody
+             : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
 }
 
 Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {

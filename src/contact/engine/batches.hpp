@@ -22,6 +22,9 @@ struct LaneContent {
 /// give: each contact is in a later batch than those before it that it shares a grain with.
 class Batches {
  public:
+  explicit Batches(std::size_t walls)
+      : first_grain_(kFirstWallBody + static_cast<std::int32_t>(walls)) {}
+
   /// Forgets all contacts.
   void clear(std::size_t grains);
   /// There are more grains.
@@ -51,6 +54,9 @@ class Batches {
     return batches_[static_cast<std::size_t>(lane) / kLanes];
   }
 
+  std::int32_t body_of(grains::Owner owner) const;
+
+  std::int32_t first_grain_;  // its body
   std::vector<Batch> batches_;
   std::vector<std::uint8_t> used_;         // lanes by batch
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts

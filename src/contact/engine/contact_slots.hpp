@@ -21,6 +21,8 @@ struct Slot {
 /// Slots in order, linked by grain. Their numbers are in batches.
 class ContactSlots {
  public:
+  explicit ContactSlots(std::size_t walls) : batches_(walls) {}
+
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.
   void add_grains(std::size_t grains) {

@@ -10,33 +10,46 @@
 
 namespace clca::contact {
 
+namespace {
+
+std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+}  // namespace
+
 Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-               const Rule& rule)
+               const grains::WallEdges& edges, const Rule& rule)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
+      edges_(edges),
       rule_(rule),
       batch_(fastest_functions()),
-      finder_(state.grains, occupancy, footprints, rule) {
+      finder_(state.grains, occupancy, footprints, rule),
+      slots_(state.grains.walls.size()),
+      first_grain_(kFirstWallBody + state.grains.walls.size()) {
   reload();
 }
 
 void Engine::add_grains() {
   const std::size_t grains = state_.grains.particles.size();
-  for (std::size_t id = bodies_.size() - 1; id < grains; ++id) {
-    moved_.push_back(static_cast<std::uint32_t>(id));
+  for (std::size_t id = bodies_.size() - first_grain_; id < grains; ++id) {
+    changed_.push_back(static_cast<std::uint32_t>(id));
   }
-  bodies_.resize(grains + 1);
+  bodies_.resize(first_grain_ + grains);
   slots_.add_grains(grains);
 }
 
 void Engine::remove_grain(std::uint32_t id) {
   velocity(id) = {};
-  moved_.push_back(id);
+  changed_.push_back(id);
 }
 
 void Engine::reload() {
-  bodies_.assign(1, {});
+  bodies_.assign(first_grain_, {});
   for (const Velocity<std::int32_t>& velocity : state_.velocities) {
     bodies_.push_back({velocity});
   }
@@ -45,16 +58,15 @@ void Engine::reload() {
 }
 
 void Engine::look_at_all() {
-  moved_.resize(state_.grains.particles.size());
-  std::iota(moved_.begin(), moved_.end(), 0U);
+  changed_.resize(state_.grains.particles.size());
+  std::iota(changed_.begin(), changed_.end(), 0U);
 }
 
 void Engine::step() {
   update_contacts();
   accelerate_all();
   sweep_contacts();
-  const bool quiet = advance_and_move();
-  end_step(state_, quiet && moved_.empty());
+  advance_and_move();
 }
 
 void Engine::update_contacts() {
@@ -62,7 +74,7 @@ void Engine::update_contacts() {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
-  const std::size_t first_new = finder_.update(moved_, slots_);
+  const std::size_t first_new = finder_.update(changed_, slots_);
   new_lanes_.clear();
   for (const Slot& slot : slots_.all().subspan(first_new)) {
     new_lanes_.push_back(slot.lane);
@@ -71,7 +83,7 @@ void Engine::update_contacts() {
     finder_.sort(slots_, new_lanes_);
   }
   state_.changed = false;
-  for (const std::uint32_t id : moved_) {
+  for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
 }
@@ -87,6 +99,9 @@ void Engine::accelerate_all() {
 }
 
 void Engine::sweep_contacts() {
+  for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
+    bodies_[kFirstWallBody + wall].velocity = wall_velocity(state_, wall);
+  }
   std::vector<Batch>& batches = slots_.batches().all();
   for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) =
@@ -101,7 +116,7 @@ void Engine::sweep_contacts() {
   }
 }
 
-bool Engine::advance_and_move() {
+void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
@@ -116,20 +131,26 @@ bool Engine::advance_and_move() {
       candidates_.push_back(id);
     }
   }
-  moved_.clear();
-  move_grains(state_.grains, state_.remainders, occupancy_, footprints_, finder_.down(),
-              candidates_, moved_);
-  std::sort(moved_.begin(), moved_.end());
-  moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+  std::vector<WallMove> walls = advance_walls(state_);
+  Moves moves =
+      move_all(state_, occupancy_, footprints_, edges_, finder_.down(), candidates_, walls);
+  moved_ = sorted_once(std::move(moves.moved));
   for (const std::uint32_t id : candidates_) {
     cut(state_.remainders[id]);
   }
-  return quiet;
+  for (const std::uint32_t id : moved_) {  // also those that walls have pushed
+    if (!std::binary_search(candidates_.begin(), candidates_.end(), id)) {
+      cut(state_.remainders[id]);
+    }
+  }
+  moves.beside_walls.insert(moves.beside_walls.end(), moved_.begin(), moved_.end());
+  changed_ = sorted_once(std::move(moves.beside_walls));
+  end_step(state_, walls, quiet && moved_.empty());
 }
 
 void Engine::write_back() {
-  std::transform(bodies_.begin() + 1, bodies_.end(), state_.velocities.begin(),
-                 [](const Body& body) { return body.velocity; });
+  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
+                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
   state_.contacts.clear();
   for (const Slot& slot : slots_.all()) {
     if (slot.lane >= 0) {

@@ -16,7 +16,7 @@ class Engine {
   /// All outlive the engine. While it is there, velocities and contacts of the state are as they
   /// were at write_back() last.
   Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-         const Rule& rule);
+         const grains::WallEdges& edges, const Rule& rule);
 
   /// There are new grains, which are at rest.
   void add_grains();
@@ -33,24 +33,26 @@ class Engine {
   void write_back();
 
  private:
-  Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[id + 1].velocity; }
+  Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   void update_contacts();
   void accelerate_all();
   void sweep_contacts();
-  /// Returns whether no grain has more velocity than one at rest may have.
-  bool advance_and_move();
+  void advance_and_move();
   void look_at_all();
 
   State& state_;
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
+  const grains::WallEdges& edges_;
   const Rule& rule_;
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
-  std::vector<Body> bodies_;               // a wall, then grains by id
+  std::size_t first_grain_;  // its body
+  std::vector<Body> bodies_;
   std::vector<std::int32_t> new_lanes_;    // lanes of contacts that are new in this step
-  std::vector<std::uint32_t> moved_;       // since contacts were last brought in line
+  std::vector<std::uint32_t> moved_;       // in the last step
+  std::vector<std::uint32_t> changed_;     // grains that may touch other bodies than they did
   std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
 };
 

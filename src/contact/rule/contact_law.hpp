@@ -15,8 +15,8 @@ struct Turning {
   std::int32_t rolling_friction = 0;
 };
 
-/// A contact where it is now, and the velocities of its bodies. A wall is a body at rest whose
-/// inverse mass is 0.
+/// A contact where it is now, and the velocities of its bodies. A wall is a body whose
+/// inverse mass is 0, so that its velocity stays.
 template <class Int>
 struct Touching {
   Velocity<Int> upper;

@@ -47,6 +47,14 @@ inline void take(Vector& remainder, std::int32_t distance, lattice::Direction di
   remainder.y -= lower(scaled(product(distance, unit.y), kUnitBits));
 }
 
+/// Of a grain that has been pushed by a site: it is at most half a site behind where it stands.
+inline void keep_up(Vector& remainder, lattice::Direction direction) {
+  const std::int32_t room = along(remainder, unit_of(direction)) + kSpacing / 2;
+  if (room < 0) {
+    take(remainder, room, direction);
+  }
+}
+
 /// Cuts the remainder of a grain that has no room: at 3/4 of a site dense flow would keep its
 /// velocity and lose its way.
 inline void cut(Vector& remainder) {

@@ -15,7 +15,11 @@ namespace {
 /// Calls `visit` with a contact and its bodies, whose velocities it may change.
 class Contacts {
  public:
-  Contacts(State& state, const Rule& rule) : state_(state), rule_(rule) {}
+  Contacts(State& state, const Rule& rule) : state_(state), rule_(rule) {
+    for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
+      walls_.push_back(wall_velocity(state, wall));
+    }
+  }
 
   template <class Visit>
   void at(const ActiveContact& active, Visit visit) {
@@ -23,9 +27,12 @@ class Contacts {
     const bool on_wall = !grains::is_particle(contact.other);
     const auto other = static_cast<std::size_t>(contact.other);
     const auto& grains = state_.grains.particles;
-    Velocity<std::int32_t> wall;
+    Velocity<std::int32_t> side;
     Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
-    Velocity<std::int32_t>& other_velocity = on_wall ? wall : state_.velocities[other];
+    Velocity<std::int32_t>& other_velocity = !on_wall ? state_.velocities[other]
+                                             : contact.other <= kRightSide
+                                                 ? side
+                                                 : walls_[grains::wall_number(contact.other)];
     Touching<std::int32_t> touching = {
         .upper = upper_velocity,
         .other = other_velocity,
@@ -41,6 +48,7 @@ class Contacts {
  private:
   State& state_;
   const Rule& rule_;
+  std::vector<Velocity<std::int32_t>> walls_;  // no impulse changes them
 };
 
 /// The velocities with which contacts are to part: those that are not new do not bounce.
@@ -74,17 +82,10 @@ void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
 
 }  // namespace
 
-void end_step(State& state, bool quiet) {
-  state.quiet_steps = quiet && !state.vessel.moves() ? state.quiet_steps + 1 : 0;
-  const lattice::Direction before = down(state.vessel);
-  state.vessel = next(state.vessel);
-  state.changed = state.changed || down(state.vessel) != before;
-  ++state.grains.step;
-}
-
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
-                                          const Rule& rule, NormalTable& normals) {
+                                          const grains::WallEdges& edges, const Rule& rule,
+                                          NormalTable& normals) {
   const lattice::Direction down = contact::down(state.vessel);
   std::vector<ActiveContact> contacts = next_contacts(
       state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
@@ -119,12 +120,13 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
       present.push_back(id);
     }
   }
-  std::vector<std::uint32_t> moved;
-  move_grains(state.grains, state.remainders, occupancy, footprints, down, present, moved);
+  std::vector<WallMove> walls = advance_walls(state);
+  std::vector<std::uint32_t> moved =
+      move_all(state, occupancy, footprints, edges, down, present, walls).moved;
   for (const std::uint32_t id : present) {
     cut(state.remainders[id]);
   }
-  end_step(state, quiet && moved.empty());
+  end_step(state, walls, quiet && moved.empty());
   return moved;
 }
 

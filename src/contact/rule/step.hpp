@@ -9,6 +9,7 @@
 #include "contact/rule/bodies.hpp"
 #include "contact/rule/contact_law.hpp"
 #include "contact/rule/normal_table.hpp"
+#include "grains/wall_step.hpp"
 
 namespace clca::contact {
 
@@ -42,14 +43,11 @@ inline bool sorts_contacts(const State& state) {
   return state.changed || state.grains.step % kEvery == 0;
 }
 
-/// Ends a step: counts it, and the vessel goes on. `quiet`: without a move, and with hardly any
-/// velocity.
-void end_step(State& state, bool quiet);
-
 /// Carries out a step but for sources and outlets. Returns the ids of the grains that moved, some
 /// more than once.
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
-                                          const Rule& rule, NormalTable& normals);
+                                          const grains::WallEdges& edges, const Rule& rule,
+                                          NormalTable& normals);
 
 }  // namespace clca::contact

@@ -50,7 +50,7 @@ Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest)
       const UnitVector normal = any_normal(random);
       const Pair& pair = pairs[random() % pairs.size()];
       batch.upper[lane] = ids[2 * lane];
-      batch.other[lane] = pair.other_inverse_mass == 0 ? kWallBody : ids[2 * lane + 1];
+      batch.other[lane] = pair.other_inverse_mass == 0 ? kRestingBody : ids[2 * lane + 1];
       batch.normal_x[lane] = normal.x;
       batch.normal_y[lane] = normal.y;
       batch.impulse.normal[lane] = std::abs(part(random));
@@ -102,7 +102,7 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
       }
     }
     expect_same(one, other);
-    EXPECT_EQ(one.bodies[kWallBody].velocity, Velocity<Number>()) << "a wall is at rest";
+    EXPECT_EQ(one.bodies[kRestingBody].velocity, Velocity<Number>()) << "a wall is at rest";
   }
 }
 
@@ -113,7 +113,7 @@ LaneContent between(std::uint32_t upper, grains::Owner other) {
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   std::mt19937_64 random(2);
-  Batches batches;
+  Batches batches(0);
   batches.clear(kGrains);
   std::vector<std::int32_t> lanes;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
@@ -138,7 +138,7 @@ TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
 }
 
 TEST(Batches, HaveNothingInALaneThatIsEmptied) {
-  Batches batches;
+  Batches batches(0);
   batches.clear(3);
   LaneContent content = between(0, 1);
   content.impulse = {100, 20, 3};
@@ -148,12 +148,12 @@ TEST(Batches, HaveNothingInALaneThatIsEmptied) {
   EXPECT_EQ(batches.normal(lane), content.normal);
   batches.remove(lane);
   std::vector<Body> bodies(4, {{7, 8, 9}});
-  bodies[kWallBody] = {};
+  bodies[kRestingBody] = {};
   for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
     functions.apply(batches.all().data(), 1, bodies.data(), true);
     functions.sweep(batches.all().data(), 1, bodies.data(), {.turns = true}, false);
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
-    EXPECT_EQ(bodies[kWallBody].velocity, Velocity<Number>());
+    EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());
   }
 }
 

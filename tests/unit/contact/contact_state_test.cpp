@@ -67,11 +67,6 @@ TEST(TheContactModel, RefusesGrainsThatAreNotValidOrOverlap) {
   EXPECT_NE(refusal_of([](State& state) { state.grains.particles[0].row = 2; }), "");
 }
 
-TEST(TheContactModel, RefusesWallsThatMove) {
-  EXPECT_EQ(refusal_of([](State& state) { state.grains.walls[0].motion.emplace(); }),
-            "the contact model knows no walls that move");
-}
-
 TEST(TheContactModel, NeedsOneMotionForEachGrain) {
   const char* reason = "there is not one velocity for each grain";
   EXPECT_EQ(refusal_of([](State& state) { state.velocities.pop_back(); }), reason);

@@ -35,10 +35,13 @@ struct Bench {
     }
     grains::Occupancy occupancy(state);
     const grains::FootprintTable footprints(state, {});
-    std::vector<std::uint32_t> moved;
-    move_grains(state, remainders, occupancy, footprints, Direction::down, ids, moved);
+    State all{.grains = state, .remainders = remainders};
+    Moves moves =
+        move_all(all, occupancy, footprints, grains::WallEdges(state), Direction::down, ids, {});
+    state = all.grains;
+    remainders = all.remainders;
     EXPECT_EQ(occupancy, grains::Occupancy(state));
-    return moved;
+    return moves.moved;
   }
 };
 

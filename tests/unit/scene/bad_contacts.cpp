@@ -135,12 +135,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:5:11: error: species.small: only hexagons roll; give it the shape of one, or say "
      "'contact.rolling: none'",
      Judge::parser},
-    {"a wall that moves",
-     "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}}}\n"
+    {"a wall that lets overlap",
+     "walls: {plate: {box: [10, 40, 20, 42], passive: overlap, motion: {direction: down, distance: "
+     "9}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate]}]",
-     "scene.yaml:7:40: error: walls.plate.motion: model contact moves no walls yet, model "
-     "automaton "
-     "does; remove it, or say 'model: automaton'",
+     "scene.yaml:7:49: error: walls.plate.passive: model contact lets nothing overlap yet, model "
+     "automaton does; remove it, or say 'model: automaton'",
      Judge::parser},
     {"colours by force", "output: {frames: {color_by: force}}",
      "scene.yaml:12:29: error: output.frames.color_by: model contact colours by no force yet, "

@@ -1,0 +1,95 @@
+#include "contact/rule/walls.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "contact/rule/acceleration.hpp"
+#include "contact/rule/numbers.hpp"
+#include "contact/rule/remainders.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+bool in_motion(const grains::Wall& wall) {
+  return wall.motion && wall.present && wall.travel.active;
+}
+
+// A wall that lags adds to its velocity: a 64th of its lag a step, at most an eighth of a spacing.
+// Lags are in the unit of motions (grains::kSpacing).
+constexpr std::int64_t kLagSteps = 64;
+constexpr std::int64_t kMostHaste = grains::kSpacing / 8;
+
+std::int64_t haste(std::int64_t lag) {
+  return std::abs(lag) > grains::kSpacing ? std::clamp(lag / kLagSteps, -kMostHaste, kMostHaste)
+                                          : 0;
+}
+
+}  // namespace
+
+Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
+  const grains::Wall& one = state.grains.walls[wall];
+  if (!in_motion(one)) {
+    return {};
+  }
+  const std::int64_t lag = state.wall_remainders[wall];
+  constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kSpacing);
+  const std::int32_t speed =
+      kUnit * (grains::velocity(*one.motion, one.travel, lag) + lower(haste(lag)));
+  const UnitVector& unit = unit_of(one.motion->direction);
+  return {.x = lower(scaled(product(speed, unit.x), kUnitBits)),
+          .y = lower(scaled(product(speed, unit.y), kUnitBits))};
+}
+
+std::vector<WallMove> advance_walls(State& state) {
+  std::vector<WallMove> result;
+  for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
+    const grains::Wall& one = state.grains.walls[wall];
+    if (!in_motion(one)) {
+      continue;
+    }
+    std::int64_t& ahead = state.wall_remainders[wall];
+    ahead += grains::velocity(*one.motion, one.travel, ahead);
+    result.push_back({.wall = wall,
+                      .wished = (ahead > grains::kSpacing / 2 ? 1 : 0) -
+                                (ahead < -grains::kSpacing / 2 ? 1 : 0)});
+  }
+  return result;
+}
+
+void end_step(State& state, std::span<const WallMove> walls, bool quiet) {
+  for (const WallMove& move : walls) {
+    grains::Wall& wall = state.grains.walls[move.wall];
+    std::int64_t& ahead = state.wall_remainders[move.wall];
+    ahead -= move.done ? move.wished * grains::kSpacing : 0;
+    take_step(*wall.motion, wall.travel, move.wished, move.done, state.grains.step, ahead);
+    quiet = quiet && !move.done;
+  }
+  state.quiet_steps = quiet && !state.vessel.moves() ? state.quiet_steps + 1 : 0;
+  for (const WallMove& move : walls) {
+    grains::Wall& wall = state.grains.walls[move.wall];
+    grains::end_step(*wall.motion, wall.travel, state.quiet_steps < kQuietSteps);
+  }
+  const lattice::Direction before = down(state.vessel);
+  state.vessel = next(state.vessel);
+  state.changed = state.changed || down(state.vessel) != before;
+  ++state.grains.step;
+}
+
+bool walls_rest(const State& state) {
+  for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
+    const grains::Wall& one = state.grains.walls[wall];
+    if (!in_motion(one) || is_over(*one.motion, one.travel)) {
+      continue;
+    }
+    const bool held_up = one.travel.stalled_since &&
+                         state.grains.step - *one.travel.stalled_since >= kQuietSteps &&
+                         std::abs(haste(state.wall_remainders[wall])) == kMostHaste;
+    if (!held_up) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace clca::contact
