@@ -65,6 +65,20 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   return state;
 }
 
+/// Of a grain that is present.
+Energy energy_of(const State& state, std::size_t id, double gravity) {
+  constexpr double kUnit = kSpacing;
+  const grains::Particle& grain = state.grains.particles[id];
+  const Velocity<std::int32_t>& velocity = state.velocities[id];
+  const auto mass = static_cast<double>(state.grains.shape(grain).size());
+  const double x = velocity.x / kUnit;
+  const double y = velocity.y / kUnit;
+  const double spin = velocity.spin / kUnit;
+  return {.kinetic = mass * (x * x + y * y + spin * spin / 2) / 2 / gravity,
+          .potential =
+              mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit)};
+}
+
 }  // namespace
 
 double gravity(const Parameters& parameters) {
@@ -76,21 +90,13 @@ double gravity(const Parameters& parameters) {
 }
 
 Energy energy(const State& state, double gravity) {
-  constexpr double kUnit = kSpacing;
   Energy sum;
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    const grains::Particle& grain = state.grains.particles[id];
-    if (!grain.present) {
-      continue;
+    if (state.grains.particles[id].present) {
+      const Energy one = energy_of(state, id, gravity);
+      sum.kinetic += one.kinetic;
+      sum.potential += one.potential;
     }
-    const Velocity<std::int32_t>& velocity = state.velocities[id];
-    const auto mass = static_cast<double>(state.grains.shape(grain).size());
-    const double x = velocity.x / kUnit;
-    const double y = velocity.y / kUnit;
-    const double spin = velocity.spin / kUnit;
-    sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
-    sum.potential +=
-        mass * (grains::centre(state.grains, grain).y() + state.remainders[id].y / kUnit);
   }
   return sum;
 }
@@ -164,6 +170,7 @@ class ContactModel::Impl {
       : state_(valid(std::move(initial), parameters, options)),
         occupancy_(state_.grains),
         footprints_(state_.grains, {}),
+        gravity_(gravity(parameters)),
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
@@ -200,6 +207,10 @@ class ContactModel::Impl {
       report.emitted = state_.grains.particles.size() - before;
       add_motions();
       scatter(before);
+      energy_gained_ = 0;
+      for (std::size_t id = before; id < state_.grains.particles.size(); ++id) {
+        energy_gained_ += energy_of(id);
+      }
       if (engine_) {
         engine_->add_grains();
       }
@@ -212,7 +223,9 @@ class ContactModel::Impl {
         state_.quiet_steps = 0;  // what is new still has to fall
       }
       report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 && !sources.waiting;
+      report.quiet = state_.quiet_steps > 0;
       report.moved = moved_;
+      report.energy_gained = energy_gained_;
       written_back_ = false;
       return report;
     });
@@ -292,6 +305,11 @@ class ContactModel::Impl {
     return removed;
   }
 
+  double energy_of(std::size_t id) const {
+    const Energy energy = contact::energy_of(state_, id, gravity_);
+    return energy.kinetic + energy.potential;
+  }
+
   void take_away(std::uint32_t id) {
     grains::Particle& grain = state_.grains.particles[id];
     const std::size_t place = state_.grains.lattice.index(grain.site());
@@ -299,6 +317,10 @@ class ContactModel::Impl {
     for (const lattice::Offset offset : footprints_.of(grain).body) {
       occupancy_.release(state_.grains.lattice.at(place, column, offset));
     }
+    if (engine_) {
+      state_.velocities[id] = engine_->velocity(id);
+    }
+    energy_gained_ -= energy_of(id);
     grain.present = false;
     grain.previous = grains::kRest;
     state_.velocities[id] = {};
@@ -311,10 +333,12 @@ class ContactModel::Impl {
   State state_;
   grains::Occupancy occupancy_;
   grains::FootprintTable footprints_;
+  double gravity_;  // lattice spacings per step squared
   Rule rule_;
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
   std::size_t moved_ = 0;
+  double energy_gained_ = 0;  // in this step, by sources and outlets
   bool written_back_ = true;  // of the engine, to the state
   bool half_changed_ = false;
 };

@@ -115,8 +115,8 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         add_outflow(results, model, history);
         break;
       case scene::Measure::force:
-        if (const auto forces = model.forces()) {
-          add_contact_forces(results, state, *forces);
+        if (records.contacts()) {
+          add_contact_forces(results, state, records.contacts()->at_end(model));
         }
         if (records.forces()) {
           add_force(results, model, history.profile_at_start, *records.forces());
@@ -139,6 +139,9 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
   }
   if (records.fields()) {
     add_fluctuations(results, *records.fields());
+  }
+  if (const auto growth = records.energy() ? records.energy()->growth() : std::nullopt) {
+    results.emplace_back("energy_growth", *growth);
   }
   return results;
 }

@@ -43,13 +43,6 @@ void refuse_foreign(const Value& map, std::string_view path, std::string_view ke
                           path, what));
 }
 
-void refuse_word(const Value* value, std::string_view word, std::string_view path,
-                 std::string_view what) {
-  if (value != nullptr && value->text == word) {
-    refuse_yet(value->place, path, what);
-  }
-}
-
 /// What the contact model cannot do yet.
 void check_able(const Value& root) {
   if (const Value* walls = root.find("walls")) {
@@ -58,11 +51,6 @@ void check_able(const Value& root) {
         refuse_yet(motion->place, fmt::format("walls.{}.motion", wall.key), "moves no walls");
       }
     }
-  }
-  refuse_word(value_at(root, {"output", "frames", "color_by"}), "force", "output.frames.color_by",
-              "colours by no force");
-  if (const Value* contacts = value_at(root, {"output", "contacts"}); !is_none(contacts)) {
-    refuse_yet(contacts->place, "output.contacts", "writes no contacts");
   }
 }
 
@@ -86,6 +74,9 @@ void check_model(const Scene& scene, const Value& root) {
       for (const Entry& wall : walls->entries) {
         refuse_foreign(wall.value, join_path("walls", wall.key), "friction", Model::contact);
       }
+    }
+    if (const Value* contacts = value_at(root, {"output", "contacts"}); contacts != nullptr) {
+      refuse_foreign(*contacts, "output.contacts", "window", Model::contact);
     }
     return;
   }

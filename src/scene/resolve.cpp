@@ -130,17 +130,21 @@ std::string frames_block(const Frames& frames) {
                      name_of(kOverlayNames, frames.overlay));
 }
 
-std::string output_block(const Output& output) {
+std::string output_block(const Output& output, Model model) {
   const auto every = [](const auto& table) {
     return table ? fmt::format("{{every: {}}}", table->every) : std::string("none");
   };
   const auto& fields = output.fields;
+  const std::string contacts = output.contacts && model == Model::contact
+                                   ? fmt::format("{{every: {}, window: {}}}",
+                                                 output.contacts->every, output.contacts->window)
+                                   : every(output.contacts);
   return fmt::format(
       "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  trajectory: {}\n"
       "  checkpoint: {}\n",
       output.frames ? frames_block(*output.frames) : "  frames: none\n", every(output.series),
       fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
-      every(output.contacts), every(output.trajectory), checkpoint_text(output.checkpoint));
+      contacts, every(output.trajectory), checkpoint_text(output.checkpoint));
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.
@@ -172,7 +176,7 @@ std::string to_yaml(const Scene& scene) {
   text += section("stages", scene.stages,
                   [&](const Stage& stage) { return stage_block(stage, scene); });
   text += fmt::format("\nmeasure: {}\n", list(scene.measures, measure));
-  return text + output_block(scene.output);
+  return text + output_block(scene.output, scene.model);
 }
 
 }  // namespace clca::scene

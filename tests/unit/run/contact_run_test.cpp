@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
@@ -38,9 +39,9 @@ stages:
     remove: [gate]
     sources: [spout]
     until: {steps: 300}
-measure: [profile, packing, moved, outflow]
+measure: [profile, packing, moved, outflow, force]
 output:
-  frames: {every: 100, width: 96, height: 64, color_by: displacement}
+  frames: {every: 100, width: 96, height: 64, color_by: force, overlay: forces}
   series: {every: 1}
   trajectory: {every: 10}
   checkpoint: {every: 50}
@@ -72,6 +73,109 @@ TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
   EXPECT_GT(discharged.back(), 0);
 }
 
+TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
+  run(small(), {.folder = path()});
+  const auto column = [&](const char* name) {
+    return testing::csv_column(path() / "series.csv", name);
+  };
+  const auto kinetic = column("kinetic_energy");
+  const auto potential = column("potential_energy");
+  const auto dissipated = column("dissipated_energy");
+  // Nothing comes or goes in the first stage; what has begun the second one has no row.
+  for (std::size_t step = 0; step < 300; ++step) {
+    EXPECT_DOUBLE_EQ(dissipated[step], potential[0] - kinetic[step] - potential[step]);
+  }
+  EXPECT_GT(dissipated[299], 0.1 * potential[0]);
+  // Four grains of 7 sites come in from above, and many leave: neither is dissipated.
+  const auto discharged = column("discharged_sites");
+  ASSERT_GT(discharged.back(), 0);
+  EXPECT_GT(dissipated.back(), 0);
+  EXPECT_GT(potential[300] + 4 * 7 * 54 - potential.back(), dissipated.back());
+  EXPECT_LT(potential[300] - potential.back(), dissipated.back() + 4 * 7 * 54);
+}
+
+constexpr const char* kBed = R"(clca: 1
+model: contact
+seed: 5
+box: {width: 40, height: 120}
+species: {small: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
+contact: {wall_friction: 0}
+stages:
+  - name: settle
+    fill: {region: [0, 0, 40, 120], counts: {small: 60, large: 60}}
+    until: {steps: 4000}
+measure: [force]
+output: {fields: {cell: 8, every: 1000}, contacts: {window: 100}}
+)";
+
+// Side walls without friction carry nothing.
+TEST_F(ContactRunTest, StressGrowsWithDepthAsTheWeightAbove) {
+  run(scene::parse(kBed, "bed.yaml"), {.folder = path()});
+  const auto column = [&](const char* table, const char* name) {
+    return testing::csv_column(path() / (std::string(table) + "-settle.csv"), name);
+  };
+  const auto heights = column("stress", "y");
+  const auto yy = column("stress", "yy");
+  const double width = 47 * lattice::kColumnPitch;
+  const double mean_sites = (7.0 + 19.0) / 2;
+  const auto ids = column("loads", "id");
+  const auto grain_heights = column("loads", "y");
+  std::map<double, double> carried;  // by height of a row of cells
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    carried[heights[i]] += yy[i];
+  }
+  ASSERT_GE(carried.size(), 4U);
+  const double cells_across = 5;
+  double before = 1e9;
+  for (const auto& [height, sum] : carried) {
+    double above = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      above += grain_heights[i] > height ? (ids[i] < 60 ? 7 : 19) / mean_sites : 0;
+    }
+    const double stress = sum / cells_across;
+    EXPECT_LT(stress, before);
+    before = stress;
+    // Within 5 % of the weight of the bed.
+    EXPECT_NEAR(stress * width, above, 0.05 * 120) << "at height " << height;
+  }
+  const auto loads = column("walls", "force_y");
+  EXPECT_NEAR(-loads.at(0), 120, 1.2);
+}
+
+TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {
+  // The means of windows of one step, over the last three ends of the stage.
+  double sum = 0;
+  for (const int steps : {198, 199, 200}) {
+    const std::string name = std::to_string(steps);
+    run(small({"stages.0.until={steps: " + name + "}", "measure=[force]",
+               "output.contacts={window: 1}"}),
+        {.folder = path(name.c_str())});
+    sum += testing::csv_column(path(name.c_str()) / "walls-packing.csv", "force_y").at(0);
+  }
+  run(small({"stages.0.until={steps: 200}", "measure=[force]", "output.contacts={window: 3}"}),
+      {.folder = path()});
+  EXPECT_NEAR(testing::csv_column(path() / "walls-packing.csv", "force_y").at(0), sum / 3,
+              1e-3 * -sum / 3);
+}
+
+TEST_F(ContactRunTest, GrowingEnergyWarnsOnce) {
+  std::vector<std::string> warnings;
+  const RunEvents events = {.warning = [&](const std::string& line) { warnings.push_back(line); }};
+  // Far too long a step for a column this high.
+  const auto summary = run(small({"contact.resolution=4", "contact.fall_height=32",
+                                  "contact.restitution=0.99", "stages.1.sources=[]"}),
+                           {.folder = path()}, events);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0], HasSubstr("kinetic and potential energy have grown from "));
+  double growth = 0;
+  for (const auto& stage : summary.stages) {
+    for (const auto& [name, value] : stage.measures) {
+      growth = name == "energy_growth" ? std::max(growth, std::get<double>(value)) : growth;
+    }
+  }
+  EXPECT_GT(growth, 0.005);
+}
+
 TEST_F(ContactRunTest, TheSeriesOfAnAutomatonHasNone) {
   run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}"}), {.folder = path()});
   EXPECT_THROW(testing::csv_column(path() / "series.csv", "kinetic_energy"), std::out_of_range);
@@ -100,7 +204,7 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
       .progress = [&](const Progress& at) { stop = at.step >= until ? 15 : 0; },
       .progress_interval = {}};
   run(small(), {.folder = path(), .stop = &stop}, events);
-  for (const std::uint64_t next : {7U, 133U, 300U, 301U, 444U}) {
+  for (const std::uint64_t next : {7U, 133U, 257U, 300U, 301U, 444U}) {
     until = next;
     stop = 0;
     EXPECT_EQ(
@@ -153,6 +257,11 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
               EndsWith("a contact is not one of two bodies"));
   EXPECT_THAT(refusal(column("state/contacts/size", std::uint64_t{1} << 40U)),
               EndsWith("state/contacts needs more memory than the limit"));
+  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/upper", std::uint32_t{1000})),
+              EndsWith("records/contacts is not of this run"));
+  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/force_x",
+                             std::numeric_limits<double>::infinity())),
+              EndsWith("records/contacts is not of this run"));
   EXPECT_THAT(refusal(column("state/grains/particles/kind", std::uint16_t{9})),
               EndsWith("a particle is of no kind"));
   EXPECT_THAT(refusal(column("state/grains/seed", std::uint64_t{9})),

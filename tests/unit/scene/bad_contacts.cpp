@@ -89,14 +89,11 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "automaton "
      "does; remove it, or say 'model: automaton'",
      Judge::parser},
-    {"colours by force", "output: {frames: {color_by: force}}",
-     "scene.yaml:12:29: error: output.frames.color_by: model contact colours by no force yet, "
-     "model "
-     "automaton does; remove it, or say 'model: automaton'",
-     Judge::parser},
-    {"a table of contacts", "output: {contacts: {every: 2}}",
-     "scene.yaml:12:20: error: output.contacts: model contact writes no contacts yet, model "
-     "automaton does; remove it, or say 'model: automaton'",
+    {"a window of no steps", "output: {contacts: {window: 0}}",
+     "scene.yaml:12:29: error: output.contacts.window: expected 1 to 1000000000000, found '0'"},
+    {"samples beyond the window", "output: {contacts: {window: 5, every: 6}}",
+     "scene.yaml:12:40: error: output.contacts.every: expected 1 to 5, the steps of "
+     "output.contacts.window, found 6",
      Judge::parser},
 });
 
