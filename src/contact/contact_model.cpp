@@ -318,7 +318,7 @@ class ContactModel::Impl {
       occupancy_.release(state_.grains.lattice.at(place, column, offset));
     }
     if (engine_) {
-      state_.velocities[id] = engine_->velocity(id);
+      state_.velocities[id] = engine_->velocity_of(id);
     }
     energy_gained_ -= energy_of(id);
     grain.present = false;

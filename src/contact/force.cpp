@@ -11,27 +11,36 @@ namespace clca::contact {
 
 namespace {
 
-double radius(const grains::State& state, const grains::Particle& grain) {
-  return state.shape(grain).diameter() / 2;
+/// Of a kind.
+struct Disc {
+  Eigen::Vector2d centroid;  // from the site of a grain
+  double radius = 0;         // of a disc of the same area
+};
+
+std::vector<Disc> discs(const std::vector<grains::Kind>& kinds) {
+  std::vector<Disc> result;
+  for (const grains::Kind& kind : kinds) {
+    result.push_back({kind.shape.centroid(), kind.shape.diameter() / 2});
+  }
+  return result;
 }
 
-/// Puts place and branch: on the line of centres, by the radii of discs of the same area; below a
-/// grain on a wall.
-void put_geometry(const grains::State& state, Force& force) {
+/// Puts place and branch: on the line of centres, by the radii; below a grain on a wall.
+void put_geometry(const grains::State& state, const std::vector<Disc>& by_kind, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
-  const Eigen::Vector2d centre = grains::centre(state, upper);
+  const Disc& disc = by_kind[upper.kind];
+  const Eigen::Vector2d centre = lattice::position(upper.site()) + disc.centroid;
   if (!grains::is_particle(force.other)) {
-    force.branch = radius(state, upper) * force.normal;
+    force.branch = disc.radius * force.normal;
     force.place = centre - force.branch;
     return;
   }
   const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
-  const Eigen::Vector2d apart =
-      lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site())) +
-      state.shape(other).centroid() - state.shape(upper).centroid();
-  force.branch = -apart;
-  force.place =
-      centre + radius(state, upper) / (radius(state, upper) + radius(state, other)) * apart;
+  const Disc& other_disc = by_kind[other.kind];
+  force.branch =
+      disc.centroid - other_disc.centroid -
+      lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
+  force.place = centre - disc.radius / (disc.radius + other_disc.radius) * force.branch;
 }
 
 using Sum = ForceSums::Sum;
@@ -64,7 +73,7 @@ Sum sum_of(const Force& force) {
 }
 
 void add_one(ForceSums& sums, Sum later) {
-  const auto [place, is_new] = sums.places.emplace(key(later), sums.sums.size());
+  const auto [place, is_new] = sums.places.try_emplace(key(later), sums.sums.size());
   if (is_new) {
     sums.sums.push_back(later);
     return;
@@ -104,6 +113,7 @@ std::vector<Force> forces(const State& state, double gravity) {
   result.reserve(state.contacts.size());
   const double weight =
       mean_mass(state.grains) / mass_unit(state.grains.kinds) * gravity * kSpacing;
+  const std::vector<Disc> by_kind = discs(state.grains.kinds);
   for (const Contact& contact : state.contacts) {
     const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
                                  std::ldexp(contact.normal.y, -kUnitBits));
@@ -113,7 +123,7 @@ std::vector<Force> forces(const State& state, double gravity) {
     force.normal = normal;
     force.along_normal = contact.impulse.normal / weight;
     force.along_shear = contact.impulse.shear / weight;
-    put_geometry(state.grains, force);
+    put_geometry(state.grains, by_kind, force);
   }
   return result;
 }

@@ -156,7 +156,7 @@ Coloring color_by_load(std::vector<double> loads, double high) {
     throw std::invalid_argument("the load at the end of the colour bar is positive");
   }
   Coloring result = {.rule = ByLoad{std::move(loads), high}, .palette = whole_map(), .legend = {}};
-  result.legend.bars.push_back({"sum of normal forces (grain weights)", 0, high});
+  result.legend.bars.push_back({"load (grain weights)", 0, high});
   return result;
 }
 
