@@ -12,13 +12,13 @@ namespace clca::contact {
 namespace {
 
 /// Of a kind.
-struct Disc {
+struct GrainDisc {
   Eigen::Vector2d centroid;  // from the site of a grain
   double radius = 0;         // of a disc of the same area
 };
 
-std::vector<Disc> discs(const std::vector<grains::Kind>& kinds) {
-  std::vector<Disc> result;
+std::vector<GrainDisc> grain_discs(const std::vector<grains::Kind>& kinds) {
+  std::vector<GrainDisc> result;
   for (const grains::Kind& kind : kinds) {
     result.push_back({kind.shape.centroid(), kind.shape.diameter() / 2});
   }
@@ -26,9 +26,9 @@ std::vector<Disc> discs(const std::vector<grains::Kind>& kinds) {
 }
 
 /// Puts place and branch: on the line of centres, by the radii; below a grain on a wall.
-void put_geometry(const grains::State& state, const std::vector<Disc>& by_kind, Force& force) {
+void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_kind, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
-  const Disc& disc = by_kind[upper.kind];
+  const GrainDisc& disc = by_kind[upper.kind];
   const Eigen::Vector2d centre = lattice::position(upper.site()) + disc.centroid;
   if (!grains::is_particle(force.other)) {
     force.branch = disc.radius * force.normal;
@@ -36,7 +36,7 @@ void put_geometry(const grains::State& state, const std::vector<Disc>& by_kind, 
     return;
   }
   const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
-  const Disc& other_disc = by_kind[other.kind];
+  const GrainDisc& other_disc = by_kind[other.kind];
   force.branch =
       disc.centroid - other_disc.centroid -
       lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
@@ -113,7 +113,7 @@ std::vector<Force> forces(const State& state, double gravity) {
   result.reserve(state.contacts.size());
   const double weight =
       mean_mass(state.grains) / mass_unit(state.grains.kinds) * gravity * kSpacing;
-  const std::vector<Disc> by_kind = discs(state.grains.kinds);
+  const std::vector<GrainDisc> by_kind = grain_discs(state.grains.kinds);
   for (const Contact& contact : state.contacts) {
     const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
                                  std::ldexp(contact.normal.y, -kUnitBits));
