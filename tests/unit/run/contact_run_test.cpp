@@ -11,6 +11,8 @@
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "run/energy_record.hpp"
+#include "run/stage.hpp"
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
@@ -126,17 +128,21 @@ TEST_F(ContactRunTest, StressGrowsWithDepthAsTheWeightAbove) {
   }
   ASSERT_GE(carried.size(), 4U);
   const double cells_across = 5;
+  const double cell_height = 120.5 / 15;
   double before = 1e9;
   for (const auto& [height, sum] : carried) {
     double above = 0;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      above += grain_heights[i] > height ? (ids[i] < 60 ? 7 : 19) / mean_sites : 0;
+      const double share = std::clamp((grain_heights[i] - height) / cell_height + 0.5, 0.0, 1.0);
+      above += share * (ids[i] < 60 ? 7 : 19) / mean_sites;
     }
     const double stress = sum / cells_across;
     EXPECT_LT(stress, before);
     before = stress;
-    // Within 5 % of the weight of the bed.
-    EXPECT_NEAR(stress * width, above, 0.05 * 120) << "at height " << height;
+    // Within 2 % of the weight of the bed; in the lowest cells, of which up to a spacing lies below
+    // where grains touch the floor, 8 %.
+    const double tolerance = height < cell_height ? 0.08 : 0.02;
+    EXPECT_NEAR(stress * width, above, tolerance * 120) << "at height " << height;
   }
   const auto loads = column("walls", "force_y");
   EXPECT_NEAR(-loads.at(0), 120, 1.2);
@@ -158,26 +164,35 @@ TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {
               1e-3 * -sum / 3);
 }
 
-TEST_F(ContactRunTest, GrowingEnergyWarnsOnce) {
-  std::vector<std::string> warnings;
-  const RunEvents events = {.warning = [&](const std::string& line) { warnings.push_back(line); }};
-  // Far too long a step for a column this high.
-  const auto summary = run(small({"contact.resolution=4", "contact.fall_height=32",
-                                  "contact.restitution=0.99", "stages.1.sources=[]"}),
-                           {.folder = path()}, events);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_THAT(warnings[0], HasSubstr("kinetic and potential energy have grown from "));
-  double growth = 0;
-  for (const auto& stage : summary.stages) {
-    for (const auto& [name, value] : stage.measures) {
-      growth = name == "energy_growth" ? std::max(growth, std::get<double>(value)) : growth;
-    }
-  }
-  EXPECT_GT(growth, 0.005);
+// What the balance misses looks like energy from nowhere.
+TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
+  const auto scene = small();
+  Model model(scene, first_state(scene), {});
+  prepare_stage(model, scene, scene.stages.front());
+  EnergyRecord record;
+  record.begin_stage(scene.stages.front(), model);
+  const auto energy = *model.energy();
+  const double start = energy.kinetic + energy.potential;
+  record.after_step(model, {.energy_gained = -0.004 * start}, 100);
+  EXPECT_FALSE(record.take_warning());
+  record.after_step(model, {.energy_gained = -0.002 * start}, 199);
+  EXPECT_FALSE(record.take_warning());  // looked at every 100 steps
+  record.after_step(model, {}, 200);
+  const auto growth = record.take_warning();
+  ASSERT_TRUE(growth);
+  EXPECT_DOUBLE_EQ(growth->start, start);
+  EXPECT_DOUBLE_EQ(growth->now, 1.006 * start);
+  EXPECT_NEAR(record.growth().value(), 0.006, 1e-12);
+  record.after_step(model, {.energy_gained = -start}, 300);
+  EXPECT_FALSE(record.take_warning());
+  record.begin_stage(scene.stages.back(), model);  // with a source
+  EXPECT_FALSE(record.growth());
 }
 
 TEST_F(ContactRunTest, TheSeriesOfAnAutomatonHasNone) {
-  run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}"}), {.folder = path()});
+  run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
+             "output.frames.color_by=species", "output.frames.overlay=none"}),
+      {.folder = path()});
   EXPECT_THROW(testing::csv_column(path() / "series.csv", "kinetic_energy"), std::out_of_range);
 }
 
@@ -189,7 +204,8 @@ TEST_F(ContactRunTest, TheReferenceEngineLeavesTheSameRun) {
 }
 
 TEST_F(ContactRunTest, AReferenceOfTheAutomatonIsRefused) {
-  const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}"});
+  const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
+                            "output.frames.color_by=species", "output.frames.overlay=none"});
   EXPECT_THAT([&] { run(scene, {.folder = path(), .reference = true}); },
               ::testing::ThrowsMessage<ScenePlaceError>(
                   HasSubstr("--engine reference: error: only model contact has this engine")));

@@ -90,9 +90,10 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "does; remove it, or say 'model: automaton'",
      Judge::parser},
     {"a window of no steps", "output: {contacts: {window: 0}}",
-     "scene.yaml:12:29: error: output.contacts.window: expected 1 to 1000000000000, found '0'"},
+     "scene.yaml:12:29: error: output.contacts.window: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
     {"samples beyond the window", "output: {contacts: {window: 5, every: 6}}",
-     "scene.yaml:12:40: error: output.contacts.every: expected 1 to 5, the steps of "
+     "scene.yaml:12:39: error: output.contacts.every: expected 1 to 5, the steps of "
      "output.contacts.window, found 6",
      Judge::parser},
 });
