@@ -69,6 +69,22 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   return state;
 }
 
+/// Of a grain that is present.
+Energy energy_of(const State& state, std::size_t id, double gravity) {
+  constexpr double kUnit = kSpacing;
+  const grains::Particle& grain = state.grains.particles[id];
+  const Velocity<std::int32_t>& velocity = state.velocities[id];
+  const auto mass = static_cast<double>(state.grains.shape(grain).size());
+  const double x = velocity.x / kUnit;
+  const double y = velocity.y / kUnit;
+  const double spin = velocity.spin / kUnit;
+  const Eigen::Vector2d place =
+      grains::centre(state.grains, grain) +
+      Eigen::Vector2d(state.remainders[id].x / kUnit, state.remainders[id].y / kUnit);
+  return {.kinetic = mass * (x * x + y * y + spin * spin / 2) / 2 / gravity,
+          .potential = -mass * gravity_direction(state.vessel).dot(place)};
+}
+
 }  // namespace
 
 double gravity(const Parameters& parameters) {
@@ -80,22 +96,13 @@ double gravity(const Parameters& parameters) {
 }
 
 Energy energy(const State& state, double gravity) {
-  constexpr double kUnit = kSpacing;
-  const Eigen::Vector2d down = gravity_direction(state.vessel);
   Energy sum;
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    const grains::Particle& grain = state.grains.particles[id];
-    if (!grain.present) {
-      continue;
+    if (state.grains.particles[id].present) {
+      const Energy one = energy_of(state, id, gravity);
+      sum.kinetic += one.kinetic;
+      sum.potential += one.potential;
     }
-    const Velocity<std::int32_t>& velocity = state.velocities[id];
-    const auto mass = static_cast<double>(state.grains.shape(grain).size());
-    const double x = velocity.x / kUnit;
-    const double y = velocity.y / kUnit;
-    const double spin = velocity.spin / kUnit;
-    sum.kinetic += mass * (x * x + y * y + spin * spin / 2) / 2 / gravity;
-    const Eigen::Vector2d remainder(state.remainders[id].x / kUnit, state.remainders[id].y / kUnit);
-    sum.potential -= mass * down.dot(grains::centre(state.grains, grain) + remainder);
   }
   return sum;
 }
@@ -179,6 +186,7 @@ class ContactModel::Impl {
         occupancy_(state_.grains),
         footprints_(state_.grains, {}),
         edges_(state_.grains),
+        gravity_(gravity(parameters)),
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
@@ -216,6 +224,10 @@ class ContactModel::Impl {
       report.emitted = state_.grains.particles.size() - before;
       add_motions();
       scatter(before);
+      energy_gained_ = 0;
+      for (std::size_t id = before; id < state_.grains.particles.size(); ++id) {
+        energy_gained_ += energy_of(id);
+      }
       if (engine_) {
         engine_->add_grains();
       }
@@ -229,7 +241,9 @@ class ContactModel::Impl {
       }
       report.settled = state_.quiet_steps >= kQuietSteps && report.emitted == 0 &&
                        !sources.waiting && walls_rest(state_);
+      report.quiet = state_.quiet_steps > 0;
       report.moved = moved_;
+      report.energy_gained = energy_gained_;
       written_back_ = false;
       return report;
     });
@@ -323,6 +337,11 @@ class ContactModel::Impl {
     return removed;
   }
 
+  double energy_of(std::size_t id) const {
+    const Energy energy = contact::energy_of(state_, id, gravity_);
+    return energy.kinetic + energy.potential;
+  }
+
   void take_away(std::uint32_t id) {
     grains::Particle& grain = state_.grains.particles[id];
     const std::size_t place = state_.grains.lattice.index(grain.site());
@@ -330,6 +349,10 @@ class ContactModel::Impl {
     for (const lattice::Offset offset : footprints_.of(grain).body) {
       occupancy_.release(state_.grains.lattice.at(place, column, offset));
     }
+    if (engine_) {
+      state_.velocities[id] = engine_->velocity_of(id);
+    }
+    energy_gained_ -= energy_of(id);
     grain.present = false;
     grain.previous = grains::kRest;
     state_.velocities[id] = {};
@@ -343,10 +366,12 @@ class ContactModel::Impl {
   grains::Occupancy occupancy_;
   grains::FootprintTable footprints_;
   grains::WallEdges edges_;
+  double gravity_;  // lattice spacings per step squared
   Rule rule_;
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
   std::size_t moved_ = 0;
+  double energy_gained_ = 0;  // in this step, by sources and outlets
   bool written_back_ = true;  // of the engine, to the state
   bool half_changed_ = false;
 };

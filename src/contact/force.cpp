@@ -1,6 +1,8 @@
 #include "clca/contact/force.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "clca/grains/separation.hpp"
 #include "contact/rule/bodies.hpp"
@@ -9,24 +11,87 @@ namespace clca::contact {
 
 namespace {
 
-double radius(const grains::State& state, const grains::Particle& grain) {
-  return state.shape(grain).diameter() / 2;
+/// Of a kind.
+struct GrainDisc {
+  Eigen::Vector2d centroid;  // from the site of a grain
+  double radius = 0;         // of a disc of the same area
+};
+
+std::vector<GrainDisc> grain_discs(const std::vector<grains::Kind>& kinds) {
+  std::vector<GrainDisc> result;
+  for (const grains::Kind& kind : kinds) {
+    result.push_back({kind.shape.centroid(), kind.shape.diameter() / 2});
+  }
+  return result;
 }
 
-/// Of a contact: on the line of centres, by the radii of discs of the same area; below a grain on a
-/// wall.
-Eigen::Vector2d place_of(const grains::State& state, const Contact& contact,
-                         const Eigen::Vector2d& normal) {
-  const grains::Particle& upper = state.particles[contact.upper];
-  const Eigen::Vector2d centre = grains::centre(state, upper);
-  if (!grains::is_particle(contact.other)) {
-    return centre - radius(state, upper) * normal;
+/// Puts place and branch: on the line of centres, by the radii; below a grain on a wall.
+void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_kind, Force& force) {
+  const grains::Particle& upper = state.particles[force.upper];
+  const GrainDisc& disc = by_kind[upper.kind];
+  const Eigen::Vector2d centre = lattice::position(upper.site()) + disc.centroid;
+  if (!grains::is_particle(force.other)) {
+    force.branch = disc.radius * force.normal;
+    force.place = centre - force.branch;
+    return;
   }
-  const grains::Particle& other = state.particles[static_cast<std::size_t>(contact.other)];
-  const Eigen::Vector2d apart =
-      lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site())) +
-      state.shape(other).centroid() - state.shape(upper).centroid();
-  return centre + radius(state, upper) / (radius(state, upper) + radius(state, other)) * apart;
+  const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
+  const GrainDisc& other_disc = by_kind[other.kind];
+  force.branch =
+      disc.centroid - other_disc.centroid -
+      lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
+  force.place = centre - disc.radius / (disc.radius + other_disc.radius) * force.branch;
+}
+
+using Sum = ForceSums::Sum;
+
+/// The same for two grains whichever is the upper one.
+std::pair<grains::Owner, grains::Owner> bodies(const Sum& sum) {
+  const auto upper = static_cast<grains::Owner>(sum.upper);
+  return grains::is_particle(sum.other) && sum.other < upper ? std::pair(sum.other, upper)
+                                                             : std::pair(upper, sum.other);
+}
+
+std::uint64_t key(const Sum& sum) {
+  const auto [first, second] = bodies(sum);
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(first)) << 32U) |
+         static_cast<std::uint32_t>(second);
+}
+
+Sum sum_of(const Force& force) {
+  const Eigen::Vector2d on_upper = force.on_upper();
+  return {.upper = force.upper,
+          .other = force.other,
+          .place_x = force.place.x(),
+          .place_y = force.place.y(),
+          .normal_x = force.normal.x(),
+          .normal_y = force.normal.y(),
+          .branch_x = force.branch.x(),
+          .branch_y = force.branch.y(),
+          .force_x = on_upper.x(),
+          .force_y = on_upper.y()};
+}
+
+void add_one(ForceSums& sums, Sum later) {
+  const auto [place, is_new] = sums.places.try_emplace(key(later), sums.sums.size());
+  if (is_new) {
+    sums.sums.push_back(later);
+    return;
+  }
+  Sum& sum = sums.sums[place->second];
+  const double sign = sum.upper == later.upper ? 1 : -1;
+  later.force_x += sign * sum.force_x;
+  later.force_y += sign * sum.force_y;
+  sum = later;
+}
+
+/// Of sums that were read from a file.
+void find_places(ForceSums& sums) {
+  if (sums.places.empty()) {
+    for (std::size_t i = 0; i < sums.sums.size(); ++i) {
+      sums.places.emplace(key(sums.sums[i]), i);
+    }
+  }
 }
 
 }  // namespace
@@ -48,15 +113,54 @@ std::vector<Force> forces(const State& state, double gravity) {
   result.reserve(state.contacts.size());
   const double weight =
       mean_mass(state.grains) / mass_unit(state.grains.kinds) * gravity * kSpacing;
+  const std::vector<GrainDisc> by_kind = grain_discs(state.grains.kinds);
   for (const Contact& contact : state.contacts) {
     const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
                                  std::ldexp(contact.normal.y, -kUnitBits));
-    result.push_back({.upper = contact.upper,
-                      .other = contact.other,
-                      .place = place_of(state.grains, contact, normal),
+    Force& force = result.emplace_back();
+    force.upper = contact.upper;
+    force.other = contact.other;
+    force.normal = normal;
+    force.along_normal = contact.impulse.normal / weight;
+    force.along_shear = contact.impulse.shear / weight;
+    put_geometry(state.grains, by_kind, force);
+  }
+  return result;
+}
+
+void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
+  find_places(sums);
+  for (const Force& force : forces_of_a_step) {
+    add_one(sums, sum_of(force));
+  }
+  ++sums.steps;
+}
+
+void add(ForceSums& sums, const ForceSums& later) {
+  find_places(sums);
+  for (const Sum& sum : later.sums) {
+    add_one(sums, sum);
+  }
+  sums.steps += later.steps;
+}
+
+std::vector<Force> means(const ForceSums& sums) {
+  std::vector<Sum> sorted = sums.sums;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Sum& a, const Sum& b) { return bodies(a) < bodies(b); });
+  std::vector<Force> result;
+  result.reserve(sorted.size());
+  for (const Sum& sum : sorted) {
+    const Eigen::Vector2d normal(sum.normal_x, sum.normal_y);
+    const Eigen::Vector2d mean =
+        Eigen::Vector2d(sum.force_x, sum.force_y) / static_cast<double>(sums.steps);
+    result.push_back({.upper = sum.upper,
+                      .other = sum.other,
+                      .place = {sum.place_x, sum.place_y},
                       .normal = normal,
-                      .along_normal = contact.impulse.normal / weight,
-                      .along_shear = contact.impulse.shear / weight});
+                      .branch = {sum.branch_x, sum.branch_y},
+                      .along_normal = mean.dot(normal),
+                      .along_shear = mean.dot(Eigen::Vector2d(-normal.y(), normal.x()))});
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "render/shade.hpp"
 
@@ -52,6 +53,14 @@ Rgb id_color(std::size_t id) {
   const Rgb color = mixed(palette_color(number), palette_color((number + 1) % 7),
                           place - static_cast<double>(number));
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
+}
+
+std::vector<Rgb> whole_map() {
+  std::vector<Rgb> palette;
+  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
+    palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
+  }
+  return palette;
 }
 
 }  // namespace
@@ -122,10 +131,7 @@ Coloring color_by_displacement(double high) {
   if (!(high > 0)) {
     throw std::invalid_argument("the displacement at the end of the colour bar is positive");
   }
-  Coloring result = {.rule = ByDisplacement{high}, .palette = {}, .legend = {}};
-  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
-    result.palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
-  }
+  Coloring result = {.rule = ByDisplacement{high}, .palette = whole_map(), .legend = {}};
   result.legend.bars.push_back({"displacement (spacings)", 0, high});
   return result;
 }
@@ -142,6 +148,15 @@ Coloring color_by_force(int high) {
   }
   result.legend.bars.push_back({"overlapped sites", 0, static_cast<double>(high)});
   result.legend.patches.push_back({"none", kFree});
+  return result;
+}
+
+Coloring color_by_load(std::vector<double> loads, double high) {
+  if (!(high > 0)) {
+    throw std::invalid_argument("the load at the end of the colour bar is positive");
+  }
+  Coloring result = {.rule = ByLoad{std::move(loads), high}, .palette = whole_map(), .legend = {}};
+  result.legend.bars.push_back({"load (grain weights)", 0, high});
   return result;
 }
 

@@ -34,6 +34,10 @@ struct Shading {
     }
     return shared;
   }
+  static std::size_t shade(const ByLoad& rule, std::size_t id) {
+    const double share = std::clamp(rule.loads[id] / rule.high, 0.0, 1.0);
+    return static_cast<std::size_t>(share * (kMapShades - 1));
+  }
   std::size_t shade(const ByDisplacement& rule, std::size_t id) const {
     const lattice::Axial moved = state.particles[id].site() - state.origins[id];
     const double share = std::min(1.0, lattice::position(moved).norm() / rule.high);

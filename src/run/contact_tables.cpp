@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "clca/measure/force_distribution.hpp"
+#include "clca/measure/stress.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
@@ -125,6 +126,16 @@ std::string wall_loads_csv(const scene::Scene& scene, const Forces& forces) {
   store::Table table({"wall", "contacts", "force_x", "force_y"});
   for (const auto& [owner, sum] : sums) {
     table.add_row({body_name(scene, owner), sum.contacts, sum.force.x(), sum.force.y()});
+  }
+  return table.to_csv();
+}
+
+std::string stress_csv(const grains::State& state, const Forces& forces, double cell) {
+  store::Table table({"x", "y", "xx", "xy", "yy", "pressure"});
+  for (const measure::StressCell& one : measure::stress_field(state, forces, cell)) {
+    if (one.xx != 0 || one.xy != 0 || one.yy != 0) {
+      table.add_row({one.centre.x(), one.centre.y(), one.xx, one.xy, one.yy, one.pressure()});
+    }
   }
   return table.to_csv();
 }

@@ -1,6 +1,6 @@
 #pragma once
 // What a stage of the contact model leaves of forces. All forces in weights of a grain of mean
-// mass, of the last step.
+// mass, as they are given.
 
 #include <string>
 #include <vector>
@@ -28,6 +28,11 @@ std::string grain_loads_csv(const scene::Scene& scene, const Model& model,
 
 /// Columns: wall, contacts, force_x, force_y (on the wall), for each wall and side of the box.
 std::string wall_loads_csv(const scene::Scene& scene, const std::vector<contact::Force>& forces);
+
+/// Columns: x, y (centre of a cell), xx, xy, yy, pressure (grain weights per spacing), by cell of a
+/// measure::Grid of side `cell`; cells without stress are left out.
+std::string stress_csv(const grains::State& state, const std::vector<contact::Force>& forces,
+                       double cell);
 
 /// contacts_per_grain, force_share_above_mean, force_tail_beta, balance_residual (mean), and
 /// load_floor: the force on the floor over the weight of all grains.

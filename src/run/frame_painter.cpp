@@ -14,6 +14,7 @@ namespace {
 
 // Fixed, so that pictures of a sequence compare.
 constexpr int kHighestIndex = 8;  // overlapped sites
+constexpr double kLoad = 2;       // of a grain, in strongest forces of a contact
 
 render::Drawing drawing_of(scene::Drawing drawing) {
   switch (drawing) {
@@ -55,6 +56,18 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
   return colors;
 }
 
+/// Sum of the normal forces on each grain, in weights of a grain.
+std::vector<double> loads(const grains::State& state, const std::vector<contact::Force>& forces) {
+  std::vector<double> sums(state.particles.size(), 0);
+  for (const contact::Force& force : forces) {
+    sums[force.upper] += force.along_normal;
+    if (grains::is_particle(force.other)) {
+      sums[static_cast<std::size_t>(force.other)] += force.along_normal;
+    }
+  }
+  return sums;
+}
+
 }  // namespace
 
 void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state) {
@@ -85,7 +98,7 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
 
 Negative FramePainter::expose(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
-  render::Coloring colors = coloring(view.state, history);
+  render::Coloring colors = coloring(view, history);
   Drawn drawn = overlay_of(frames_.overlay, view, strongest_force_);
   colors.legend.lines = std::move(drawn.keys);
   render::PngText text = scene_text(scene_);
@@ -110,8 +123,8 @@ Picture FramePainter::develop(const Negative& negative) {
           negative.caption.detail, negative.text};
 }
 
-render::Coloring FramePainter::coloring(const grains::State& state,
-                                        const PictureHistory& history) const {
+render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
+  const grains::State& state = view.state;
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
       return render::color_by_layer(state.kinds, frames_.layers, history.layers);
@@ -122,7 +135,9 @@ render::Coloring FramePainter::coloring(const grains::State& state,
     case scene::ColorBy::id:
       return render::color_by_id();
     case scene::ColorBy::force:
-      return render::color_by_force(kHighestIndex);
+      return view.forces != nullptr
+                 ? render::color_by_load(loads(state, *view.forces), kLoad * strongest_force_)
+                 : render::color_by_force(kHighestIndex);
     case scene::ColorBy::species:
       break;
   }

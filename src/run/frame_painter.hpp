@@ -77,7 +77,7 @@ class FramePainter {
   Picture develop(const Negative& negative);
 
  private:
-  render::Coloring coloring(const grains::State& state, const PictureHistory& history) const;
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

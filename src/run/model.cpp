@@ -104,7 +104,13 @@ Model::Report Model::step() {
   return std::visit(
       [](auto& model) {
         const auto report = model.step();
-        return Report{.moved = report.moved, .emitted = report.emitted, .settled = report.settled};
+        Report result = {
+            .moved = report.moved, .emitted = report.emitted, .settled = report.settled};
+        if constexpr (std::is_same_v<decltype(report), const contact::StepReport>) {
+          result.quiet = report.quiet;
+          result.energy_gained = report.energy_gained;
+        }
+        return result;
       },
       model_);
 }

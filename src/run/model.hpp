@@ -37,6 +37,9 @@ class Model {
     std::size_t moved = 0;
     std::size_t emitted = 0;
     bool settled = false;
+    // Of the contact model; see contact::StepReport.
+    bool quiet = false;
+    double energy_gained = 0;
   };
 
   /// Throws as the models do, and ScenePlaceError for a reference of the automaton.

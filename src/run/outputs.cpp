@@ -30,8 +30,8 @@ std::vector<std::string> Outputs::file_names() const {
       store::table_name("fields"), "trajectory.h5",
       "trajectory/part-000000.h5", store::frame_path("", scene_.name, 0).string()};
   for (const scene::Stage& stage : scene_.stages) {
-    for (const char* kind :
-         {"profile", "convection", "fluctuation", "contacts", "forces", "loads", "walls"}) {
+    for (const char* kind : {"profile", "convection", "fluctuation", "contacts", "forces", "loads",
+                             "walls", "stress"}) {
       names.push_back(store::table_name(kind, stage.name));
     }
   }
@@ -118,7 +118,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const R
     pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, model, 0, true);
+    series_->add(stage.name, model, records, 0, true);
   }
   add_to_trajectory(stage, model.state(), true);
 }
@@ -137,7 +137,7 @@ void Outputs::after_step(const scene::Stage& stage, const Model& model, Records&
     pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, model, moving, false);
+    series_->add(stage.name, model, records, moving, false);
   }
   if (trajectory_ && steps_in_stage % scene_.output.trajectory->every == 0) {
     add_to_trajectory(stage, model.state(), false);
@@ -151,7 +151,7 @@ void Outputs::end_stage(const scene::Stage& stage, const Model& model, Records& 
     pictures_->draw(model, records, *folder_);
   }
   if (series_) {
-    series_->add(stage.name, model, moving, true);
+    series_->add(stage.name, model, records, moving, true);
   }
   add_to_trajectory(stage, model.state(), false);
   write_rows(records, 0);
@@ -173,11 +173,13 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   if (records.fields() && records.fields()->fluctuations().samples() > 0) {
     write("fluctuation", records.fields()->fluctuation_csv());
   }
-  if (const auto forces = wants(scene::Measure::force) ? model.forces() : std::nullopt) {
-    write("contacts", contact_forces_csv(scene_, *forces));
-    write("forces", force_distribution_csv(*forces));
-    write("loads", grain_loads_csv(scene_, model, *forces));
-    write("walls", wall_loads_csv(scene_, *forces));
+  if (wants(scene::Measure::force) && records.contacts()) {
+    const std::vector<contact::Force> forces = records.contacts()->at_end(model);
+    write("contacts", contact_forces_csv(scene_, forces));
+    write("forces", force_distribution_csv(forces));
+    write("loads", grain_loads_csv(scene_, model, forces));
+    write("walls", wall_loads_csv(scene_, forces));
+    write("stress", stress_csv(state, forces, records.cycles().cell()));
   }
   if (wants(scene::Measure::force) && records.forces()) {
     const auto contacts = measure::contacts(state, model.occupancy());

@@ -17,8 +17,10 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
     return;
   }
   history_.last_step = state.step;
-  const bool shows_forces = scene_.output.frames->overlay == scene::Overlay::forces;
-  const auto forces = shows_forces ? model.forces() : std::nullopt;
+  std::optional<std::vector<contact::Force>> forces;
+  if (pictures_show_forces(scene_)) {
+    forces = records.contacts()->of_picture(model);
+  }
   Negative negative = painter_.expose({.state = state,
                                        .occupancy = model.occupancy(),
                                        .cycles = &records.cycles(),

@@ -9,6 +9,8 @@ namespace {
 constexpr const char* kCycles = "records/cycles";
 constexpr const char* kFields = "records/fields";
 constexpr const char* kForces = "records/forces";
+constexpr const char* kContacts = "records/contacts";
+constexpr const char* kEnergy = "records/energy";
 
 template <class Record>
 void load(const char* path, const fields::Columns& columns, double most_bytes, Record& record,
@@ -29,6 +31,10 @@ Records::Records(const scene::Scene& scene)
   if (has_overlaps(scene)) {
     forces_.emplace(scene.output.contacts);
   }
+  if (scene.model == scene::Model::contact) {
+    contacts_.emplace(scene);
+    energy_.emplace();
+  }
 }
 
 void Records::begin_stage(const scene::Stage& stage, const Model& model) {
@@ -39,15 +45,24 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
   if (forces_) {
     forces_->begin_stage();
   }
+  if (contacts_) {
+    contacts_->begin_stage();
+    energy_->begin_stage(stage, model);
+  }
 }
 
-void Records::after_step(const Model& model, std::uint64_t steps_in_stage) {
+void Records::after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
+                         std::uint64_t steps_in_stage) {
   cycles_.after_step(model.state(), model.vessel().whole_cycles);
   if (fields_) {
     fields_->after_step(model.state());
   }
   if (forces_) {
     forces_->after_step(model, steps_in_stage);
+  }
+  if (contacts_) {
+    contacts_->after_step(stage, model, report, steps_in_stage);
+    energy_->after_step(model, report, steps_in_stage);
   }
 }
 
@@ -58,6 +73,10 @@ void Records::save(fields::Columns& columns) const {
   }
   if (forces_) {
     fields::encode(kForces, *forces_, columns);
+  }
+  if (contacts_) {
+    fields::encode(kContacts, *contacts_, columns);
+    fields::encode(kEnergy, *energy_, columns);
   }
 }
 
@@ -73,11 +92,18 @@ void Records::resume_stage(const scene::Stage& stage, const Model& model,
   if (forces_) {
     load(kForces, columns, most_bytes, *forces_, now);
   }
+  if (contacts_) {
+    load(kContacts, columns, most_bytes, *contacts_, now);
+    fields::decode(kEnergy, columns, most_bytes, *energy_);
+  }
 }
 
 void Records::end_stage(const Model& model) {
   if (fields_) {
     fields_->end_stage(model.state());
+  }
+  if (energy_) {
+    energy_->end_stage(model);
   }
 }
 

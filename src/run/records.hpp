@@ -5,7 +5,9 @@
 
 #include "clca/fields/columns.hpp"
 #include "clca/scene/scene.hpp"
+#include "run/contact_record.hpp"
 #include "run/cycle_record.hpp"
+#include "run/energy_record.hpp"
 #include "run/field_record.hpp"
 #include "run/force_record.hpp"
 #include "run/model.hpp"
@@ -17,7 +19,8 @@ class Records {
   explicit Records(const scene::Scene& scene);
 
   void begin_stage(const scene::Stage& stage, const Model& model);
-  void after_step(const Model& model, std::uint64_t steps_in_stage);
+  void after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
+                  std::uint64_t steps_in_stage);
   void end_stage(const Model& model);
 
   const CycleRecord& cycles() const { return cycles_; }
@@ -27,6 +30,10 @@ class Records {
   store::Table* field_rows() { return fields_ ? &fields_->table() : nullptr; }
   /// None where no wall lets overlap.
   const std::optional<ForceRecord>& forces() const { return forces_; }
+  // Of the contact model.
+  const std::optional<ContactRecord>& contacts() const { return contacts_; }
+  std::optional<EnergyRecord>& energy() { return energy_; }
+  const std::optional<EnergyRecord>& energy() const { return energy_; }
 
   void save(fields::Columns& columns) const;
   /// Goes on with a stage. Throws fields::Mismatch for what no run can have recorded that has come
@@ -39,6 +46,8 @@ class Records {
   CycleRecord cycles_;
   std::optional<FieldRecord> fields_;
   std::optional<ForceRecord> forces_;
+  std::optional<ContactRecord> contacts_;
+  std::optional<EnergyRecord> energy_;
 };
 
 /// True when some wall of the scene moves and lets particles overlap.

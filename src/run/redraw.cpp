@@ -9,6 +9,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/store/trajectory.hpp"
+#include "run/contact_record.hpp"
 #include "run/frame_choice.hpp"
 #include "run/frame_painter.hpp"
 #include "run/meter.hpp"
@@ -36,12 +37,13 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         "with the overlay none or forces",
         scene.output.frames->place));
   }
-  if (scene.output.frames->overlay == scene::Overlay::forces &&
-      scene.model == scene::Model::contact) {
+  if (pictures_show_forces(scene)) {
+    const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
     throw RedrawError(fmt::format(
-        "{}: overlay: a trajectory does not hold the forces of the contact model; draw with the "
-        "overlay none, or let the run draw them",
-        scene.output.frames->place));
+        "{}: {}: a trajectory does not hold the forces of the contact model; draw {}, or let the "
+        "run draw them",
+        scene.output.frames->place, overlay ? "overlay" : "color_by",
+        overlay ? "with the overlay none" : "by another colour"));
   }
   const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
   if (!options.movie.empty() && !options.sheet.empty() &&

@@ -72,6 +72,7 @@ class Run {
   /// Steps until the stage ends; returns why.
   StageEnd run_steps();
   void step();
+  void warn_of_energy();
   void end_stage(StageEnd end);
   /// A checkpoint of the run before its first step.
   store::Checkpoint checkpoint() const;
@@ -226,14 +227,27 @@ void Run::step() {
   history_.outflow.add(measure::discharge(model_.state()));
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
-  records_.after_step(model_, history_.steps);
+  records_.after_step(stage(), model_, report, history_.steps);
+  warn_of_energy();
   history_.cycles = records_.cycles().cycles();
   outputs_.after_step(stage(), model_, records_, history_.steps, report.moved);
+}
+
+void Run::warn_of_energy() {
+  const auto growth = records_.energy() ? records_.energy()->take_warning() : std::nullopt;
+  if (growth) {
+    log_->warning(fmt::format(
+        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
+        "{:.1f} % of the {:.0f} at the start of the stage; choose a smaller contact.resolution",
+        stage().name, model_.state().step, growth->lowest, growth->now,
+        100 * (growth->now - growth->lowest) / growth->start, growth->start));
+  }
 }
 
 void Run::end_stage(StageEnd end) {
   history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
   records_.end_stage(model_);
+  warn_of_energy();
   outputs_.end_stage(stage(), model_, records_, course_.moving, history_);
   stages_.push_back({.name = stage().name,
                      .steps = history_.steps,

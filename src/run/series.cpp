@@ -31,7 +31,7 @@ std::vector<std::string> columns(const scene::Scene& scene) {
                                     "discharged_sites"};
   if (scene.model == scene::Model::contact) {
     names.insert(names.begin() + 1, "time");
-    names.insert(names.end(), {"kinetic_energy", "potential_energy"});
+    names.insert(names.end(), {"kinetic_energy", "potential_energy", "dissipated_energy"});
   }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
@@ -66,8 +66,8 @@ SeriesTable::SeriesTable(const scene::Scene& scene)
       conversion_(scene::conversion(scene)),
       table_(columns(scene)) {}
 
-void SeriesTable::add(const std::string& stage, const Model& model, std::size_t moving,
-                      bool always) {
+void SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
+                      std::size_t moving, bool always) {
   const grains::State& state = model.state();
   if ((!always && state.step % every_ != 0) || last_step_ == state.step) {
     return;
@@ -84,7 +84,8 @@ void SeriesTable::add(const std::string& stage, const Model& model, std::size_t 
     cells.insert(cells.begin() + 1, conversion_->time(state.step));
   }
   if (const auto energy = model.energy()) {
-    cells.insert(cells.end(), {energy->kinetic, energy->potential});
+    cells.insert(cells.end(),
+                 {energy->kinetic, energy->potential, records.energy()->dissipated(*energy)});
   }
   const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {

@@ -7,20 +7,23 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 #include "run/model.hpp"
+#include "run/records.hpp"
 
 namespace clca::run {
 
 /// Columns: step, of the contact model time (scene::Conversion), stage, particles (present),
 /// moving, moving_share, mean_height (of the centres, weighted by sites, in lattice spacings),
 /// discharged_particles, discharged_sites (totals); of the contact model kinetic_energy and
-/// potential_energy (see contact::Energy); for each wall that moves travel.NAME (sites from home),
-/// and where it lets overlap index.NAME (sites that overlap in all contacts that began at it).
+/// potential_energy (see contact::Energy) and dissipated_energy (see EnergyRecord); for each wall
+/// that moves travel.NAME (sites from home), and where it lets overlap index.NAME (sites that
+/// overlap in all contacts that began at it).
 class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);
 
   /// Takes a row when the interval says so, or `always`.
-  void add(const std::string& stage, const Model& model, std::size_t moving, bool always);
+  void add(const std::string& stage, const Model& model, const Records& records, std::size_t moving,
+           bool always);
   store::Table& table() { return table_; }
   /// The last step that has a row.
   std::optional<std::uint64_t>& last_step() { return last_step_; }

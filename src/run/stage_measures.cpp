@@ -121,8 +121,8 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         add_outflow(results, model, history, scene::conversion(scene));
         break;
       case scene::Measure::force:
-        if (const auto forces = model.forces()) {
-          add_contact_forces(results, model, *forces);
+        if (records.contacts()) {
+          add_contact_forces(results, model, records.contacts()->at_end(model));
         }
         if (records.forces()) {
           add_force(results, model, history.profile_at_start, *records.forces());
@@ -145,6 +145,9 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
   }
   if (records.fields()) {
     add_fluctuations(results, *records.fields());
+  }
+  if (const auto growth = records.energy() ? records.energy()->growth() : std::nullopt) {
+    results.emplace_back("energy_growth", *growth);
   }
   return results;
 }

@@ -44,25 +44,16 @@ void refuse_foreign(const Value& map, std::string_view path, std::string_view ke
                           path, what));
 }
 
-void refuse_word(const Value* value, std::string_view word, std::string_view path,
-                 std::string_view what) {
-  if (value != nullptr && value->text == word) {
-    refuse_yet(value->place, path, what);
-  }
-}
-
 /// What the contact model cannot do yet.
 void check_able(const Value& root) {
   if (const Value* walls = root.find("walls")) {
     for (const Entry& wall : walls->entries) {
-      refuse_word(wall.value.find("passive"), "overlap", fmt::format("walls.{}.passive", wall.key),
-                  "lets nothing overlap");
+      const Value* passive = wall.value.find("passive");
+      if (passive != nullptr && passive->text == "overlap") {
+        refuse_yet(passive->place, fmt::format("walls.{}.passive", wall.key),
+                   "lets nothing overlap");
+      }
     }
-  }
-  refuse_word(value_at(root, {"output", "frames", "color_by"}), "force", "output.frames.color_by",
-              "colours by no force");
-  if (const Value* contacts = value_at(root, {"output", "contacts"}); !is_none(contacts)) {
-    refuse_yet(contacts->place, "output.contacts", "writes no contacts");
   }
 }
 
@@ -124,6 +115,9 @@ void check_model(const Scene& scene, const Value& root) {
       for (const Value& stage : stages->items) {
         refuse_foreign(stage, "stages", "vessel", Model::contact);
       }
+    }
+    if (const Value* contacts = value_at(root, {"output", "contacts"}); contacts != nullptr) {
+      refuse_foreign(*contacts, "output.contacts", "window", Model::contact);
     }
     return;
   }

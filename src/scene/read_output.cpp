@@ -40,7 +40,7 @@ void require_overlap(const Value& value, const std::string& path, std::string_vi
 
 /// What can be drawn depends on how walls move.
 void check_drawn(const KeyedMap& fields, const Frames& frames, const Scene& scene) {
-  if (frames.color_by == ColorBy::force) {
+  if (frames.color_by == ColorBy::force && scene.model == Model::automaton) {
     require_overlap(fields.at("color_by"), fields.path("color_by"), "force", scene);
   }
   if (frames.overlay == Overlay::forces && scene.model == Model::automaton) {
@@ -98,7 +98,16 @@ Contacts read_contacts(const Value& value, const std::string& path, const Scene&
   const KeyedMap fields(value, path, kContactsKeys);
   Contacts contacts;
   contacts.every = fields.count("every", 1, kMostSteps, contacts.every);
-  require_overlap(value, path, "contacts", scene);
+  if (scene.model == Model::contact) {
+    contacts.window = fields.count("window", 1, kMostSteps, contacts.window);
+    if (contacts.every > contacts.window) {
+      fail(fields.at("every").place,
+           fmt::format("{}: expected 1 to {}, the steps of {}, found {}", fields.path("every"),
+                       contacts.window, fields.path("window"), contacts.every));
+    }
+  } else {
+    require_overlap(value, path, "contacts", scene);
+  }
   return contacts;
 }
 

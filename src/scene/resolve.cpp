@@ -158,13 +158,17 @@ std::string output_block(const Output& output, Model model) {
     return table ? fmt::format("{{every: {}}}", table->every) : std::string("none");
   };
   const auto& fields = output.fields;
+  const std::string contacts = output.contacts && model == Model::contact
+                                   ? fmt::format("{{every: {}, window: {}}}",
+                                                 output.contacts->every, output.contacts->window)
+                                   : every(output.contacts);
   return fmt::format(
       "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  trajectory: {}\n"
       "  checkpoint: {}\n",
       output.frames ? frames_block(*output.frames, model) : "  frames: none\n",
       every(output.series),
       fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
-      every(output.contacts), every(output.trajectory), checkpoint_text(output.checkpoint));
+      contacts, every(output.trajectory), checkpoint_text(output.checkpoint));
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.

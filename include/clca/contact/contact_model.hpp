@@ -23,6 +23,10 @@ struct StepReport {
   /// Nothing has moved for some time, nothing has more than the velocity that gravity gives in two
   /// steps, no source will give more, and no wall will move.
   bool settled = false;
+  /// Nothing moves, and nothing has more than that velocity.
+  bool quiet = false;
+  /// Kinetic and potential energy that sources brought less what outlets took, as in Energy.
+  double energy_gained = 0;
 };
 
 struct Options {

@@ -1,8 +1,10 @@
 #pragma once
-// Forces of the last step: impulses over the time that they took.
+// Forces: impulses over the time that they took, of the last step or as means over several.
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "clca/contact/state.hpp"
@@ -15,8 +17,10 @@ struct Force {
   grains::Owner other = 0;                           ///< a grain, a wall or a side of the box
   Eigen::Vector2d place = Eigen::Vector2d::Zero();   ///< of contact, in lattice spacings
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< of length 1, towards the upper grain
-  double along_normal = 0;                           ///< not negative
-  double along_shear = 0;                            ///< on the normal turned anticlockwise
+  /// From the other centre, or the place of contact with what is no grain, to the upper centre.
+  Eigen::Vector2d branch = Eigen::Vector2d::Zero();
+  double along_normal = 0;  ///< not negative in one step
+  double along_shear = 0;   ///< on the normal turned anticlockwise
 
   /// On the upper grain; the other body has the opposite one.
   Eigen::Vector2d on_upper() const {
@@ -27,6 +31,50 @@ struct Force {
 /// All of them, in the order of the contacts. `gravity` in lattice spacings per step squared. In a
 /// periodic box places are near the upper grain.
 std::vector<Force> forces(const State& state, double gravity);
+
+/// Sums of the forces of several steps, by contact.
+struct ForceSums {
+  struct Sum {
+    std::uint32_t upper = 0;
+    grains::Owner other = 0;
+    // Of the last step in which they touched.
+    double place_x = 0;
+    double place_y = 0;
+    double normal_x = 0;
+    double normal_y = 0;
+    double branch_x = 0;
+    double branch_y = 0;
+    // On the upper grain of that step, over all steps.
+    double force_x = 0;
+    double force_y = 0;
+
+    bool operator==(const Sum&) const = default;
+    static constexpr auto fields() {
+      using fields::field;
+      return std::make_tuple(field("upper", &Sum::upper), field("other", &Sum::other),
+                             field("place_x", &Sum::place_x), field("place_y", &Sum::place_y),
+                             field("normal_x", &Sum::normal_x), field("normal_y", &Sum::normal_y),
+                             field("branch_x", &Sum::branch_x), field("branch_y", &Sum::branch_y),
+                             field("force_x", &Sum::force_x), field("force_y", &Sum::force_y));
+    }
+  };
+  std::vector<Sum> sums = {};  ///< two bodies have one
+  std::uint64_t steps = 0;
+  std::unordered_map<std::uint64_t, std::size_t> places = {};  ///< in `sums`, by the two bodies
+
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("sums", &ForceSums::sums), field("steps", &ForceSums::steps));
+  }
+};
+
+/// Adds what came later.
+void add(ForceSums& sums, std::span<const Force> forces_of_a_step);
+void add(ForceSums& sums, const ForceSums& later);
+
+/// Mean over the steps, 0 in those in which the bodies did not touch: the mean vector along the
+/// last normal and across it. By ids, the smaller one first. Empty where there are no steps.
+std::vector<Force> means(const ForceSums& sums);
 
 /// Mean mass of the grains that are present, in sites; 0 where there are none.
 double mean_mass(const grains::State& state);

@@ -21,6 +21,9 @@ class Grid {
   std::size_t rows() const { return rows_; }
   std::size_t size() const { return columns_ * rows_; }
 
+  /// In squared lattice spacings.
+  double cell_area() const { return extents_.prod() / static_cast<double>(size()); }
+
   /// Of the cell that holds a point (lattice spacings); across a periodic seam it runs on.
   std::size_t index(const Eigen::Vector2d& point) const;
   /// Of a cell, in lattice spacings.

@@ -47,6 +47,10 @@ struct BySpecies {};
 struct BySpeed {};
 struct ById {};
 struct ByForce {};
+struct ByLoad {
+  std::vector<double> loads;  ///< by id, grain weights
+  double high = 1;            ///< where the last shade begins
+};
 struct ByDisplacement {
   double high = 1;  ///< lattice spacings, where the last shade begins
 };
@@ -55,7 +59,7 @@ struct ByLayer {
   LayerRange range;
   std::vector<double> centroids;  ///< heights above the reference site by kind, lattice spacings
 };
-using ShadeRule = std::variant<BySpecies, BySpeed, ById, ByForce, ByDisplacement, ByLayer>;
+using ShadeRule = std::variant<BySpecies, BySpeed, ById, ByForce, ByLoad, ByDisplacement, ByLayer>;
 
 /// A particle has one of few colours, its shade, told by itself and its sites alone: a picture
 /// needs no more of a state than the shades of those that it shows.
@@ -80,6 +84,9 @@ Coloring color_by_displacement(double high);
 /// By the sites that a particle shares with another one or with a wall; the bar ends at `high`.
 /// Particles that share none are pale.
 Coloring color_by_force(int high);
+/// By the sum of the normal forces on a particle, by id, in weights of a grain; the bar ends at
+/// `high`.
+Coloring color_by_load(std::vector<double> loads, double high);
 /// Moving in the last step, or at rest.
 Coloring color_by_speed();
 /// Neighbouring ids well apart.

@@ -1,6 +1,7 @@
 #pragma once
 // What a scene leaves to the contact model to find out.
 
+#include "clca/contact/vessel.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {

@@ -60,6 +60,7 @@ struct Fields {
 /// How often contacts are taken for means over time.
 struct Contacts {
   std::uint64_t every = 1;
+  std::uint64_t window = 100;  ///< steps of a mean of the contact model
 
   bool operator==(const Contacts&) const = default;
 };

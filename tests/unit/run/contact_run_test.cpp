@@ -8,10 +8,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "run/energy_record.hpp"
+#include "run/stage.hpp"
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
@@ -40,9 +43,9 @@ stages:
     remove: [gate]
     sources: [spout]
     until: {steps: 300}
-measure: [profile, packing, moved, outflow]
+measure: [profile, packing, moved, outflow, force]
 output:
-  frames: {every: 100, width: 96, height: 64, color_by: displacement}
+  frames: {every: 100, width: 96, height: 64, color_by: force, overlay: forces}
   series: {every: 1}
   trajectory: {every: 10}
   checkpoint: {every: 50}
@@ -74,8 +77,124 @@ TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
   EXPECT_GT(discharged.back(), 0);
 }
 
+TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
+  run(small(), {.folder = path()});
+  const auto column = [&](const char* name) {
+    return testing::csv_column(path() / "series.csv", name);
+  };
+  const auto kinetic = column("kinetic_energy");
+  const auto potential = column("potential_energy");
+  const auto dissipated = column("dissipated_energy");
+  // Nothing comes or goes in the first stage; what has begun the second one has no row.
+  for (std::size_t step = 0; step < 300; ++step) {
+    EXPECT_DOUBLE_EQ(dissipated[step], potential[0] - kinetic[step] - potential[step]);
+  }
+  EXPECT_GT(dissipated[299], 0.1 * potential[0]);
+  // Four grains of 7 sites come in from above, and many leave: neither is dissipated.
+  const auto discharged = column("discharged_sites");
+  ASSERT_GT(discharged.back(), 0);
+  EXPECT_GT(dissipated.back(), 0);
+  EXPECT_GT(potential[300] + 4 * 7 * 54 - potential.back(), dissipated.back());
+  EXPECT_LT(potential[300] - potential.back(), dissipated.back() + 4 * 7 * 54);
+}
+
+constexpr const char* kBed = R"(clca: 1
+model: contact
+seed: 5
+box: {width: 40, height: 120}
+species: {small: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
+contact: {wall_friction: 0}
+stages:
+  - name: settle
+    fill: {region: [0, 0, 40, 120], counts: {small: 60, large: 60}}
+    until: {steps: 4000}
+measure: [force]
+output: {fields: {cell: 8, every: 1000}, contacts: {window: 100}}
+)";
+
+// Side walls without friction carry nothing.
+TEST_F(ContactRunTest, StressGrowsWithDepthAsTheWeightAbove) {
+  run(scene::parse(kBed, "bed.yaml"), {.folder = path()});
+  const auto column = [&](const char* table, const char* name) {
+    return testing::csv_column(path() / (std::string(table) + "-settle.csv"), name);
+  };
+  const auto heights = column("stress", "y");
+  const auto yy = column("stress", "yy");
+  const double width = 47 * lattice::kColumnPitch;
+  const double mean_sites = (7.0 + 19.0) / 2;
+  const auto ids = column("loads", "id");
+  const auto grain_heights = column("loads", "y");
+  std::map<double, double> carried;  // by height of a row of cells
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    carried[heights[i]] += yy[i];
+  }
+  ASSERT_GE(carried.size(), 4U);
+  const double cells_across = 5;
+  const double cell_height = 120.5 / 15;
+  double before = 1e9;
+  for (const auto& [height, sum] : carried) {
+    double above = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const double share = std::clamp((grain_heights[i] - height) / cell_height + 0.5, 0.0, 1.0);
+      above += share * (ids[i] < 60 ? 7 : 19) / mean_sites;
+    }
+    const double stress = sum / cells_across;
+    EXPECT_LT(stress, before);
+    before = stress;
+    // Within 2 % of the weight of the bed; in the lowest cells, of which up to a spacing lies below
+    // where grains touch the floor, 8 %.
+    const double tolerance = height < cell_height ? 0.08 : 0.02;
+    EXPECT_NEAR(stress * width, above, tolerance * 120) << "at height " << height;
+  }
+  const auto loads = column("walls", "force_y");
+  EXPECT_NEAR(-loads.at(0), 120, 1.2);
+}
+
+TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {
+  // The means of windows of one step, over the last three ends of the stage.
+  double sum = 0;
+  for (const int steps : {198, 199, 200}) {
+    const std::string name = std::to_string(steps);
+    run(small({"stages.0.until={steps: " + name + "}", "measure=[force]",
+               "output.contacts={window: 1}"}),
+        {.folder = path(name.c_str())});
+    sum += testing::csv_column(path(name.c_str()) / "walls-packing.csv", "force_y").at(0);
+  }
+  run(small({"stages.0.until={steps: 200}", "measure=[force]", "output.contacts={window: 3}"}),
+      {.folder = path()});
+  EXPECT_NEAR(testing::csv_column(path() / "walls-packing.csv", "force_y").at(0), sum / 3,
+              1e-3 * -sum / 3);
+}
+
+// What the balance misses looks like energy from nowhere.
+TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
+  const auto scene = small();
+  Model model(scene, first_state(scene), {});
+  prepare_stage(model, scene, scene.stages.front());
+  EnergyRecord record;
+  record.begin_stage(scene.stages.front(), model);
+  const auto energy = *model.energy();
+  const double start = energy.kinetic + energy.potential;
+  record.after_step(model, {.energy_gained = -0.004 * start}, 100);
+  EXPECT_FALSE(record.take_warning());
+  record.after_step(model, {.energy_gained = -0.002 * start}, 199);
+  EXPECT_FALSE(record.take_warning());  // looked at every 100 steps
+  record.after_step(model, {}, 200);
+  const auto growth = record.take_warning();
+  ASSERT_TRUE(growth);
+  EXPECT_DOUBLE_EQ(growth->start, start);
+  EXPECT_DOUBLE_EQ(growth->now, 1.006 * start);
+  EXPECT_NEAR(record.growth().value(), 0.006, 1e-12);
+  record.after_step(model, {.energy_gained = -start}, 300);
+  EXPECT_FALSE(record.take_warning());
+  record.begin_stage(scene.stages.back(), model);  // with a source
+  EXPECT_FALSE(record.growth());
+}
+
 TEST_F(ContactRunTest, TheSeriesOfAnAutomatonHasNone) {
-  run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}"}), {.folder = path()});
+  run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
+             "output.frames.color_by=species", "output.frames.overlay=none"}),
+      {.folder = path()});
   EXPECT_THROW(testing::csv_column(path() / "series.csv", "kinetic_energy"), std::out_of_range);
 }
 
@@ -87,7 +206,8 @@ TEST_F(ContactRunTest, TheReferenceEngineLeavesTheSameRun) {
 }
 
 TEST_F(ContactRunTest, AReferenceOfTheAutomatonIsRefused) {
-  const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}"});
+  const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
+                            "output.frames.color_by=species", "output.frames.overlay=none"});
   EXPECT_THAT([&] { run(scene, {.folder = path(), .reference = true}); },
               ::testing::ThrowsMessage<ScenePlaceError>(
                   HasSubstr("--engine reference: error: only model contact has this engine")));
@@ -102,7 +222,7 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
       .progress = [&](const Progress& at) { stop = at.step >= until ? 15 : 0; },
       .progress_interval = {}};
   run(small(), {.folder = path(), .stop = &stop}, events);
-  for (const std::uint64_t next : {7U, 133U, 300U, 301U, 444U}) {
+  for (const std::uint64_t next : {7U, 133U, 257U, 300U, 301U, 444U}) {
     until = next;
     stop = 0;
     EXPECT_EQ(
@@ -263,6 +383,11 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
               EndsWith("a contact is not one of two bodies"));
   EXPECT_THAT(refusal(column("state/contacts/size", std::uint64_t{1} << 40U)),
               EndsWith("state/contacts needs more memory than the limit"));
+  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/upper", std::uint32_t{1000})),
+              EndsWith("records/contacts is not of this run"));
+  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/force_x",
+                             std::numeric_limits<double>::infinity())),
+              EndsWith("records/contacts is not of this run"));
   EXPECT_THAT(refusal(column("state/grains/particles/kind", std::uint16_t{9})),
               EndsWith("a particle is of no kind"));
   EXPECT_THAT(refusal(column("state/grains/seed", std::uint64_t{9})),

@@ -142,11 +142,6 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:7:49: error: walls.plate.passive: model contact lets nothing overlap yet, model "
      "automaton does; remove it, or say 'model: automaton'",
      Judge::parser},
-    {"colours by force", "output: {frames: {color_by: force}}",
-     "scene.yaml:12:29: error: output.frames.color_by: model contact colours by no force yet, "
-     "model "
-     "automaton does; remove it, or say 'model: automaton'",
-     Judge::parser},
     {"a vessel of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], vessel: {tilt: 5}}]",
      "scene.yaml:10:42: error: stages.vessel: only model contact has it; remove it, or say 'model: "
@@ -220,9 +215,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:10:83: error: stages.second.fill: deposition needs a vessel that "
      "stands upright; use 'method: random'",
      Judge::parser},
-    {"a table of contacts", "output: {contacts: {every: 2}}",
-     "scene.yaml:12:20: error: output.contacts: model contact writes no contacts yet, model "
-     "automaton does; remove it, or say 'model: automaton'",
+    {"a window of no steps", "output: {contacts: {window: 0}}",
+     "scene.yaml:12:29: error: output.contacts.window: expected a whole number from 1 to "
+     "1000000000000, found '0'"},
+    {"samples beyond the window", "output: {contacts: {window: 5, every: 6}}",
+     "scene.yaml:12:39: error: output.contacts.every: expected 1 to 5, the steps of "
+     "output.contacts.window, found 6",
      Judge::parser},
 });
 

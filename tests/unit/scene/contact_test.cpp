@@ -85,7 +85,7 @@ TEST(ParseContact, KnowsAHexagonHoweverItIsGiven) {
   }
 }
 
-TEST(ParseContact, TakesTheScenesOfTheAutomatonWithoutRulesMotionOrForces) {
+TEST(ParseContact, TakesTheScenesOfTheAutomatonWithoutRulesOrMotion) {
   const auto folder = std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
   const Scene scene = parse_file(folder / "wall-removal.yaml", {"model=contact"});
   EXPECT_EQ(scene.model, Model::contact);
@@ -106,9 +106,27 @@ TEST(ParseContact, NamesAnOverrideThatTheModelDoesNotHave) {
   EXPECT_EQ(refusal("", {"model=automaton", "contact.sweeps=4"}),
             "--set contact.sweeps=4: error: contact: only model contact has it; remove it, or say "
             "'model: contact'");
-  EXPECT_EQ(refusal("", {"output.contacts.every=5"}),
-            "--set output.contacts.every=5: error: output.contacts: model contact writes no "
-            "contacts yet, model automaton does; remove it, or say 'model: automaton'");
+}
+
+TEST(ParseContact, AveragesForcesOverAWindow) {
+  EXPECT_FALSE(contact_with("").output.contacts);
+  const Contacts contacts =
+      contact_with("", {"output.contacts={every: 2, window: 50}"}).output.contacts.value();
+  EXPECT_EQ(contacts.every, 2U);
+  EXPECT_EQ(contacts.window, 50U);
+  EXPECT_EQ(contact_with("", {"output.contacts={}"}).output.contacts->window, 100U);
+  const Scene scene = contact_with("", {"output.contacts={every: 2, window: 50}"});
+  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+}
+
+TEST(ParseContact, TheAutomatonHasNoWindow) {
+  const auto folder = std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
+  try {
+    parse_file(folder / "piston.yaml", {"output.contacts.window=5"});
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("output.contacts.window: only model contact has it"));
+  }
 }
 
 TEST(ParseContact, ToYamlAndBackIsTheSameScene) {

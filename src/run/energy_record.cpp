@@ -1,0 +1,64 @@
+#include "run/energy_record.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace clca::run {
+
+namespace {
+
+constexpr std::uint64_t kEvery = 100;  // steps from one look to the next
+constexpr double kTolerance = 0.005;   // of the energy at the start
+
+double sum(const contact::Energy& energy) {
+  return energy.kinetic + energy.potential;
+}
+
+}  // namespace
+
+void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
+  is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
+  start_ = sum(*model.energy());
+  gained_ = 0;
+  lowest_ = start_;
+  growth_ = 0;
+}
+
+void EnergyRecord::after_step(const Model& model, const Model::Report& report,
+                              std::uint64_t steps_in_stage) {
+  gained_ += report.energy_gained;
+  if (steps_in_stage % kEvery == 0) {
+    look(model);
+  }
+}
+
+void EnergyRecord::end_stage(const Model& model) {
+  look(model);
+}
+
+void EnergyRecord::look(const Model& model) {
+  if (!is_closed_) {
+    return;
+  }
+  const double now = sum(*model.energy()) - gained_;
+  lowest_ = std::min(lowest_, now);
+  growth_ = std::max(growth_, now - lowest_);
+  if (!has_warned_ && growth_ > kTolerance * start_) {
+    has_warned_ = true;
+    warning_ = {.start = start_, .lowest = lowest_, .now = now};
+  }
+}
+
+double EnergyRecord::dissipated(const contact::Energy& now) const {
+  return start_ + gained_ - sum(now);
+}
+
+std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {
+  return std::exchange(warning_, std::nullopt);
+}
+
+std::optional<double> EnergyRecord::growth() const {
+  return is_closed_ && start_ > 0 ? std::optional(growth_ / start_) : std::nullopt;
+}
+
+}  // namespace clca::run

@@ -1,0 +1,78 @@
+// Forces as means over several steps.
+
+#include "clca/contact/force.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clca::contact {
+namespace {
+
+Force between(std::uint32_t upper, grains::Owner other, const Eigen::Vector2d& normal,
+              double along_normal, double along_shear) {
+  Force force;
+  force.upper = upper;
+  force.other = other;
+  force.normal = normal;
+  force.branch = 3 * normal;
+  force.along_normal = along_normal;
+  force.along_shear = along_shear;
+  return force;
+}
+
+const Eigen::Vector2d kUp(0, 1);
+
+TEST(ForceSums, AContactCountsAsZeroInStepsWithoutIt) {
+  ForceSums sums;
+  add(sums, std::vector{between(1, 0, kUp, 4, 2), between(0, kFloor, kUp, 1, 0)});
+  add(sums, std::vector{between(0, kFloor, kUp, 3, 0)});
+  const std::vector<Force> result = means(sums);
+  ASSERT_EQ(result.size(), 2U);
+  EXPECT_EQ(result[0].other, kFloor);
+  EXPECT_DOUBLE_EQ(result[0].along_normal, 2);
+  EXPECT_EQ(result[1].upper, 1U);
+  EXPECT_DOUBLE_EQ(result[1].along_normal, 2);
+  EXPECT_DOUBLE_EQ(result[1].along_shear, 1);
+  EXPECT_EQ(result[1].branch, 3 * kUp);
+}
+
+TEST(ForceSums, TwoGrainsThatChangePlacesKeepTheirForce) {
+  ForceSums sums;
+  const Eigen::Vector2d right(1, 0);
+  add(sums, std::vector{between(1, 0, right, 4, 1)});
+  add(sums, std::vector{between(0, 1, -right, 2, 3)});
+  const std::vector<Force> result = means(sums);
+  ASSERT_EQ(result.size(), 1U);
+  EXPECT_EQ(result[0].upper, 0U);
+  EXPECT_DOUBLE_EQ(result[0].along_normal, 3);
+  EXPECT_DOUBLE_EQ(result[0].along_shear, 2);
+}
+
+TEST(ForceSums, TheMeanIsThatOfVectorsWhereTheNormalTurns) {
+  ForceSums sums;
+  add(sums, std::vector{between(1, 0, {1, 0}, 2, 0)});
+  add(sums, std::vector{between(1, 0, kUp, 6, 0)});
+  const Force mean = means(sums).at(0);
+  EXPECT_EQ(mean.normal, kUp);
+  EXPECT_NEAR((mean.on_upper() - Eigen::Vector2d(1, 3)).norm(), 0, 1e-12);
+}
+
+TEST(ForceSums, SumsOfTwoSpansAreThoseOfTheWhole) {
+  ForceSums first;
+  ForceSums second;
+  ForceSums whole;
+  for (int step = 0; step < 4; ++step) {
+    const std::vector forces = {between(1, 0, kUp, step, -step)};
+    add(step < 2 ? first : second, forces);
+    add(whole, forces);
+  }
+  add(first, second);
+  EXPECT_EQ(first.steps, 4U);
+  EXPECT_EQ(first.sums, whole.sums);
+}
+
+TEST(ForceSums, NoStepsHaveNoForces) {
+  EXPECT_TRUE(means({}).empty());
+}
+
+}  // namespace
+}  // namespace clca::contact
