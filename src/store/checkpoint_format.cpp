@@ -112,7 +112,7 @@ class Entries {
 
 /// Bytes of a number of an entry; 0 for a type that is none.
 double item_bytes(std::uint8_t type) {
-  constexpr std::array<double, 7> kBytes = {1, 1, 2, 4, 8, 4, 8};
+  constexpr std::array<double, 8> kBytes = {1, 1, 2, 4, 8, 4, 8, 8};
   return type < kBytes.size() ? kBytes.at(type) : 0;
 }
 

@@ -4,7 +4,7 @@
 // Behind the checksum header stand entries, one after the other to the end of the file: four texts,
 // and a column of numbers for each field of the run. An entry is
 //
-//     u8      type: 0 text, 1 u8, 2 u16, 3 u32, 4 u64, 5 i32, 6 f64
+//     u8      type: 0 text, 1 u8, 2 u16, 3 u32, 4 u64, 5 i32, 6 f64, 7 i64
 //     u16     length of the name
 //     u64     count of bytes (of a text) or numbers
 //     u64     length of the data

@@ -20,9 +20,10 @@ bool in_motion(const grains::Wall& wall) {
 constexpr std::int64_t kLagSteps = 64;
 constexpr std::int64_t kMostHaste = grains::kSpacing / 8;
 
-std::int64_t haste(std::int64_t lag) {
-  return std::abs(lag) > grains::kSpacing ? std::clamp(lag / kLagSteps, -kMostHaste, kMostHaste)
-                                          : 0;
+/// `speed`: of the motion; where that has stopped the wall still has to arrive.
+std::int64_t haste(std::int64_t lag, std::int32_t speed) {
+  const std::int64_t least = speed == 0 ? grains::kSpacing / 2 : grains::kSpacing;
+  return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMostHaste, kMostHaste) : 0;
 }
 
 }  // namespace
@@ -34,8 +35,8 @@ Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
   }
   const std::int64_t lag = state.wall_remainders[wall];
   constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kSpacing);
-  const std::int32_t speed =
-      kUnit * (grains::velocity(*one.motion, one.travel, lag) + lower(haste(lag)));
+  const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
+  const std::int32_t speed = kUnit * (own + lower(haste(lag, own)));
   const UnitVector& unit = unit_of(one.motion->direction);
   return {.x = lower(scaled(product(speed, unit.x), kUnitBits)),
           .y = lower(scaled(product(speed, unit.y), kUnitBits))};
@@ -82,9 +83,12 @@ bool walls_rest(const State& state) {
     if (!in_motion(one) || is_over(*one.motion, one.travel)) {
       continue;
     }
+    const std::int64_t lag = state.wall_remainders[wall];
+    const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
+    const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMostHaste;
     const bool held_up = one.travel.stalled_since &&
                          state.grains.step - *one.travel.stalled_since >= kQuietSteps &&
-                         std::abs(haste(state.wall_remainders[wall])) == kMostHaste;
+                         pushes_no_harder;
     if (!held_up) {
       return false;
     }
