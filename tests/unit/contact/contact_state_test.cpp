@@ -149,9 +149,10 @@ TEST(OnlyHexagons, Turn) {
   EXPECT_EQ(refusal(state, parameters), "");
 }
 
-TEST(Gravity, IsThatOfAFallThatEndsWithTheResolution) {
+TEST(Gravity, IsThatOfAFallThatEndsWithTheResolutionAsStepsHaveIt) {
   const double value = gravity({.resolution = 0.4, .fall_height = 80});
   EXPECT_NEAR(std::sqrt(2 * value * 80), 0.4, 1e-4);
+  EXPECT_EQ(gravity({.resolution = 0.4, .fall_height = 1e4}), 67.0 / kSpacing);
   EXPECT_DOUBLE_EQ(gravity({.resolution = 1, .fall_height = 2}), 0.25);
   EXPECT_THROW(gravity({.resolution = 1, .fall_height = 1.9}), std::invalid_argument);
   EXPECT_THROW(gravity({.resolution = 0.01, .fall_height = 1e6}), std::invalid_argument);
