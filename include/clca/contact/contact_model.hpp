@@ -40,7 +40,7 @@ struct Options {
 inline constexpr double kLeastGravity = 0x1p-20;
 inline constexpr double kMostGravity = 0.25;
 
-/// The acceleration by gravity in lattice spacings per step squared, a multiple of 2^-20. Throws
+/// The acceleration by gravity in lattice spacings per step squared, a multiple of 2^-23. Throws
 /// std::invalid_argument unless resolution and fall height are positive and give one in these
 /// bounds.
 double gravity(const Parameters& parameters);
