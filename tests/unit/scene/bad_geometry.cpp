@@ -45,7 +45,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:7:43: error: walls.slope.line.to: expected a number from -1000000 to "
      "1000000, found '1e7'"},
     {"a disc without a radius", "walls: {rock: {disc: {centre: [5, 5]}}}",
-     "scene.yaml:7:21: error: walls.rock.disc: key 'radius' is missing"},
+     "scene.yaml:7:22: error: walls.rock.disc: key 'radius' is missing"},
     {"a disc of no size", "walls: {rock: {disc: {centre: [5, 5], radius: 0}}}",
      "scene.yaml:7:47: error: walls.rock.disc.radius: expected a number above 0 and up to "
      "1000000, found '0'"},
@@ -53,30 +53,30 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:7:50: error: unknown key 'thickness' in walls.rock.disc (allowed: centre, "
      "radius)"},
     {"a disc outside the box", "walls: {rock: {disc: {centre: [50, -20], radius: 19}}}",
-     "scene.yaml:7:21: error: walls.rock.disc: no site of the box, 100 wide and 50 high, lies on "
+     "scene.yaml:7:22: error: walls.rock.disc: no site of the box, 100 wide and 50 high, lies on "
      "it",
      Judge::parser},
     {"a disc between the sites", "walls: {rock: {disc: {centre: [0.3, 0.5], radius: 0.5}}}",
-     "scene.yaml:7:21: error: walls.rock.disc: no site of the box, 100 wide and 50 high, lies on "
+     "scene.yaml:7:22: error: walls.rock.disc: no site of the box, 100 wide and 50 high, lies on "
      "it",
      Judge::parser},
     {"a ring that leaks", "walls: {drum: {ring: {centre: [50, 25], radius: 20, thickness: 0.9}}}",
      "scene.yaml:7:64: error: walls.drum.ring.thickness: expected a number from 1 to 100, found "
      "'0.9'"},
     {"a ring around the box", "walls: {drum: {ring: {centre: [50, 25], radius: 80}}}",
-     "scene.yaml:7:21: error: walls.drum.ring: no site of the box, 100 wide and 50 high, lies on "
+     "scene.yaml:7:22: error: walls.drum.ring: no site of the box, 100 wide and 50 high, lies on "
      "it",
      Judge::parser},
     {"an arc without an end", "walls: {bowl: {arc: {centre: [50, 25], radius: 20, from: 180}}}",
-     "scene.yaml:7:20: error: walls.bowl.arc: key 'to' is missing"},
+     "scene.yaml:7:21: error: walls.bowl.arc: key 'to' is missing"},
     {"an arc that ends before it begins",
      "walls: {bowl: {arc: {centre: [50, 25], radius: 20, from: 10, to: 10}}}",
-     "scene.yaml:7:20: error: walls.bowl.arc: expected from < to, less than 360 degrees apart, "
+     "scene.yaml:7:21: error: walls.bowl.arc: expected from < to, less than 360 degrees apart, "
      "found 10 to 10; a whole circle is a ring",
      Judge::parser},
     {"an arc all around",
      "walls: {bowl: {arc: {centre: [50, 25], radius: 20, from: -180, to: 180}}}",
-     "scene.yaml:7:20: error: walls.bowl.arc: expected from < to, less than 360 degrees apart, "
+     "scene.yaml:7:21: error: walls.bowl.arc: expected from < to, less than 360 degrees apart, "
      "found -180 to 180; a whole circle is a ring",
      Judge::parser},
     {"an arc to beyond a turn",
@@ -84,7 +84,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:7:65: error: walls.bowl.arc.to: expected a number from -360 to 360, found '361'"},
     {"an arc outside the box",
      "walls: {bowl: {arc: {centre: [50, 0], radius: 20, from: 185, to: 355}}}",
-     "scene.yaml:7:20: error: walls.bowl.arc: no site of the box, 100 wide and 50 high, lies on "
+     "scene.yaml:7:21: error: walls.bowl.arc: no site of the box, 100 wide and 50 high, lies on "
      "it",
      Judge::parser},
     {"walls in a list", "walls: [{box: [0, 0, 1, 50]}]",

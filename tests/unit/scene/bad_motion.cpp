@@ -18,7 +18,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a part in two ways",
      "walls: {tray: {parts: [{box: [0, 0, 9, 9]}, {box: [0, 0, 9, 9], line: {from: [0, 0], to: [9, "
      "9]}}]}}",
-     "scene.yaml:7:45: error: walls.tray.parts.1: expected exactly one of box, line, disc, ring, arc, "
+     "scene.yaml:7:45: error: walls.tray.parts.1: expected exactly one of box, line, disc, ring, "
+     "arc, "
      "found box and line"},
     {"a part that is a rectangle", "walls: {tray: {parts: [[0, 0, 9, 9]]}}",
      "scene.yaml:7:24: error: walls.tray.parts.0: expected a map, found a list"},
