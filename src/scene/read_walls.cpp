@@ -72,9 +72,9 @@ lattice::Ring read_ring(const KeyedMap& fields) {
 
 lattice::Arc read_arc(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kArcKeys);
-  const lattice::Arc arc = {.ring = read_ring(fields),
-                            .from = fields.number("from", -kFarthestAngle, kFarthestAngle),
-                            .to = fields.number("to", -kFarthestAngle, kFarthestAngle)};
+  lattice::Arc arc = {.ring = read_ring(fields),
+                      .from = fields.number("from", -kFarthestAngle, kFarthestAngle),
+                      .to = fields.number("to", -kFarthestAngle, kFarthestAngle)};
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
     fail(value.place, fmt::format("{}: expected from < to, less than 360 degrees apart, found {} "
                                   "to {}; a whole circle is a ring",
