@@ -28,7 +28,7 @@ class Engine {
   /// Carries out a step but for sources and outlets.
   void step();
   const Velocity<std::int32_t>& velocity_of(std::size_t id) const {
-    return bodies_[id + 1].velocity;
+    return bodies_[first_grain_ + id].velocity;
   }
   /// Those that moved in the last step, once each.
   std::span<const std::uint32_t> moved() const { return moved_; }

@@ -131,7 +131,7 @@ TEST(Checkpoint, AnEntryThatLiesIsRefused) {
   const auto refusal = [](const Entry& entry) { return reason(with_more(entry.bytes())); };
   constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
   EXPECT_EQ(refusal({}), "") << "nothing is wrong with it";
-  EXPECT_EQ(refusal({.type = 7}), "an entry of an unknown type");
+  EXPECT_EQ(refusal({.type = 8}), "an entry of an unknown type");
   EXPECT_EQ(refusal({.name = "many"}), "an entry that is there twice");
   EXPECT_EQ(refusal({.type = 0, .name = "kind"}), "an entry that is there twice");
   EXPECT_EQ(refusal({.type = 0, .name = "other"}), "a text that is none of its own");
