@@ -94,6 +94,9 @@ Drawn arrows(const CycleRecord& cycles) {
 }  // namespace
 
 double strongest_force(const scene::Scene& scene) {
+  if (scene.output.frames && scene.output.frames->force_scale) {
+    return *scene.output.frames->force_scale;
+  }
   double diameters = 0;
   for (const scene::Species& species : scene.species) {
     diameters += species.shape.diameter();

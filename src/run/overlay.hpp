@@ -19,9 +19,9 @@ struct Drawn {
 /// this stage. `strongest_force`: of the contact model, drawn as the widest line.
 Drawn overlay_of(scene::Overlay overlay, const View& view, double strongest_force);
 
-/// A force in weights of a grain that few in the beds of a scene of the contact model exceed: twice
-/// the weight of a column of grains as high as the fall height, rounded to 1, 2 or 5 times a power
-/// of ten.
+/// Frames::force_scale, or a force in weights of a grain that few in the beds of a scene of the
+/// contact model exceed: twice the weight of a column of grains as high as the fall height, rounded
+/// to 1, 2 or 5 times a power of ten.
 double strongest_force(const scene::Scene& scene);
 
 }  // namespace clca::run

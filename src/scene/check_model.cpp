@@ -110,6 +110,7 @@ void check_model(const Scene& scene, const Value& root) {
     }
     if (const Value* frames = value_at(root, {"output", "frames"})) {
       refuse_foreign(*frames, "output.frames", "upright", Model::contact);
+      refuse_foreign(*frames, "output.frames", "force_scale", Model::contact);
     }
     if (const Value* stages = root.find("stages")) {
       for (const Value& stage : stages->items) {

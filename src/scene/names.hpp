@@ -50,9 +50,9 @@ inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "dischar
                                                                "time"};
 inline constexpr std::array<std::string_view, 6> kOutputKeys = {
     "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
-inline constexpr std::array<std::string_view, 11> kFramesKeys = {
-    "every",   "width",         "height",  "color_by", "layers", "view",
-    "drawing", "supersampling", "caption", "upright",  "overlay"};
+inline constexpr std::array<std::string_view, 12> kFramesKeys = {
+    "every",   "width",         "height",  "color_by", "layers",      "view",
+    "drawing", "supersampling", "caption", "upright",  "force_scale", "overlay"};
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 2> kContactsKeys = {"every", "window"};

@@ -71,6 +71,9 @@ Frames read_frames(const Value& value, const std::string& path, const Scene& sce
       fields.integer("supersampling", 1, kMostSupersampling, frames.supersampling);
   frames.caption = fields.boolean("caption", frames.caption);
   frames.upright = fields.boolean("upright", frames.upright);
+  if (fields.find("force_scale") != nullptr) {
+    frames.force_scale = fields.positive("force_scale", kGreatestForceScale);
+  }
   frames.overlay = fields.choice("overlay", kOverlayNames, frames.overlay);
   check_drawn(fields, frames, scene);
   return frames;

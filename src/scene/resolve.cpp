@@ -147,6 +147,9 @@ std::string frames_block(const Frames& frames, Model model) {
     block += fmt::format("    view: {}\n", rectangle(*frames.view));
   }
   block += model == Model::contact ? fmt::format("    upright: {}\n", frames.upright) : "";
+  if (frames.force_scale) {
+    block += fmt::format("    force_scale: {}\n", *frames.force_scale);
+  }
   return block +
          fmt::format("    drawing: {}\n    supersampling: {}\n    caption: {}\n    overlay: {}\n",
                      name_of(kDrawingNames, frames.drawing), frames.supersampling, frames.caption,

@@ -32,7 +32,7 @@ auto content(const Outlet& outlet) {
 auto content(const Frames& frames) {
   return std::tie(frames.every, frames.width, frames.height, frames.color_by, frames.layers,
                   frames.view, frames.drawing, frames.supersampling, frames.caption, frames.upright,
-                  frames.overlay);
+                  frames.force_scale, frames.overlay);
 }
 
 auto content(const Scene& scene) {

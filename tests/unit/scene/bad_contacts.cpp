@@ -151,6 +151,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:12:19: error: output.frames.upright: only model contact has it; remove it, or say "
      "'model: contact'",
      Judge::parser},
+    {"a force scale of the automaton", "model: automaton\noutput: {frames: {force_scale: 9}}",
+     "scene.yaml:12:19: error: output.frames.force_scale: only model contact has it; remove it, or "
+     "say 'model: contact'",
+     Judge::parser},
+    {"no force as the widest line", "output: {frames: {force_scale: 0}}",
+     "scene.yaml:12:32: error: output.frames.force_scale: expected a number above 0 and up to "
+     "1000000000, found '0'"},
     {"a vessel that does nothing", "stages: [{name: first, sources: [spout], vessel: {}}]",
      "scene.yaml:10:50: error: stages.first.vessel: expected exactly one of tilt, "
      "rotate, shake, found none"},

@@ -201,9 +201,19 @@ TEST(Parse, ReadsMeasuresAndOutput) {
       "  series: {every: 3}\n"
       "  trajectory: {every: 7}");
   EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
-  EXPECT_EQ(scene.output.frames,
-            (Frames{5, 640, 480, ColorBy::stage_layer, 4, lattice::Rectangle{-5, 0, 50, 40},
-                    Drawing::lookup, 4, false, false, Overlay::none, ""}));
+  EXPECT_EQ(scene.output.frames, (Frames{5,
+                                         640,
+                                         480,
+                                         ColorBy::stage_layer,
+                                         4,
+                                         lattice::Rectangle{-5, 0, 50, 40},
+                                         Drawing::lookup,
+                                         4,
+                                         false,
+                                         false,
+                                         {},
+                                         Overlay::none,
+                                         ""}));
   EXPECT_EQ(scene.output.series, Series{3});
   EXPECT_EQ(scene.output.trajectory, TrajectoryOutput{7});
 }
