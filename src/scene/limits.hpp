@@ -47,7 +47,7 @@ inline constexpr int kMostLayers = 256;
 inline constexpr int kMostSupersampling = 4;
 inline constexpr double kLargestCell = 1000;
 inline constexpr double kGreatestForceScale = 1e9;  ///< grain weights
-inline constexpr double kLongestWait = 1e9;  ///< seconds
+inline constexpr double kLongestWait = 1e9;         ///< seconds
 
 // Of the contact model.
 inline constexpr double kGreatestContactFriction = 1e9;  ///< of rolling, too

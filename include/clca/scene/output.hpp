@@ -36,7 +36,7 @@ struct Frames {
   Drawing drawing = Drawing::automatic;
   int supersampling = 2;
   bool caption = true;
-  bool upright = false;             ///< of Model::contact: turned as the vessel is
+  bool upright = false;  ///< of Model::contact: turned as the vessel is
   /// Of Model::contact: the force drawn as the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};
   Overlay overlay = Overlay::none;  ///< drawn over the particles
