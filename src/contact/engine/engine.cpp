@@ -25,11 +25,11 @@ Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::Footpri
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
-      edges_(edges),
       rule_(rule),
       batch_(fastest_functions()),
       finder_(state.grains, occupancy, footprints, rule),
       slots_(state.grains.walls.size()),
+      mover_(state, occupancy, footprints, edges),
       first_grain_(kFirstWallBody + state.grains.walls.size()) {
   reload();
 }
@@ -132,9 +132,8 @@ void Engine::advance_and_move() {
     }
   }
   std::vector<WallMove> walls = advance_walls(state_);
-  Moves moves =
-      move_all(state_, occupancy_, footprints_, edges_, finder_.down(), candidates_, walls);
-  moved_ = sorted_once(std::move(moves.moved));
+  const Moves& moves = mover_.move_all(finder_.down(), candidates_, walls);
+  moved_ = sorted_once(moves.moved);
   for (const std::uint32_t id : candidates_) {
     cut(state_.remainders[id]);
   }
@@ -143,8 +142,11 @@ void Engine::advance_and_move() {
       cut(state_.remainders[id]);
     }
   }
-  moves.beside_walls.insert(moves.beside_walls.end(), moved_.begin(), moved_.end());
-  changed_ = sorted_once(std::move(moves.beside_walls));
+  changed_ = moved_;
+  changed_.insert(changed_.end(), moves.beside_walls.begin(), moves.beside_walls.end());
+  if (!moves.beside_walls.empty()) {
+    changed_ = sorted_once(std::move(changed_));
+  }
   end_step(state_, walls, quiet && moved_.empty());
 }
 

@@ -7,6 +7,7 @@
 
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
+#include "contact/rule/moves.hpp"
 #include "contact/rule/step.hpp"
 
 namespace clca::contact {
@@ -46,11 +47,11 @@ class Engine {
   State& state_;
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
-  const grains::WallEdges& edges_;
   const Rule& rule_;
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
+  Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
   std::vector<std::int32_t> new_lanes_;    // lanes of contacts that are new in this step

@@ -122,7 +122,7 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   }
   std::vector<WallMove> walls = advance_walls(state);
   std::vector<std::uint32_t> moved =
-      move_all(state, occupancy, footprints, edges, down, present, walls).moved;
+      Mover(state, occupancy, footprints, edges).move_all(down, present, walls).moved;
   for (const std::uint32_t id : present) {
     cut(state.remainders[id]);
   }

@@ -35,9 +35,10 @@ struct Bench {
     }
     grains::Occupancy occupancy(state);
     const grains::FootprintTable footprints(state, {});
+    const grains::WallEdges edges(state);
     State all{.grains = state, .remainders = remainders};
-    Moves moves =
-        move_all(all, occupancy, footprints, grains::WallEdges(state), Direction::down, ids, {});
+    Mover mover(all, occupancy, footprints, edges);
+    const Moves moves = mover.move_all(Direction::down, ids, {});
     state = all.grains;
     remainders = all.remainders;
     EXPECT_EQ(occupancy, grains::Occupancy(state));
