@@ -190,7 +190,8 @@ class ContactModel::Impl {
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
-      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_);
+      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_,
+                      parallel::Threads{.count = options.threads, .least = options.split_from});
     }
   }
 

@@ -64,7 +64,7 @@ void FieldRecord::end_window(const grains::State& state) {
                                         cell.velocity.y() * speed_,
                                         cell.fluctuation * speed_ * speed_};
       if (conversion_) {
-        cells.insert(cells.begin() + 2, conversion_->time(state.step));
+        cells.emplace(cells.begin() + 2, conversion_->time(state.step));
       }
       table_.add_row(std::move(cells));
     }

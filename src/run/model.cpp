@@ -22,9 +22,9 @@ std::variant<automaton::Automaton, contact::ContactModel> make_model(
   for (const scene::Wall& wall : scene.walls) {
     friction.push_back(wall.friction);
   }
-  return contact::ContactModel(std::get<contact::State>(std::move(state)),
-                               scene::contact_parameters(scene),
-                               {.wall_friction = friction, .reference = options.reference});
+  return contact::ContactModel(
+      std::get<contact::State>(std::move(state)), scene::contact_parameters(scene),
+      {.wall_friction = friction, .reference = options.reference, .threads = options.threads});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::uint64_t left_count(const grains::State& state) {
 RC_GTEST_PROP(ContactProperty, EveryStepEqualsTheReference, ()) {
   const ContactRun run = any_contact_run(true, kSteps);
   ContactModel fast = run.model();
-  ContactModel reference = run.model(true);
+  ContactModel reference = run.model({.reference = true});
   for (int step = 0; step < kSteps; ++step) {
     const StepReport expected = run.step(reference, step);
     const StepReport report = run.step(fast, step);
@@ -38,6 +38,22 @@ RC_GTEST_PROP(ContactProperty, EveryStepEqualsTheReference, ()) {
     RC_ASSERT(report.settled == expected.settled);
   }
   RC_ASSERT(contact::hash(fast.state()) == contact::hash(reference.state()));
+}
+
+RC_GTEST_PROP(ContactProperty, SeveralThreadsChangeNothing, ()) {
+  constexpr int kTogether = 10;  // contacts are put in order every eighth step
+  const ContactRun run = any_contact_run(true, kSteps, true);
+  const int alone = testing::within(0, kSteps);
+  ContactModel one = run.model();
+  for (int step = 0; step < alone; ++step) {
+    run.step(one, step);
+  }
+  ContactModel several =
+      run.model_from(one.state(), {.threads = testing::within(2, 4), .split_from = 1});
+  for (int step = alone; step < alone + kTogether; ++step) {
+    RC_ASSERT(run.step(one, step).moved == run.step(several, step).moved);
+    RC_ASSERT(one.state() == several.state());
+  }
 }
 
 RC_GTEST_PROP(ContactProperty, AFreshStartFromACopyChangesNothing, ()) {

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include "clca/contact/contact_model.hpp"
+#include "contact/rule/order.hpp"
 #include "property/random_motions.hpp"
 
 namespace clca::testing {
@@ -21,10 +22,13 @@ struct ContactRun {
   int vessel_moves = 0;
   contact::Vessel vessel = {};
 
-  contact::ContactModel model(bool reference = false) const { return model_from(state, reference); }
-  contact::ContactModel model_from(const contact::State& from, bool reference = false) const {
-    return contact::ContactModel(from, parameters,
-                                 {.wall_friction = wall_friction, .reference = reference});
+  contact::ContactModel model(contact::Options options = {}) const {
+    return model_from(state, options);
+  }
+  contact::ContactModel model_from(const contact::State& from,
+                                   contact::Options options = {}) const {
+    options.wall_friction = wall_friction;
+    return contact::ContactModel(from, parameters, options);
   }
   /// One step, and before it what is due. `number` counts from 0.
   contact::StepReport step(contact::ContactModel& model, int number) const {
@@ -126,12 +130,16 @@ inline contact::Vessel any_vessel() {
 }
 
 /// `open`: grains may enter and leave, be in motion from the beginning, and the vessel may move.
-inline ContactRun any_contact_run(bool open, int steps) {
+/// `wide`: the box is a few strips of columns wide.
+inline ContactRun any_contact_run(bool open, int steps, bool wide = false) {
   const bool periodic = *rc::gen::arbitrary<bool>();
-  const bool narrow = within(0, 4) == 0;
+  const bool narrow = wide || within(0, 4) == 0;
   const bool hexagons = narrow || within(0, 3) != 0;
-  grains::State grains{.lattice = lattice::Lattice(2 * (narrow ? within(2, 5) : within(6, 20)),
-                                                   within(12, 50), periodic),
+  const int half_columns = wide     ? within(contact::kStripColumns / 2, 3 * contact::kStripColumns)
+                           : narrow ? within(2, 5)
+                                    : within(6, 20);
+  grains::State grains{.lattice = lattice::Lattice(2 * half_columns,
+                                                   wide ? within(6, 16) : within(12, 50), periodic),
                        .seed = *rc::gen::arbitrary<std::uint64_t>()};
   grains.kinds = any_kinds(hexagons, narrow);
   add_static_walls(grains);
@@ -158,8 +166,8 @@ inline ContactRun any_contact_run(bool open, int steps) {
       model.set_motion(wall, within(0, 8) != 0);
     }
   }
-  model.fill({0, 0, 1e3, 1e3},
-             std::vector<std::size_t>(run.state.grains.kinds.size(), within<std::size_t>(1, 60)));
+  model.fill({0, 0, 1e3, 1e3}, std::vector<std::size_t>(run.state.grains.kinds.size(),
+                                                        within<std::size_t>(1, wide ? 400 : 60)));
   run.state = model.state();
   if (open && within(0, 3) == 0) {
     stir(run.state);

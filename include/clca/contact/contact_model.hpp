@@ -34,6 +34,10 @@ struct Options {
   std::vector<std::optional<double>> wall_friction = {};
   /// Steps as the model is defined, not as they are fast. For checks.
   bool reference = false;
+  /// They change nothing but the speed.
+  int threads = 1;
+  /// Grains that are worth a thread.
+  std::size_t split_from = 1024;
 };
 
 // In lattice spacings per step squared.

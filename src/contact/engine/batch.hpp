@@ -17,7 +17,7 @@ inline constexpr std::size_t kLanes = 8;
 inline constexpr std::int32_t kRestingBody = 0;
 inline constexpr std::int32_t kFirstWallBody = 1;
 
-/// Eight contacts. An empty lane is a contact of the resting body with itself, without any effect.
+/// Eight contacts. An empty lane is a contact of a body with itself, without any effect.
 struct alignas(32) Batch {
   template <class T>
   using PerLane = std::array<T, kLanes>;

@@ -19,6 +19,13 @@ void for_each_coefficient(ABatch& batch, const Pair& pair, Visit visit) {
   visit(batch.pair.other_turning, pair.other_turning);
 }
 
+/// Number of a wall or side among the bodies that are no grains.
+std::int32_t fixed_body(grains::Owner owner) {
+  return owner <= kRightSide
+             ? kRestingBody
+             : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
+}
+
 }  // namespace
 
 void Batches::clear(std::size_t grains) {
@@ -26,6 +33,17 @@ void Batches::clear(std::size_t grains) {
   used_.clear();
   next_batch_.assign(grains, 0);
   first_not_full_ = 0;
+  first_fixed_ = 0;
+  rounds_ = {{Group()}};
+}
+
+void Batches::begin_group(bool after) {
+  first_not_full_ = batches_.size();
+  first_fixed_ += fixed_bodies_;
+  if (after) {
+    rounds_.emplace_back();
+  }
+  rounds_.back().push_back({.first = batches_.size(), .count = 0});
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
@@ -39,8 +57,12 @@ std::int32_t Batches::add(const LaneContent& content) {
     ++at;
   }
   if (at >= batches_.size()) {
-    batches_.resize(at + 1);
+    Batch empty;
+    empty.upper.fill(first_fixed_);
+    empty.other.fill(first_fixed_);
+    batches_.resize(at + 1, empty);
     used_.resize(at + 1, 0);
+    rounds_.back().back().count = batches_.size() - rounds_.back().back().first;
   }
   const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
   while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
@@ -54,8 +76,10 @@ std::int32_t Batches::add(const LaneContent& content) {
 void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
-  batch.upper[i] = body_of(static_cast<grains::Owner>(content.upper));
-  batch.other[i] = body_of(content.other);
+  batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.upper);
+  batch.other[i] = grains::is_particle(content.other)
+                       ? first_grain_ + content.other
+                       : batch.other[i] / fixed_bodies_ * fixed_bodies_ + fixed_body(content.other);
   batch.normal_x[i] = content.normal.x;
   batch.normal_y[i] = content.normal.y;
   batch.impulse.normal[i] = content.impulse.normal;
@@ -68,18 +92,11 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
 
 void Batches::remove(std::int32_t lane) {
   constexpr Pair kNone = {};
+  Batch& batch = this->batch(lane);
+  const std::int32_t grain = batch.upper[in_batch(lane)];  // of no other lane of the batch
   set(lane, {.pair = &kNone});
-  batch(lane).upper[in_batch(lane)] = kRestingBody;
-  batch(lane).other[in_batch(lane)] = kRestingBody;
-}
-
-std::int32_t Batches::body_of(grains::Owner owner) const {
-  if (grains::is_particle(owner)) {
-    return first_grain_ + owner;
-  }
-  return owner <= kRightSide
-             ? kRestingBody
-             : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
+  batch.upper[in_batch(lane)] = grain;
+  batch.other[in_batch(lane)] = grain;
 }
 
 Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {

@@ -18,17 +18,33 @@ struct LaneContent {
   const Pair* pair = nullptr;
 };
 
+/// Batches that share no grain with the other groups of their round, so that one thread can carry
+/// them out while others carry out those.
+struct Group {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
 /// Batches that give what a sweep over the contacts, in the order in which they were added, would
 /// give: each contact is in a later batch than those before it that it shares a grain with.
 class Batches {
  public:
-  explicit Batches(std::size_t walls)
-      : first_grain_(kFirstWallBody + static_cast<std::int32_t>(walls)) {}
+  /// `groups`: how many there may be. Each has its own copies of the bodies that are no grains.
+  Batches(std::size_t walls, std::size_t groups)
+      : fixed_bodies_(kFirstWallBody + static_cast<std::int32_t>(walls)),
+        first_grain_(fixed_bodies_ * static_cast<std::int32_t>(groups)) {}
 
-  /// Forgets all contacts.
+  /// The body of the grain with id 0.
+  std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
+  /// The copies of the bodies that are no grains: so many behind each other.
+  std::size_t fixed_bodies() const { return static_cast<std::size_t>(fixed_bodies_); }
+
+  /// Forgets all contacts and groups.
   void clear(std::size_t grains);
   /// There are more grains.
   void add_grains(std::size_t grains) { next_batch_.resize(grains, 0); }
+  /// What is added next is in another group than what is there; `after`: and comes after it.
+  void begin_group(bool after);
   /// Adds a contact behind the others. Returns its lane, counted through all batches.
   std::int32_t add(const LaneContent& content);
   /// Changes what a lane holds; the grains stay the same two, maybe turned over.
@@ -37,6 +53,10 @@ class Batches {
   void remove(std::int32_t lane);
 
   Impulse<std::int32_t> impulse(std::int32_t lane) const;
+  void set_normal(std::int32_t lane, UnitVector normal) {
+    batch(lane).normal_x[in_batch(lane)] = normal.x;
+    batch(lane).normal_y[in_batch(lane)] = normal.y;
+  }
   UnitVector normal(std::int32_t lane) const {
     return {batch(lane).normal_x[in_batch(lane)], batch(lane).normal_y[in_batch(lane)]};
   }
@@ -46,6 +66,8 @@ class Batches {
   Touching<std::int32_t> touching(std::int32_t lane, const std::vector<Body>& bodies) const;
 
   std::vector<Batch>& all() { return batches_; }
+  /// In their order.
+  const std::vector<std::vector<Group>>& rounds() const { return rounds_; }
 
  private:
   static std::size_t in_batch(std::int32_t lane) { return static_cast<std::size_t>(lane) % kLanes; }
@@ -54,9 +76,10 @@ class Batches {
     return batches_[static_cast<std::size_t>(lane) / kLanes];
   }
 
-  std::int32_t body_of(grains::Owner owner) const;
-
-  std::int32_t first_grain_;  // its body
+  std::int32_t fixed_bodies_;
+  std::int32_t first_grain_;
+  std::int32_t first_fixed_ = 0;  // of the group
+  std::vector<std::vector<Group>> rounds_ = {{Group()}};
   std::vector<Batch> batches_;
   std::vector<std::uint8_t> used_;         // lanes by batch
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts

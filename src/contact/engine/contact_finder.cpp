@@ -21,6 +21,13 @@ std::vector<lattice::Axial> ring(const lattice::Shape& shape) {
   return sites;
 }
 
+int columns_of(const lattice::Shape& shape) {
+  const auto [first, last] =
+      std::minmax_element(shape.sites().begin(), shape.sites().end(),
+                          [](lattice::Axial one, lattice::Axial other) { return one.x < other.x; });
+  return last->x - first->x + 1;
+}
+
 bool is_wall_or_side(grains::Owner owner) {
   return owner <= grains::kFirstWall;
 }
@@ -28,13 +35,20 @@ bool is_wall_or_side(grains::Owner owner) {
 }  // namespace
 
 ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
-                             const grains::FootprintTable& footprints, const Rule& rule)
+                             const grains::FootprintTable& footprints, const Rule& rule,
+                             const parallel::Threads& threads)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
-      normals_(state.kinds) {
+      threads_(threads),
+      normals_(static_cast<std::size_t>(threads.count), NormalTable(state.kinds)),
+      touches_(threads),
+      changed_(threads),
+      at_walls_(threads),
+      sorted_(threads) {
   for (const grains::Kind& kind : state.kinds) {
+    widest_ = std::max(widest_, columns_of(kind.shape));
     for (const bool odd : {false, true}) {
       std::vector<lattice::Offset>& offsets = rings_.emplace_back();
       for (const lattice::Axial site : ring(kind.shape)) {
@@ -42,6 +56,14 @@ ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy
       }
     }
   }
+}
+
+std::size_t ContactFinder::most_groups(const lattice::Lattice& lattice,
+                                       const parallel::Threads& threads) {
+  // One for each strip, and one for contacts that appear later.
+  return threads.count == 1
+             ? 1
+             : static_cast<std::size_t>(strip_of(lattice, lattice.columns() - 1)) + 2;
 }
 
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
@@ -55,15 +77,32 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
 }
 
 std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactSlots& slots) {
+  moved_.resize(state_.particles.size());
+  ids_.clear();
   for (const std::uint32_t id : moved) {
-    check_grains(id, slots);
-  }
-  found_.clear();
-  for (const std::uint32_t id : moved) {
-    if (state_.particles[id].present) {
-      look_around(id, slots);
+    if (std::exchange(moved_[id], 1) == 0) {
+      ids_.push_back(id);
     }
   }
+  touches_.clear();
+  changed_.clear();
+  at_walls_.clear();
+  parallel::split(threads_, ids_.size(),
+                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                    for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
+                      check_contacts(id, slots, part);
+                      if (state_.particles[id].present) {
+                        look_around(id, slots, part);
+                      }
+                    }
+                  });
+  for (const std::uint32_t id : ids_) {
+    moved_[id] = 0;
+  }
+  found_.clear();
+  touches_.for_each([&](const Touch& touch) { found_.push_back(touch); });
+  changed_.for_each([&](std::int32_t at) { change_contact(at, slots); });
+  at_walls_.for_each([&](std::uint32_t id) { check_walls(id, slots); });
   // Two grains that have both moved have found each other.
   std::sort(found_.begin(), found_.end(), [this](const Touch& one, const Touch& other) {
     return one.key(state_, down_) < other.key(state_, down_);
@@ -77,29 +116,31 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   return first;
 }
 
-void ContactFinder::check_grains(std::uint32_t id, ContactSlots& slots) {
-  const bool present = state_.particles[id].present;
-  slots.for_each(id, [&](std::int32_t at) {
-    const Slot& slot = slots.at(at);
-    if (!present) {
-      slots.remove(at);
-    } else if (grains::is_particle(slot.other)) {  // else see check_walls
-      const Touch now = touch(slot.upper, static_cast<std::uint32_t>(slot.other));
-      if (now.normal == UnitVector()) {
-        slots.remove(at);
-        return;
+/// What changes more than the numbers of a contact is left for later: several threads are here.
+void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part) {
+  const ContactSlots& all = slots;
+  all.for_each(id, [&](std::int32_t at) {
+    const Slot& slot = all.at(at);
+    const bool with_grain = grains::is_particle(slot.other);
+    const auto other = static_cast<std::uint32_t>(slot.other);
+    const std::uint32_t partner = slot.upper == id ? other : slot.upper;
+    if (with_grain && moved_[partner] != 0 && partner < id) {
+      return;  // is seen to from there
+    }
+    if (!state_.particles[id].present || (with_grain && !state_.particles[partner].present)) {
+      changed_.of(part).push_back(at);
+    } else if (with_grain) {  // else see check_walls
+      const Touch now = touch(slot.upper, other, part);
+      if (now.normal == UnitVector() || now.upper != slot.upper) {
+        changed_.of(part).push_back(at);
+      } else {
+        slots.batches().set_normal(slot.lane, now.normal);
       }
-      LaneContent changed = content(now);
-      changed.impulse = slots.batches().impulse(slot.lane);
-      if (now.upper != slot.upper) {
-        changed.impulse.rolling *= -1;
-      }
-      slots.set(at, changed);
     }
   });
 }
 
-void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
+void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots, std::size_t part) {
   const grains::Particle& grain = state_.particles[id];
   const lattice::Lattice& lattice = state_.lattice;
   const std::size_t place = lattice.index(grain.site());
@@ -115,22 +156,39 @@ void ContactFinder::look_around(std::uint32_t id, ContactSlots& slots) {
     before = owner;
     at_wall = at_wall || is_wall_or_side(owner);
     if (grains::is_particle(owner) && !slots.touch(id, static_cast<std::uint32_t>(owner))) {
-      const Touch found = touch(id, static_cast<std::uint32_t>(owner));
+      const Touch found = touch(id, static_cast<std::uint32_t>(owner), part);
       if (found.normal != UnitVector()) {
-        found_.push_back(found);
+        touches_.of(part).push_back(found);
       }
     }
   }
   slots.for_each(
       id, [&](std::int32_t at) { at_wall = at_wall || is_wall_or_side(slots.at(at).other); });
   if (at_wall) {
-    check_walls(id, slots);
+    at_walls_.of(part).push_back(id);
   }
+}
+
+void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
+  const Slot& slot = slots.at(at);
+  const bool with_grain = grains::is_particle(slot.other);
+  const auto other = static_cast<std::uint32_t>(slot.other);
+  const bool present =
+      state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
+  const Touch now = present ? touch(slot.upper, other, 0) : Touch();
+  if (now.normal == UnitVector()) {
+    slots.remove(at);
+    return;
+  }
+  LaneContent changed = content(now);
+  changed.impulse = slots.batches().impulse(slot.lane);
+  changed.impulse.rolling *= -1;
+  slots.set(at, changed);
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
   std::vector<Touch> walls = wall_touches(state_, occupancy_, footprints_, id);
-  slots.for_each(id, [&](std::int32_t at) {
+  slots.change_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
     if (!is_wall_or_side(slot.other)) {
       return;
@@ -151,51 +209,85 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
 
 void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) {
   std::sort(lanes.begin(), lanes.end());
-  std::vector<std::size_t> marked;  // of the sorted
   // The grains first, then the contacts of each.
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  order_.clear();
   for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
     if (state_.particles[id].present) {
-      order.emplace_back(order_key(state_, down_, id), id);
+      order_.emplace_back(order_key(state_, down_, id), id);
     }
   }
-  std::sort(order.begin(), order.end());
+  std::sort(order_.begin(), order_.end());
   sorted_.clear();
-  std::vector<std::pair<Touch, std::int32_t>> own;  // with their lanes
-  for (const auto& [key, id] : order) {
-    own.clear();
-    slots.for_each(id, [&, id = id](std::int32_t at) {
-      const Slot& slot = slots.at(at);
-      if (slot.upper == id) {
-        Touch touch = {.upper = id,
-                       .other = slot.other,
-                       .apart = grains::is_particle(slot.other)
-                                    ? apart(id, static_cast<std::uint32_t>(slot.other))
-                                    : lattice::Axial(),
-                       .normal = slots.batches().normal(slot.lane)};
-        own.emplace_back(touch, slot.lane);
-      }
-    });
-    std::sort(own.begin(), own.end(), [](const auto& one, const auto& other) {
-      return std::tie(one.first.apart, one.first.other) <
-             std::tie(other.first.apart, other.first.other);
-    });
-    for (const auto& [touch, lane] : own) {
-      if (std::binary_search(lanes.begin(), lanes.end(), lane)) {
-        marked.push_back(sorted_.size());
-      }
-      sorted_.push_back(content(touch));
-      sorted_.back().impulse = slots.batches().impulse(lane);
-    }
-  }
+  parallel::split(threads_, order_.size(),
+                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                    for (std::size_t i = first; i < last; ++i) {
+                      sort_contacts(order_[i].second, slots, lanes, sorted_.of(part));
+                    }
+                  });
   slots.clear(state_.particles.size());
-  for (const LaneContent& one : sorted_) {
-    slots.add(one);
-  }
   lanes.clear();
-  for (const std::size_t slot : marked) {
-    lanes.push_back(slots.all()[slot].lane);
+  const bool grouped = threads_.count > 1 &&
+                       order_.size() / threads_.least >= static_cast<std::size_t>(threads_.count);
+  std::vector<int> strips;  // of the round
+  sorted_.for_each([&](const Sorted& one) {
+    if (grouped && (strips.empty() || strips.back() != one.strip)) {
+      const bool after = std::any_of(strips.begin(), strips.end(),
+                                     [&](int strip) { return may_share_grains(strip, one.strip); });
+      if (!strips.empty()) {
+        slots.batches().begin_group(after);
+      }
+      if (after) {
+        strips.clear();
+      }
+      strips.push_back(one.strip);
+    }
+    slots.add(one.content);
+    if (one.marked) {
+      lanes.push_back(slots.all().back().lane);
+    }
+  });
+  if (!strips.empty()) {
+    slots.batches().begin_group(true);  // of contacts that appear later
   }
+}
+
+/// The contacts of which a grain is the upper one.
+void ContactFinder::sort_contacts(std::uint32_t id, const ContactSlots& slots,
+                                  const std::vector<std::int32_t>& lanes,
+                                  std::vector<Sorted>& sorted) const {
+  const auto first = static_cast<std::ptrdiff_t>(sorted.size());
+  const int strip = strip_of(state_.lattice, state_.particles[id].column);
+  slots.for_each(id, [&](std::int32_t at) {
+    const Slot& slot = slots.at(at);
+    if (slot.upper == id) {
+      const lattice::Axial apart = grains::is_particle(slot.other)
+                                       ? this->apart(id, static_cast<std::uint32_t>(slot.other))
+                                       : lattice::Axial();
+      Sorted& one = sorted.emplace_back();
+      one = {.content = content(
+                 {.upper = id, .other = slot.other, .normal = slots.batches().normal(slot.lane)}),
+             .apart = apart,
+             .strip = strip,
+             .marked = std::binary_search(lanes.begin(), lanes.end(), slot.lane)};
+      one.content.impulse = slots.batches().impulse(slot.lane);
+    }
+  });
+  std::sort(sorted.begin() + first, sorted.end(), [](const Sorted& one, const Sorted& other) {
+    return std::tie(one.apart, one.content.other) < std::tie(other.apart, other.content.other);
+  });
+}
+
+/// Whether contacts of two strips may have a grain in common.
+bool ContactFinder::may_share_grains(int strip, int other) const {
+  const lattice::Lattice& lattice = state_.lattice;
+  const auto [left, right] = std::minmax(strip, other);
+  const auto end = [&](int number) {
+    return std::min((number + 1) * kStripColumns, lattice.columns());
+  };
+  const int between = right * kStripColumns - end(left);
+  const int around = left * kStripColumns + lattice.columns() - end(right);
+  const int reach = 4 * widest_;  // from upper grain to upper grain
+  return between < reach || (lattice.periodic() && around < reach);
 }
 
 LaneContent ContactFinder::content(const Touch& touch) const {
@@ -211,16 +303,16 @@ LaneContent ContactFinder::content(const Touch& touch) const {
                                      on_wall ? std::nullopt : std::optional(kind(other)))};
 }
 
-Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
+Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_t part) {
   const bool in_order = is_above(state_, down_, first, second);
   const std::uint32_t upper = in_order ? first : second;
   const std::uint32_t lower = in_order ? second : first;
   const lattice::Axial apart = this->apart(upper, lower);
-  return {
-      .upper = upper,
-      .other = static_cast<grains::Owner>(lower),
-      .apart = apart,
-      .normal = normals_.normal(state_.particles[upper].kind, state_.particles[lower].kind, apart)};
+  return {.upper = upper,
+          .other = static_cast<grains::Owner>(lower),
+          .apart = apart,
+          .normal = normals_[part].normal(state_.particles[upper].kind,
+                                          state_.particles[lower].kind, apart)};
 }
 
 lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {

@@ -6,6 +6,7 @@
 
 #include "clca/contact/state.hpp"
 #include "clca/grains/footprint.hpp"
+#include "clca/parallel/split.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/step.hpp"
@@ -18,7 +19,11 @@ namespace clca::contact {
 class ContactFinder {
  public:
   ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
-                const grains::FootprintTable& footprints, const Rule& rule);
+                const grains::FootprintTable& footprints, const Rule& rule,
+                const parallel::Threads& threads);
+
+  /// Groups of contacts that sort() may make.
+  static std::size_t most_groups(const lattice::Lattice& lattice, const parallel::Threads& threads);
 
   /// The direction of the lattice nearest to gravity: what is above what.
   lattice::Direction down() const { return down_; }
@@ -27,30 +32,50 @@ class ContactFinder {
 
   /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
-  /// Brings contacts of `moved` grains in line; the new ones are behind the others. Returns the
-  /// number of the first of them.
+  /// Brings contacts of `moved` grains in line; the new ones are behind the
+  /// others. Returns the number of the first of them.
   std::size_t update(std::span<const std::uint32_t> moved, ContactSlots& slots);
   /// Puts all in order anew and forgets the empty ones. `lanes`: of some contacts, which are moved
   /// to others.
   void sort(ContactSlots& slots, std::vector<std::int32_t>& lanes);
 
  private:
-  void check_grains(std::uint32_t id, ContactSlots& slots);
-  void look_around(std::uint32_t id, ContactSlots& slots);
+  /// A contact, the strip it is in, and whether its lane was one of those asked for.
+  struct Sorted {
+    LaneContent content;
+    lattice::Axial apart;  ///< see Touch
+    int strip = 0;
+    bool marked = false;
+  };
+
+  void check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part);
+  void look_around(std::uint32_t id, const ContactSlots& slots, std::size_t part);
+  void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
+  void sort_contacts(std::uint32_t id, const ContactSlots& slots,
+                     const std::vector<std::int32_t>& lanes, std::vector<Sorted>& sorted) const;
   LaneContent content(const Touch& touch) const;
-  Touch touch(std::uint32_t first, std::uint32_t second);
+  Touch touch(std::uint32_t first, std::uint32_t second, std::size_t part);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
+  bool may_share_grains(int strip, int other) const;
 
   const grains::State& state_;
   const grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
+  parallel::Threads threads_;
   lattice::Direction down_ = lattice::Direction::down;
-  NormalTable normals_;
+  std::vector<NormalTable> normals_;                 // by thread
   std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
+  int widest_ = 0;                                   // columns of a kind
+  std::vector<std::uint32_t> ids_;                   // of those that have moved, once each
+  std::vector<std::uint8_t> moved_;                  // by id
+  parallel::Findings<Touch> touches_;                // that are new
+  parallel::Findings<std::int32_t> changed_;         // slots that end, or whose upper grain changes
+  parallel::Findings<std::uint32_t> at_walls_;       // grains
   std::vector<Touch> found_;
-  std::vector<LaneContent> sorted_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
+  parallel::Findings<Sorted> sorted_;
 };
 
 }  // namespace clca::contact

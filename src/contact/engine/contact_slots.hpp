@@ -21,7 +21,7 @@ struct Slot {
 /// Slots in order, linked by grain. Their numbers are in batches.
 class ContactSlots {
  public:
-  explicit ContactSlots(std::size_t walls) : batches_(walls) {}
+  ContactSlots(std::size_t walls, std::size_t groups) : batches_(walls, groups) {}
 
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.
@@ -40,9 +40,16 @@ class ContactSlots {
   Batches& batches() { return batches_; }
   const Batches& batches() const { return batches_; }
 
-  /// Calls `visit` with the number of each slot of a grain; it may change or empty that slot.
+  /// Calls `visit` with the number of each slot of a grain.
   template <class Visit>
-  void for_each(std::uint32_t grain, Visit visit) {
+  void for_each(std::uint32_t grain, Visit visit) const {
+    for (std::int32_t at = first_[grain]; at >= 0; at = next(at, grain)) {
+      visit(at);
+    }
+  }
+  /// The same; `visit` may change or empty that slot.
+  template <class Visit>
+  void change_each(std::uint32_t grain, Visit visit) {
     for (std::int32_t at = first_[grain]; at >= 0;) {
       const std::int32_t next = *next_of(at, grain);
       visit(at);
@@ -50,8 +57,8 @@ class ContactSlots {
     }
   }
   /// Whether a grain touches another one.
-  bool touch(std::uint32_t grain, std::uint32_t other) {
-    for (std::int32_t at = first_[grain]; at >= 0; at = *next_of(at, grain)) {
+  bool touch(std::uint32_t grain, std::uint32_t other) const {
+    for (std::int32_t at = first_[grain]; at >= 0; at = next(at, grain)) {
       const Slot& slot = this->at(at);
       if (slot.upper == other || slot.other == static_cast<grains::Owner>(other)) {
         return true;
@@ -61,6 +68,10 @@ class ContactSlots {
   }
 
  private:
+  std::int32_t next(std::int32_t at, std::uint32_t grain) const {
+    const Slot& slot = this->at(at);
+    return slot.upper == grain ? slot.next_upper : slot.next_other;
+  }
   std::int32_t* next_of(std::int32_t at, std::uint32_t grain) {
     Slot& slot = slots_[static_cast<std::size_t>(at)];
     return slot.upper == grain ? &slot.next_upper : &slot.next_other;

@@ -1,6 +1,7 @@
 #include "contact/engine/engine.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
@@ -21,16 +22,18 @@ std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> ids) {
 }  // namespace
 
 Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-               const grains::WallEdges& edges, const Rule& rule)
+               const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
+      threads_(threads),
       batch_(fastest_functions()),
-      finder_(state.grains, occupancy, footprints, rule),
-      slots_(state.grains.walls.size()),
-      mover_(state, occupancy, footprints, edges),
-      first_grain_(kFirstWallBody + state.grains.walls.size()) {
+      finder_(state.grains, occupancy, footprints, rule, threads),
+      slots_(state.grains.walls.size(), ContactFinder::most_groups(state.grains.lattice, threads)),
+      mover_(state, occupancy, footprints, edges, threads),
+      first_grain_(slots_.batches().first_grain()),
+      may_move_(threads) {
   reload();
 }
 
@@ -91,25 +94,52 @@ void Engine::update_contacts() {
 void Engine::accelerate_all() {
   const Acceleration by =
       acceleration(state_.vessel, rule_.gravity, state_.grains.lattice.periodic());
-  for (std::size_t id = 0; id < state_.grains.particles.size(); ++id) {
-    if (const grains::Particle& grain = state_.grains.particles[id]; grain.present) {
-      accelerate(velocity(id), grain.site(), by);
-    }
+  parallel::split(threads_, state_.grains.particles.size(),
+                  [&](std::size_t /*part*/, std::size_t first, std::size_t last) {
+                    for (std::size_t id = first; id < last; ++id) {
+                      const grains::Particle& grain = state_.grains.particles[id];
+                      if (grain.present) {
+                        accelerate(velocity(id), grain.site(), by);
+                      }
+                    }
+                  });
+}
+
+/// Calls work(batches, count) for each group of contacts, at the same time for those of a round.
+template <class Work>
+void Engine::in_rounds(bool backwards, Work work) {
+  std::vector<Batch>& batches = slots_.batches().all();
+  const std::vector<std::vector<Group>>& rounds = slots_.batches().rounds();
+  for (std::size_t i = 0; i < rounds.size(); ++i) {
+    const std::vector<Group>& round = rounds[backwards ? rounds.size() - 1 - i : i];
+    parallel::split({.count = threads_.count}, round.size(),
+                    [&](std::size_t /*part*/, std::size_t first, std::size_t last) {
+                      for (std::size_t group = first; group < last; ++group) {
+                        work(batches.data() + round[group].first, round[group].count);
+                      }
+                    });
   }
 }
 
 void Engine::sweep_contacts() {
   for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
-    bodies_[kFirstWallBody + wall].velocity = wall_velocity(state_, wall);
+    for (std::size_t at = kFirstWallBody + wall; at < first_grain_;
+         at += slots_.batches().fixed_bodies()) {
+      bodies_[at].velocity = wall_velocity(state_, wall);
+    }
   }
-  std::vector<Batch>& batches = slots_.batches().all();
   for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) =
         bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
-  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
+  in_rounds(false, [&](Batch* batches, std::size_t count) {
+    batch_.apply(batches, count, bodies_.data(), rule_.turning.turns);
+  });
   for (int i = 0; i < rule_.sweeps; ++i) {
-    batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
+    const bool backwards = i % 2 != 0;
+    in_rounds(backwards, [&](Batch* batches, std::size_t count) {
+      batch_.sweep(batches, count, bodies_.data(), rule_.turning, backwards);
+    });
   }
   for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) = 0;
@@ -120,17 +150,26 @@ void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
-  bool quiet = true;
+  std::atomic<bool> quiet = true;
+  may_move_.clear();
+  parallel::split(threads_, state_.grains.particles.size(),
+                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                    bool all_slow = true;
+                    for (std::size_t id = first; id < last; ++id) {
+                      if (!state_.grains.particles[id].present) {
+                        continue;
+                      }
+                      all_slow = advance(state_.remainders[id], velocity(id), slow) && all_slow;
+                      if (squared(state_.remainders[id]) > kNear * kNear) {
+                        may_move_.of(part).push_back(static_cast<std::uint32_t>(id));
+                      }
+                    }
+                    if (!all_slow) {
+                      quiet = false;
+                    }
+                  });
   candidates_.clear();
-  for (std::uint32_t id = 0; id < state_.grains.particles.size(); ++id) {
-    if (!state_.grains.particles[id].present) {
-      continue;
-    }
-    quiet = advance(state_.remainders[id], velocity(id), slow) && quiet;
-    if (squared(state_.remainders[id]) > kNear * kNear) {
-      candidates_.push_back(id);
-    }
-  }
+  may_move_.for_each([&](std::uint32_t id) { candidates_.push_back(id); });
   std::vector<WallMove> walls = advance_walls(state_);
   const Moves& moves = mover_.move_all(finder_.down(), candidates_, walls);
   moved_ = sorted_once(moves.moved);

@@ -17,7 +17,7 @@ class Engine {
   /// All outlive the engine. While it is there, velocities and contacts of the state are as they
   /// were at write_back() last.
   Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-         const grains::WallEdges& edges, const Rule& rule);
+         const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads);
 
   /// There are new grains, which are at rest.
   void add_grains();
@@ -41,6 +41,8 @@ class Engine {
   void update_contacts();
   void accelerate_all();
   void sweep_contacts();
+  template <class Work>
+  void in_rounds(bool backwards, Work work);
   void advance_and_move();
   void look_at_all();
 
@@ -48,15 +50,17 @@ class Engine {
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
+  parallel::Threads threads_;
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> new_lanes_;    // lanes of contacts that are new in this step
-  std::vector<std::uint32_t> moved_;       // in the last step
-  std::vector<std::uint32_t> changed_;     // grains that may touch other bodies than they did
+  std::vector<std::int32_t> new_lanes_;  // lanes of contacts that are new in this step
+  std::vector<std::uint32_t> moved_;     // in the last step
+  std::vector<std::uint32_t> changed_;   // grains that may touch other bodies than they did
+  parallel::Findings<std::uint32_t> may_move_;
   std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
 };
 

@@ -11,8 +11,13 @@ namespace clca::contact {
 using lattice::Direction;
 
 Mover::Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-             const grains::WallEdges& edges)
-    : state_(state), occupancy_(occupancy), footprints_(footprints), edges_(edges) {}
+             const grains::WallEdges& edges, const parallel::Threads& threads)
+    : state_(state),
+      occupancy_(occupancy),
+      footprints_(footprints),
+      edges_(edges),
+      threads_(threads),
+      tries_(threads) {}
 
 const Moves& Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
                              std::span<WallMove> walls) {
@@ -29,10 +34,21 @@ const Moves& Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 }
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
-  for (const std::uint32_t id : ids_) {
-    if (wants(state_.remainders[id], direction)) {
-      ready_.push_back(id);
-    }
+  tries_.clear();
+  parallel::split(threads_, ids_.size(),
+                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                    for (std::size_t i = first; i < last; ++i) {
+                      if (wants(state_.remainders[ids_[i]], direction)) {
+                        tries_.of(part).emplace_back(ids_[i], in_the_way(ids_[i], direction));
+                      }
+                    }
+                  });
+  for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
+    tries_.for_each([&](const auto& one) {
+      if ((one.second == grains::kFree) == is_free) {
+        try_move(one.first, one.second, direction);
+      }
+    });
   }
   do {
     move_ready(direction);
@@ -45,17 +61,22 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
 
 /// A grain whose way is not free waits until what is in its way has moved, so that a whole row goes
 /// at once.
+void Mover::try_move(std::uint32_t id, grains::Owner obstacle, Direction direction) {
+  if (obstacle == grains::kFree) {
+    leave(id, direction);
+    enter(id, direction);
+    end_waiting(id);
+  } else {
+    wait(id,
+         grains::is_particle(obstacle) ? static_cast<std::size_t>(obstacle) : next_waiting_.size());
+  }
+}
+
 void Mover::move_ready(Direction direction) {
   while (!ready_.empty()) {
     const std::uint32_t id = ready_.back();
     ready_.pop_back();
-    if (const grains::Owner owner = in_the_way(id, direction); owner == grains::kFree) {
-      leave(id, direction);
-      enter(id, direction);
-      end_waiting(id);
-    } else {
-      wait(id, grains::is_particle(owner) ? static_cast<std::size_t>(owner) : next_waiting_.size());
-    }
+    try_move(id, in_the_way(id, direction), direction);
   }
 }
 
@@ -90,7 +111,7 @@ grains::Owner Mover::in_the_way(std::uint32_t id, Direction direction) const {
   grains::Owner owner = grains::kFree;
   for_each_place(grain, footprints_.of(grain).lead[lattice::index_of(direction)],
                  [&](std::size_t place) {
-                   if (owner == grains::kFree && occupancy_.taken(place)) {
+                   if (owner == grains::kFree) {
                      owner = occupancy_.owner(place);
                    }
                  });

@@ -8,6 +8,7 @@
 
 #include "clca/contact/state.hpp"
 #include "clca/grains/footprint.hpp"
+#include "clca/parallel/split.hpp"
 #include "contact/rule/walls.hpp"
 #include "grains/wall_step.hpp"
 
@@ -24,7 +25,7 @@ class Mover {
  public:
   /// All outlive the mover.
   Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-        const grains::WallEdges& edges);
+        const grains::WallEdges& edges, const parallel::Threads& threads = {});
 
   /// Moves each of the grains `ids` by a site in every direction in which its remainder asks for
   /// it and its way is free; one that follows another goes with it. Each of the walls takes the
@@ -39,6 +40,7 @@ class Mover {
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   void move(lattice::Direction direction, std::span<WallMove> walls);
+  void try_move(std::uint32_t id, grains::Owner obstacle, lattice::Direction direction);
   void move_ready(lattice::Direction direction);
   void wait(std::uint32_t id, std::size_t obstacle);
   void end_waiting(std::size_t obstacle);
@@ -57,8 +59,10 @@ class Mover {
   grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const grains::WallEdges& edges_;
+  parallel::Threads threads_;
   std::vector<std::uint32_t> ids_;
-  std::vector<std::uint32_t> ready_;  // to be tried
+  parallel::Findings<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
+  std::vector<std::uint32_t> ready_;                                   // to be tried
   // Grains that wait until what is in their way moves. Obstacles are grains by id, and one more for
   // all walls and the border.
   std::vector<std::uint32_t> first_waiting_;  // by obstacle

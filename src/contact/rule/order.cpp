@@ -39,7 +39,6 @@ bool is_above(const grains::State& state, Direction down, std::uint32_t one, std
 }
 
 std::uint64_t order_key(const grains::State& state, Direction down, std::uint32_t id) {
-  constexpr std::uint64_t kStripColumns = 128;
   constexpr int kDepthBits = 31;
   constexpr int kStripBits = 24;
   const lattice::Lattice& lattice = state.lattice;
@@ -49,10 +48,10 @@ std::uint64_t order_key(const grains::State& state, Direction down, std::uint32_
   const int highest = std::min(0, along.column * lattice.columns()) +
                       std::min(0, 2 * along.height * lattice.rows());
   const auto depth = static_cast<std::uint64_t>(place_along(down, {wrapped, grain.row}) - highest);
-  const auto column = static_cast<std::uint64_t>(wrapped);
-  const std::uint64_t strip = column / kStripColumns;
+  const auto strip = static_cast<std::uint64_t>(strip_of(lattice, wrapped));
   const std::uint64_t strip_order = strip % 2 << (kStripBits - 1) | strip / 2;
-  return (strip_order << kDepthBits | depth) * kStripColumns | column % kStripColumns;
+  return (strip_order << kDepthBits | depth) * kStripColumns |
+         static_cast<std::uint64_t>(wrapped % kStripColumns);
 }
 
 std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state,

@@ -15,8 +15,14 @@ int place_along(lattice::Direction direction, lattice::Site site);
 bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
               std::uint32_t other);
 
-/// The place of a grain among the upper ones of contacts, when these are put in order: by strips of
-/// columns, every second strip first, from the top down, from the left.
+/// Strips of columns, numbered from the left, in which contacts are put in order.
+inline constexpr int kStripColumns = 128;
+inline int strip_of(const lattice::Lattice& lattice, int column) {
+  return lattice.wrapped(column) / kStripColumns;
+}
+
+/// The place of a grain among the upper ones of contacts, when these are put in order: by strips,
+/// every second one first, in a strip from the top down, from the left.
 std::uint64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
 
 /// Of moves in a step: down first, up last; of a pair at the same angle the one that a coin names.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "contact/engine/batches.hpp"
 #include "touching_pairs.hpp"
@@ -113,7 +114,7 @@ LaneContent between(std::uint32_t upper, grains::Owner other) {
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   std::mt19937_64 random(2);
-  Batches batches(0);
+  Batches batches(0, 1);
   batches.clear(kGrains);
   std::vector<std::int32_t> lanes;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
@@ -137,8 +138,33 @@ TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   }
 }
 
+TEST(Batches, OfGroupsHaveNoBodyInCommon) {
+  Batches batches(2, 3);
+  batches.clear(4);
+  const std::vector<std::int32_t> lanes = {
+      batches.add(between(0, kFloor)),
+      (batches.begin_group(false), batches.add(between(1, kFloor))),
+      (batches.begin_group(true), batches.add(between(2, grains::wall_code(1))))};
+  batches.set(lanes[1], between(1, grains::wall_code(0)));
+  const std::int32_t emptied = batches.add(between(3, kFloor));
+  batches.remove(emptied);
+  ASSERT_THAT(batches.rounds(), ::testing::SizeIs(2));
+  std::set<std::int32_t> seen;
+  for (const std::vector<Group>& round : batches.rounds()) {
+    for (const Group& group : round) {
+      EXPECT_EQ(group.count, 1U);
+      const Batch& batch = batches.all()[group.first];
+      std::set<std::int32_t> bodies(batch.upper.begin(), batch.upper.end());
+      bodies.insert(batch.other.begin(), batch.other.end());
+      for (const std::int32_t body : bodies) {
+        EXPECT_TRUE(seen.insert(body).second) << body;
+      }
+    }
+  }
+}
+
 TEST(Batches, HaveNothingInALaneThatIsEmptied) {
-  Batches batches(0);
+  Batches batches(0, 1);
   batches.clear(3);
   LaneContent content = between(0, 1);
   content.impulse = {100, 20, 3};
