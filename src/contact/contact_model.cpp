@@ -317,8 +317,6 @@ class ContactModel::Impl {
       moved.assign(engine_->moved().begin(), engine_->moved().end());
     } else {
       moved = reference_step(state_, occupancy_, footprints_, edges_, rule_, normals_);
-      std::sort(moved.begin(), moved.end());
-      moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     }
     moved_ = moved.size();
     return moved;

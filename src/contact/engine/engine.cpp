@@ -11,16 +11,6 @@
 
 namespace clca::contact {
 
-namespace {
-
-std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
-
-}  // namespace
-
 Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
                const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads)
     : state_(state),
@@ -172,20 +162,12 @@ void Engine::advance_and_move() {
   may_move_.for_each([&](std::uint32_t id) { candidates_.push_back(id); });
   std::vector<WallMove> walls = advance_walls(state_);
   const Moves& moves = mover_.move_all(finder_.down(), candidates_, walls);
-  moved_ = sorted_once(moves.moved);
-  for (const std::uint32_t id : candidates_) {
+  moved_ = moves.moved;
+  for (const std::uint32_t id : mover_.ids()) {
     cut(state_.remainders[id]);
-  }
-  for (const std::uint32_t id : moved_) {  // also those that walls have pushed
-    if (!std::binary_search(candidates_.begin(), candidates_.end(), id)) {
-      cut(state_.remainders[id]);
-    }
   }
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls.begin(), moves.beside_walls.end());
-  if (!moves.beside_walls.empty()) {
-    changed_ = sorted_once(std::move(changed_));
-  }
   end_step(state_, walls, quiet && moved_.empty());
 }
 

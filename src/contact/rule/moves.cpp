@@ -133,9 +133,11 @@ void Mover::enter(std::uint32_t id, Direction direction) {
   const lattice::Site target = grain.site() + unit(direction);
   grain.column = target.column;
   grain.row = target.row;
+  if (grain.previous == grains::kRest) {
+    moves_.moved.push_back(id);
+  }
   grain.previous = static_cast<grains::Move>(direction);
   take(state_.remainders[id], kSpacing, direction);
-  moves_.moved.push_back(id);
 }
 
 /// Returns whether any has moved.

@@ -14,10 +14,11 @@
 
 namespace clca::contact {
 
-/// What moves of a step have changed: ids of grains, some more than once.
+/// What moves of a step have changed: ids of grains.
 struct Moves {
-  std::vector<std::uint32_t> moved;
-  std::vector<std::uint32_t> beside_walls;  ///< beside places that walls have entered or left
+  std::vector<std::uint32_t> moved;  ///< each once
+  /// Beside places that walls have entered or left, some more than once.
+  std::vector<std::uint32_t> beside_walls;
 };
 
 /// Carries out moves; keeps its buffers from step to step.
@@ -31,10 +32,14 @@ class Mover {
   /// it and its way is free; one that follows another goes with it. Each of the walls takes the
   /// move that it wants, and takes along what is in its way, and what is in the way of that, unless
   /// the border or another wall is. What has been pushed may move like `ids` in the directions that
-  /// follow. `down`: the direction of the lattice nearest to gravity. The order of `ids` does not
-  /// matter. The result is valid until the next call.
+  /// follow. `down`: the direction of the lattice nearest to gravity. None of the grains has a
+  /// `previous` move when this begins. The order of `ids` does not matter for where they go. The
+  /// result is valid until the next call.
   const Moves& move_all(lattice::Direction down, std::span<const std::uint32_t> ids,
                         std::span<WallMove> walls);
+
+  /// Of the last call: `ids`, and those that walls have pushed.
+  std::span<const std::uint32_t> ids() const { return ids_; }
 
  private:
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();

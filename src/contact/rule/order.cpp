@@ -7,27 +7,7 @@
 
 namespace clca::contact {
 
-namespace {
-
 using lattice::Direction;
-
-/// How place_along() counts columns and doubled heights.
-struct Slope {
-  int column = 0;
-  int height = 0;
-};
-
-Slope slope(Direction direction) {
-  const lattice::Axial step = unit(direction);
-  return {3 * step.x, 2 * step.q + step.x};
-}
-
-}  // namespace
-
-int place_along(Direction direction, lattice::Site site) {
-  const Slope along = slope(direction);
-  return along.column * site.column + along.height * lattice::doubled_height(site);
-}
 
 bool is_above(const grains::State& state, Direction down, std::uint32_t one, std::uint32_t other) {
   const auto key = [&](std::uint32_t id) {

@@ -8,8 +8,21 @@
 
 namespace clca::contact {
 
+/// How place_along() counts columns and doubled heights.
+struct Slope {
+  int column = 0;
+  int height = 0;
+};
+inline Slope slope(lattice::Direction direction) {
+  const lattice::Axial step = unit(direction);
+  return {3 * step.x, 2 * step.q + step.x};
+}
+
 /// Twice the place of a site along a direction, in whole numbers; only to be compared.
-int place_along(lattice::Direction direction, lattice::Site site);
+inline int place_along(lattice::Direction direction, lattice::Site site) {
+  const Slope along = slope(direction);
+  return along.column * site.column + along.height * lattice::doubled_height(site);
+}
 
 /// Whether a grain is the upper one of two; of two at one height it is the left one.
 bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,

@@ -43,8 +43,8 @@ inline bool sorts_contacts(const State& state) {
   return state.changed || state.grains.step % kEvery == 0;
 }
 
-/// Carries out a step but for sources and outlets. Returns the ids of the grains that moved, some
-/// more than once.
+/// Carries out a step but for sources and outlets. Returns the ids of the grains that moved,
+/// each once.
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
                                           const grains::WallEdges& edges, const Rule& rule,
