@@ -56,6 +56,7 @@ class ContactSlots {
       at = next;
     }
   }
+  bool touches_anything(std::uint32_t grain) const { return first_[grain] >= 0; }
   /// Whether a grain touches another one.
   bool touch(std::uint32_t grain, std::uint32_t other) const {
     for (std::int32_t at = first_[grain]; at >= 0; at = next(at, grain)) {

@@ -144,17 +144,20 @@ void Engine::advance_and_move() {
   may_move_.clear();
   parallel::split(threads_, state_.grains.particles.size(),
                   [&](std::size_t part, std::size_t first, std::size_t last) {
-                    bool all_slow = true;
+                    bool at_rest = true;
                     for (std::size_t id = first; id < last; ++id) {
                       if (!state_.grains.particles[id].present) {
                         continue;
                       }
-                      all_slow = advance(state_.remainders[id], velocity(id), slow) && all_slow;
+                      at_rest =
+                          advance(state_.remainders[id], velocity(id),
+                                  slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) &&
+                          at_rest;
                       if (squared(state_.remainders[id]) > kNear * kNear) {
                         may_move_.of(part).push_back(static_cast<std::uint32_t>(id));
                       }
                     }
-                    if (!all_slow) {
+                    if (!at_rest) {
                       quiet = false;
                     }
                   });

@@ -21,11 +21,13 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
   return kUnits[lattice::index_of(direction)];
 }
 
-/// Adds a velocity to a remainder. Where the speed is at most `slow`, the remainder is forgotten
-/// instead, bit by bit. Returns whether that is so.
-inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, std::int32_t slow) {
+/// Adds a velocity to a remainder. Of a grain at rest, that is one that touches something and whose
+/// speed is at most `slow`, the remainder is forgotten instead, bit by bit. Returns whether it is
+/// at rest.
+inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, bool touches,
+                    std::int32_t slow) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
-  if (squared({velocity.x, velocity.y}) <= product(slow, slow)) {
+  if (touches && squared({velocity.x, velocity.y}) <= product(slow, slow)) {
     remainder.x -= remainder.x / kForgotten;
     remainder.y -= remainder.y / kForgotten;
     return true;

@@ -110,13 +110,20 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
                  [](const ActiveContact& active) { return active.contact; });
 
+  std::vector<bool> touching(state.velocities.size(), false);
+  for (const Contact& contact : state.contacts) {
+    touching[contact.upper] = true;
+    if (grains::is_particle(contact.other)) {
+      touching[static_cast<std::size_t>(contact.other)] = true;
+    }
+  }
   const std::int32_t slow = slow_speed(rule);
   bool quiet = true;
   std::vector<std::uint32_t> present;
   for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
     state.grains.particles[id].previous = grains::kRest;
     if (state.grains.particles[id].present) {
-      quiet = advance(state.remainders[id], state.velocities[id], slow) && quiet;
+      quiet = advance(state.remainders[id], state.velocities[id], touching[id], slow) && quiet;
       present.push_back(id);
     }
   }
