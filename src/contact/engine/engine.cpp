@@ -57,6 +57,8 @@ void Engine::look_at_all() {
 
 void Engine::step() {
   update_contacts();
+  set_walls();
+  bounce_new();
   accelerate_all();
   sweep_contacts();
   advance_and_move();
@@ -78,6 +80,22 @@ void Engine::update_contacts() {
   state_.changed = false;
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
+  }
+}
+
+void Engine::set_walls() {
+  for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
+    for (std::size_t at = kFirstWallBody + wall; at < first_grain_;
+         at += slots_.batches().fixed_bodies()) {
+      bodies_[at].velocity = wall_velocity(state_, wall);
+    }
+  }
+}
+
+void Engine::bounce_new() {
+  for (const std::int32_t lane : new_lanes_) {
+    slots_.batches().bounce(lane) =
+        bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
 }
 
@@ -112,16 +130,6 @@ void Engine::in_rounds(bool backwards, Work work) {
 }
 
 void Engine::sweep_contacts() {
-  for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
-    for (std::size_t at = kFirstWallBody + wall; at < first_grain_;
-         at += slots_.batches().fixed_bodies()) {
-      bodies_[at].velocity = wall_velocity(state_, wall);
-    }
-  }
-  for (const std::int32_t lane : new_lanes_) {
-    slots_.batches().bounce(lane) =
-        bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
-  }
   in_rounds(false, [&](Batch* batches, std::size_t count) {
     batch_.apply(batches, count, bodies_.data(), rule_.turning.turns);
   });

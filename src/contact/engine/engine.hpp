@@ -39,6 +39,8 @@ class Engine {
  private:
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   void update_contacts();
+  void set_walls();
+  void bounce_new();
   void accelerate_all();
   void sweep_contacts();
   template <class Work>

@@ -92,14 +92,14 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
       down, sorts_contacts(state));
   state.changed = false;
 
+  Contacts all(state, rule);
+  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
   const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
     if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
       accelerate(state.velocities[id], grain.site(), by);
     }
   }
-  Contacts all(state, rule);
-  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
   for (const ActiveContact& active : contacts) {
     all.at(active, [&](Touching<std::int32_t>& touching) {
       apply(touching, active.contact.impulse, rule.turning.turns);

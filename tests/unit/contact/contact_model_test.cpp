@@ -70,6 +70,15 @@ TEST_P(ContactModelTest, WhatRestsIsSettledAfterSixtySteps) {
   EXPECT_EQ(one.state().quiet_steps, 60U);
 }
 
+TEST_P(ContactModelTest, AGrainThatBouncesComesToRest) {
+  for (const double restitution : {0.5, 0.9}) {
+    Parameters parameters = kParameters;
+    parameters.restitution = restitution;
+    ContactModel one = model(box({particle_at(10, 20)}), parameters);
+    EXPECT_LT(settle(one), 5000) << restitution;
+  }
+}
+
 TEST_P(ContactModelTest, AGrainThrownUpFollowsAParabolaWithinASite) {
   State state{.grains = box({particle_at(60, 5)}, 300, 100)};
   constexpr double kUp = 0.45;

@@ -128,15 +128,17 @@ TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
 
 TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
   Vector remainder = {1600, -800};
-  EXPECT_FALSE(advance(remainder, {100, 20, 0}, 50));
+  EXPECT_FALSE(advance(remainder, {100, 20, 0}, true, 50));
   EXPECT_EQ(remainder, (Vector{1700, -780}));
-  EXPECT_TRUE(advance(remainder, {30, 40, 900}, 50)) << "spin is no motion from the spot";
+  EXPECT_TRUE(advance(remainder, {30, 40, 900}, true, 50)) << "spin is no motion from the spot";
   EXPECT_EQ(remainder, (Vector{1700 - 106, -780 + 48}));
+  EXPECT_FALSE(advance(remainder, {30, 40, 0}, false, 50)) << "it flies";
+  EXPECT_EQ(remainder, (Vector{1700 - 106 + 30, -780 + 48 + 40}));
 }
 
 TEST(ARemainder, StaysInRange) {
   Vector remainder = {kFarthest, -kFarthest};
-  advance(remainder, {kFastest, -kFastest, 0}, 50);
+  advance(remainder, {kFastest, -kFastest, 0}, true, 50);
   EXPECT_EQ(remainder, (Vector{kFarthest, -kFarthest}));
 }
 
