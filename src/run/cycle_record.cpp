@@ -42,7 +42,7 @@ void CycleRecord::resume_stage(const scene::Scene& scene, const scene::Stage& st
   const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
     return grains::is_cyclic(*scene.walls[wall].motion);
   });
-  vessel_has_cycles_ = stage.vessel && !std::holds_alternative<scene::Tilt>(*stage.vessel);
+  vessel_has_cycles_ = scene::vessel_has_cycles(stage);
   if (cyclic || vessel_has_cycles_) {
     convection_.emplace(state.lattice, cell_);
   }

@@ -24,9 +24,10 @@ bool lets_overlap(const Scene& scene) {
 }
 
 bool moves_in_cycles(const Scene& scene) {
-  return std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-    return wall.motion && grains::is_cyclic(*wall.motion);
-  });
+  return std::any_of(
+             scene.walls.begin(), scene.walls.end(),
+             [](const Wall& wall) { return wall.motion && grains::is_cyclic(*wall.motion); }) ||
+         std::any_of(scene.stages.begin(), scene.stages.end(), vessel_has_cycles);
 }
 
 /// In the automaton there are forces only where walls enter particles.
@@ -48,7 +49,8 @@ void check_drawn(const KeyedMap& fields, const Frames& frames, const Scene& scen
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
     fail(fields.at("overlay").place,
-         fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake",
+         fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake, or "
+                     "that turns or shakes the vessel",
                      fields.path("overlay")));
   }
 }

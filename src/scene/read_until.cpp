@@ -26,7 +26,7 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
 
 /// What the vessel does without end in the stage; empty where it does nothing such.
 std::string_view vessel_cycle(const Stage& stage) {
-  if (!stage.vessel || std::holds_alternative<Tilt>(*stage.vessel)) {
+  if (!vessel_has_cycles(stage)) {
     return {};
   }
   return std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken";

@@ -75,6 +75,10 @@ bool Stage::operator==(const Stage& other) const {
   return content(*this) == content(other);
 }
 
+bool vessel_has_cycles(const Stage& stage) {
+  return stage.vessel && !std::holds_alternative<Tilt>(*stage.vessel);
+}
+
 bool Wall::operator==(const Wall& other) const {
   return content(*this) == content(other);
 }

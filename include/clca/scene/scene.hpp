@@ -200,6 +200,9 @@ struct Stage {
   bool operator==(const Stage& other) const;
 };
 
+/// Whether the vessel turns or is shaken in the stage, and so goes through cycles.
+bool vessel_has_cycles(const Stage& stage);
+
 struct Scene {
   std::string name;   ///< of the file, without folder and ending
   std::string title;  ///< the name where the file gives none

@@ -166,7 +166,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      Judge::parser},
     {"arrows without cycles", "output: {frames: {overlay: arrows}}",
      "scene.yaml:12:28: error: output.frames.overlay: no arrows without a stage that moves a wall "
-     "with a wave or a shake",
+     "with a wave or a shake, or that turns or shakes the vessel",
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, found "

@@ -108,6 +108,16 @@ TEST(ParseContact, NamesAnOverrideThatTheModelDoesNotHave) {
             "'model: contact'");
 }
 
+TEST(ParseContact, DrawsArrowsWhereTheVesselGoesThroughCycles) {
+  const std::string arrows = "output.frames={overlay: arrows}";
+  const Scene shaken =
+      contact_with("", {arrows, "stages.first.vessel={shake: {gamma: 2, amplitude: 5}}",
+                        "stages.first.until={cycles: 2}"});
+  EXPECT_EQ(shaken.output.frames->overlay, Overlay::arrows);
+  EXPECT_THAT(refusal("", {arrows, "stages.first.vessel={tilt: {to: 20, rate: 1}}"}),
+              HasSubstr("output.frames.overlay: no arrows without a stage"));
+}
+
 TEST(ParseContact, AveragesForcesOverAWindow) {
   EXPECT_FALSE(contact_with("").output.contacts);
   const Contacts contacts =
