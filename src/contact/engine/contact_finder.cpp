@@ -228,27 +228,33 @@ void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) 
   lanes.clear();
   const bool grouped = threads_.count > 1 &&
                        order_.size() / threads_.least >= static_cast<std::size_t>(threads_.count);
-  std::vector<int> strips;  // of the round
+  std::vector<int> round;  // its strips
   sorted_.for_each([&](const Sorted& one) {
-    if (grouped && (strips.empty() || strips.back() != one.strip)) {
-      const bool after = std::any_of(strips.begin(), strips.end(),
-                                     [&](int strip) { return may_share_grains(strip, one.strip); });
-      if (!strips.empty()) {
-        slots.batches().begin_group(after);
-      }
-      if (after) {
-        strips.clear();
-      }
-      strips.push_back(one.strip);
+    if (grouped && (round.empty() || round.back() != one.strip)) {
+      begin_strip(one.strip, round, slots.batches());
     }
     slots.add(one.content);
     if (one.marked) {
       lanes.push_back(slots.all().back().lane);
     }
   });
-  if (!strips.empty()) {
+  if (grouped) {
     slots.batches().begin_group(true);  // of contacts that appear later
   }
+}
+
+/// Contacts of a strip are a group of their own, in the same round as those before it where they
+/// can be.
+void ContactFinder::begin_strip(int strip, std::vector<int>& round, Batches& batches) const {
+  const bool after = std::any_of(round.begin(), round.end(),
+                                 [&](int other) { return may_share_grains(strip, other); });
+  if (!round.empty()) {
+    batches.begin_group(after);
+  }
+  if (after) {
+    round.clear();
+  }
+  round.push_back(strip);
 }
 
 /// The contacts of which a grain is the upper one.

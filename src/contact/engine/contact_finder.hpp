@@ -58,6 +58,7 @@ class ContactFinder {
   Touch touch(std::uint32_t first, std::uint32_t second, std::size_t part);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
   bool may_share_grains(int strip, int other) const;
+  void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
   const grains::Occupancy& occupancy_;
