@@ -190,7 +190,7 @@ class ContactModel::Impl {
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
-      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_);
+      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_, options.profile);
     }
   }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clca/contact/parameters.hpp"
+#include "clca/contact/profile.hpp"
 #include "clca/contact/state.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/occupancy.hpp"
@@ -34,6 +35,8 @@ struct Options {
   std::vector<std::optional<double>> wall_friction = {};
   /// Steps as the model is defined, not as they are fast. For checks.
   bool reference = false;
+  /// Where steps are to add what they took; it has to outlive the model.
+  Profile* profile = nullptr;
 };
 
 // In lattice spacings per step squared.

@@ -21,12 +21,14 @@ std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> ids) {
 }  // namespace
 
 Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-               const grains::WallEdges& edges, const Rule& rule)
+               const grains::WallEdges& edges, const Rule& rule, Profile* profile)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
       edges_(edges),
       rule_(rule),
+      profile_(profile),
+      clock_(profile),
       batch_(fastest_functions()),
       finder_(state.grains, occupancy, footprints, rule),
       slots_(state.grains.walls.size()),
@@ -63,10 +65,13 @@ void Engine::look_at_all() {
 }
 
 void Engine::step() {
+  clock_ = grains::PhaseClock(profile_);
   update_contacts();
   accelerate_all();
+  clock_.end(&Profile::motion);
   sweep_contacts();
   advance_and_move();
+  clock_.end(&Profile::moves);
 }
 
 void Engine::update_contacts() {
@@ -79,6 +84,7 @@ void Engine::update_contacts() {
   for (const Slot& slot : slots_.all().subspan(first_new)) {
     new_lanes_.push_back(slot.lane);
   }
+  clock_.end(&Profile::contacts);
   if (sorts_contacts(state_)) {
     finder_.sort(slots_, new_lanes_);
   }
@@ -86,6 +92,7 @@ void Engine::update_contacts() {
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
+  clock_.end(&Profile::order);
 }
 
 void Engine::accelerate_all() {
@@ -108,12 +115,14 @@ void Engine::sweep_contacts() {
         bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
   }
   batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.turning.turns);
+  clock_.end(&Profile::warm_start);
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.turning, i % 2 != 0);
   }
   for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) = 0;
   }
+  clock_.end(&Profile::sweeps);
 }
 
 void Engine::advance_and_move() {
@@ -131,6 +140,7 @@ void Engine::advance_and_move() {
       candidates_.push_back(id);
     }
   }
+  clock_.end(&Profile::motion);
   std::vector<WallMove> walls = advance_walls(state_);
   Moves moves =
       move_all(state_, occupancy_, footprints_, edges_, finder_.down(), candidates_, walls);
