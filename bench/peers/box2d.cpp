@@ -58,7 +58,9 @@ class Test {
         world_.Step(kTimeStep, kVelocityIterations, kPositionIterations);
       }
       steps_ += kStepsBetweenChecks;
-      resting = energy() < problem_.rest_energy ? resting + 1 : 0;
+      const double now = energy();
+      std::cout << steps_ << ' ' << now << std::endl;
+      resting = now < problem_.rest_energy ? resting + 1 : 0;
     }
     std::cout << "end " << stage << ' ' << steps_ << std::endl;
     write(problem_.out + "." + stage);

@@ -171,11 +171,11 @@ def peer_command(code, geometry, setting, rolling, rain, folder):
 
 
 def run_peer(code, geometry, setting, rolling, rain, folder, most_seconds):
-    """Both stages until they are at rest, or until it has run for `most_seconds`."""
+    """Both stages until they are at rest, or until they have taken `most_seconds` of processor time."""
     command = peer_command(code, geometry, setting, rolling, rain, folder)
     begin = time.monotonic()
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=ONE_THREAD)
-    outcome = follow(process, begin + most_seconds)
+    outcome = follow(process, most_seconds)
     outcome.process_wall = time.monotonic() - begin
     if outcome.finished:
         start, end = (read_dump(folder / f"{code}.{stage}") for stage in STAGES)
@@ -186,8 +186,8 @@ def run_peer(code, geometry, setting, rolling, rain, folder, most_seconds):
     return outcome
 
 
-def follow(process, deadline):
-    """Reads what the deck prints at the beginning and end of a stage; kills it at the deadline."""
+def follow(process, most_seconds):
+    """Reads what a peer prints at the beginning and end of a stage; kills it after `most_seconds` of processor time."""
     outcome = Outcome()
     stage, last = None, ""
     for line in process.stdout:
@@ -202,7 +202,7 @@ def follow(process, deadline):
             outcome.wall[stage], outcome.cpu[stage] = now - wall_begin, cpu - cpu_begin
         if words[:1] == ["end"]:
             outcome.steps[stage] = int(words[2]) - sum(outcome.steps.values())
-        if now > deadline and "collapse" not in outcome.steps:
+        if cpu > most_seconds and "collapse" not in outcome.steps:
             outcome.finished = False
             process.kill()
             break
