@@ -14,6 +14,7 @@
 
 #include "clca/store/file.hpp"
 #include "suite/cases.hpp"
+#include "suite/contact.hpp"
 #include "suite/machine.hpp"
 #include "suite/measurement.hpp"
 #include "suite/report.hpp"
@@ -26,10 +27,12 @@ namespace store = clca::store;
 struct Wishes {
   std::vector<std::size_t> sizes = {540, 5'000, 54'000, 100'000, 1'000'000, 10'000'000};
   std::vector<std::string> cases;
+  std::vector<std::string> models = {"automaton", "contact"};
   bench::Effort effort = {.threads = omp_get_num_procs(),
                           .seconds = 1,
                           .most_updates = 20'000'000'000,
                           .most_unsleeping = 60'000};
+  std::uint64_t most_contact_updates = 500'000'000;
   std::size_t memory = 1024;  ///< MiB
   std::filesystem::path folder = "bench/results";
 };
@@ -45,6 +48,9 @@ void add_options(CLI::App& app, Wishes& wishes) {
       ->delimiter(',')
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}));
   app.add_option("--cases", wishes.cases, "Cases")->delimiter(',')->check(CLI::IsMember(names));
+  app.add_option("--models", wishes.models, "Models; settling and collapse only of contact")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"automaton", "contact"}));
   app.add_option("--threads", wishes.effort.threads, "1 to so many threads")
       ->check(CLI::Range(1, 1024));
   app.add_option("--seconds", wishes.effort.seconds,
@@ -52,28 +58,46 @@ void add_options(CLI::App& app, Wishes& wishes) {
       ->check(CLI::PositiveNumber);
   app.add_option("--most-updates", wishes.effort.most_updates,
                  "Ends runs after so many particles x steps");
+  app.add_option("--most-contact-updates", wishes.most_contact_updates,
+                 "The same for the contact model");
   app.add_option("--memory", wishes.memory,
                  "Largest working set for the limits of the machine, MiB")
       ->check(CLI::Range(std::size_t{1}, std::size_t{65536}));
   app.add_option("-o,--output", wishes.folder, "Folder for the tables");
 }
 
-bool wants(const Wishes& wishes, bench::Case a_case) {
-  const auto& cases = wishes.cases;
-  return std::find(cases.begin(), cases.end(), bench::name(a_case)) != cases.end();
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<bench::Measurement> measure_all(const Wishes& wishes) {
-  std::vector<bench::Measurement> all;
+struct Measurements {
+  std::vector<bench::Measurement> automaton = {};
+  std::vector<bench::ContactMeasurement> contact = {};
+};
+
+void measure(const Wishes& wishes, bench::Case a_case, std::size_t particles, Measurements& all) {
+  fmt::print(stderr, "suite: {}, {} particles\n", bench::name(a_case), particles);
+  const auto state = bench::start(a_case, particles);
+  if (contains(wishes.models, "automaton")) {
+    auto some = bench::measure(a_case, state, wishes.effort);
+    std::move(some.begin(), some.end(), std::back_inserter(all.automaton));
+  }
+  const bool comes_to_rest = a_case == bench::Case::settling || a_case == bench::Case::collapse;
+  if (contains(wishes.models, "contact") && comes_to_rest) {
+    auto some =
+        bench::measure_contact(a_case, state, wishes.effort.seconds, wishes.most_contact_updates);
+    std::move(some.begin(), some.end(), std::back_inserter(all.contact));
+  }
+}
+
+Measurements measure_all(const Wishes& wishes) {
+  Measurements all;
   for (const bench::Case a_case : bench::kCases) {
-    if (!wants(wishes, a_case)) {
+    if (!contains(wishes.cases, bench::name(a_case))) {
       continue;
     }
     for (const std::size_t particles : wishes.sizes) {
-      fmt::print(stderr, "suite: {}, {} particles\n", bench::name(a_case), particles);
-      const auto state = bench::start(a_case, particles);
-      auto some = bench::measure(a_case, state, wishes.effort);
-      std::move(some.begin(), some.end(), std::back_inserter(all));
+      measure(wishes, a_case, particles, all);
     }
   }
   return all;
@@ -84,7 +108,7 @@ void run(const Wishes& wishes) {
   fmt::print(stderr, "suite: limits of the machine\n");
   const bench::Machine machine(wishes.memory << 20U, wishes.effort.threads,
                                wishes.effort.seconds / 10);
-  const auto measurements = measure_all(wishes);
+  const auto [measurements, contact] = measure_all(wishes);
   const auto write = [&](const char* file, const store::Table& table) {
     store::write_whole(wishes.folder / file, table.to_csv());
   };
@@ -93,8 +117,11 @@ void run(const Wishes& wishes) {
   write("shares.csv", bench::share_table(measurements));
   write("profile.csv", bench::profile_table(measurements));
   write("phases.csv", bench::phase_table(measurements, machine));
-  fmt::print("{}, {} cores\n\n{}\n{}", bench::processor_name(), omp_get_num_procs(),
-             bench::markdown(machine, wishes.effort.threads), bench::markdown(measurements));
+  write("contact.csv", bench::contact_table(contact));
+  write("contact-profile.csv", bench::contact_profile_table(contact));
+  fmt::print("{}, {} cores\n\n{}\n{}\n{}", bench::processor_name(), omp_get_num_procs(),
+             bench::markdown(machine, wishes.effort.threads), bench::markdown(measurements),
+             bench::markdown(contact));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Runs of the wall-removal test: by clca, by LAMMPS and by LIGGGHTS, with what they took."""
+"""Runs of the wall-removal test: by clca, LAMMPS, LIGGGHTS and Box2D, with what they took."""
 import dataclasses
 import json
 import math
@@ -10,14 +10,22 @@ import time
 import beds
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCENE = HERE.parent.parent / "scenes" / "wall-removal.yaml"
+ROOT = HERE.parent.parent
+SCENE = ROOT / "scenes" / "wall-removal.yaml"
 LEFT_MARGIN = -10
 TICK = 1 / os.sysconf("SC_CLK_TCK")
 STAGES = ("settling", "collapse")
 ONE_THREAD = dict(os.environ, OMP_NUM_THREADS="1")
 
-PROGRAMS = {"lammps": "lmp", "liggghts": "liggghts"}
+PROGRAMS = {"lammps": "lmp", "liggghts": "liggghts", "box2d": str(ROOT / "build/release/bench/clca_box2d")}
+# What `clca run` has to set for each of its models.
+MODELS = {
+    "automaton": {},
+    "contact": {"model": "contact"},
+    "preview": {"model": "contact", "contact.resolution": 0.8, "contact.restitution": 0},
+}
 FRICTION = 0.4
+ROLLING_FRICTION = {"none": 0, "resistance": 0.5}
 # At rest: kinetic energy per particle below this many m g d (means of mass and diameter), at so many
 # checks in a row, so many times sqrt(d/g) apart.
 REST = 1e-6
@@ -53,11 +61,12 @@ class Outcome:
 def timed(command):
     """Wall and processor seconds of a command that has to succeed."""
     begin = time.monotonic()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, env=ONE_THREAD)
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=ONE_THREAD)
+    said = process.stderr.read()  # warnings, the same each time
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
-        raise SystemExit(f"run: {' '.join(map(str, command))} has failed")
+        raise SystemExit(f"run: {' '.join(map(str, command))} has failed: {said}")
     return time.monotonic() - begin, usage.ru_utime + usage.ru_stime
 
 
@@ -89,13 +98,20 @@ def export_rain(clca, geometry, seed, folder):
     return folder / "rain.data"
 
 
-def run_clca(clca, geometry, seed, folder, for_seconds):
+def can(code, rolling):
+    """Whether a code or a model of clca has this kind of rolling."""
+    return rolling == "none" or code in ("lammps", "contact", "preview")
+
+
+def run_clca(clca, model, rolling, geometry, seed, folder, for_seconds):
     """Best of as many runs as go into `for_seconds`, at least three, with nothing written or measured.
 
     Wall seconds are the program's own, of its steps. Processor seconds are those of the process less
     those of one that does a step of each stage; on a busy machine they are the ones to trust.
     """
-    bare = geometry.overrides(seed) | {"output": "{checkpoint: none}", "measure": "[]"}
+    bare = geometry.overrides(seed) | MODELS[model] | {"output": "{checkpoint: none}", "measure": "[]"}
+    if model != "automaton":
+        bare["contact.rolling"] = rolling
     settling = bare | {"stages.flow.until.steps": 1}
     variants = {"whole": bare, "settling": settling, "none": settling | {"stages.packing.until.steps": 1}}
     steps, walls, cpus = ({name: [] for name in variants} for _ in range(3))
@@ -119,7 +135,7 @@ def run_clca(clca, geometry, seed, folder, for_seconds):
         runout=last["stages"][-1]["measures"]["runout_99"])
 
 
-def variables(geometry, setting):
+def variables(geometry, setting, rolling):
     """What the decks leave open but for files."""
     stiffness = setting.stiffness * geometry.weight
     mass = math.pi * beds.RADII["small"] ** 2 / 2  # effective, of two small discs
@@ -130,6 +146,7 @@ def variables(geometry, setting):
     return {
         "stiffness": stiffness, "tangential": 2 / 7 * stiffness,
         "damping": damping, "slight_damping": damping / 20, "friction": FRICTION,
+        "rolling_friction": ROLLING_FRICTION[rolling], "rolling_damping": damping / 2 * mass,
         "floor": beds.FLOOR, "left": beds.LEFT, "wall": geometry.wall,
         "dt": step, "skin": setting.skin,
         "check": max(1, round(REST_INTERVAL * math.sqrt(diameter) / step)),
@@ -142,15 +159,23 @@ def cpu_seconds(pid):
     return (int(fields[11]) + int(fields[12])) * TICK
 
 
-def run_peer(code, geometry, setting, rain, folder, most_seconds):
-    """A deck until both stages are at rest, or until it has run for `most_seconds`."""
+def peer_command(code, geometry, setting, rolling, rain, folder):
+    if code == "box2d":
+        numbers = (beds.FLOOR, beds.LEFT, geometry.wall, FRICTION, beds.mean_diameter(),
+                   REST * beds.mean_mass() * beds.mean_diameter(), REST_CHECKS)
+        return [PROGRAMS[code], rain, folder / code, *map(str, numbers)]
     command = ["stdbuf", "-oL", PROGRAMS[code], "-in", HERE / f"in.{code}", "-log", "none"]
-    for name, value in variables(geometry, setting).items():
+    for name, value in variables(geometry, setting, rolling).items():
         command += ["-var", name, repr(value)]
-    command += ["-var", "rain", rain, "-var", "out", folder / code]
+    return command + ["-var", "rain", rain, "-var", "out", folder / code]
+
+
+def run_peer(code, geometry, setting, rolling, rain, folder, most_seconds):
+    """Both stages until they are at rest, or until they have taken `most_seconds` of processor time."""
+    command = peer_command(code, geometry, setting, rolling, rain, folder)
     begin = time.monotonic()
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=ONE_THREAD)
-    outcome = follow(process, begin + most_seconds)
+    outcome = follow(process, most_seconds)
     outcome.process_wall = time.monotonic() - begin
     if outcome.finished:
         start, end = (read_dump(folder / f"{code}.{stage}") for stage in STAGES)
@@ -161,8 +186,8 @@ def run_peer(code, geometry, setting, rain, folder, most_seconds):
     return outcome
 
 
-def follow(process, deadline):
-    """Reads what the deck prints at the beginning and end of a stage; kills it at the deadline."""
+def follow(process, most_seconds):
+    """Reads what a peer prints at the beginning and end of a stage; kills it after `most_seconds` of processor time."""
     outcome = Outcome()
     stage, last = None, ""
     for line in process.stdout:
@@ -177,7 +202,7 @@ def follow(process, deadline):
             outcome.wall[stage], outcome.cpu[stage] = now - wall_begin, cpu - cpu_begin
         if words[:1] == ["end"]:
             outcome.steps[stage] = int(words[2]) - sum(outcome.steps.values())
-        if now > deadline and "collapse" not in outcome.steps:
+        if cpu > most_seconds and "collapse" not in outcome.steps:
             outcome.finished = False
             process.kill()
             break

@@ -26,6 +26,6 @@ do for [size in sizes] {
   set title size . ' particles' noenhanced
   plot for [i = 1:words(runs)] table \
        using (strcol(1) eq size && strcol(2) eq of(word(runs, i)) && strcol(3) eq how(word(runs, i)) ? $4 : NaN):5 \
-       with lines linewidth (i == 1 ? 3 : 1.5) linecolor rgb colors[i] title of(word(runs, i)) . ', ' . how(word(runs, i))
+       with lines linewidth (i == 1 ? 3 : 1.5) linecolor rgb colors[1 + (i - 1) % 7] dashtype 1 + (i > 7) title of(word(runs, i)) . ', ' . how(word(runs, i))
 }
 unset multiplot

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "automaton/phase_clock.hpp"
 #include "automaton/retreat.hpp"
+#include "clca/grains/phase_clock.hpp"
 
 namespace clca::automaton {
 
@@ -127,7 +127,7 @@ void Stepper::take_woken() {
 }
 
 void Stepper::step_alone() {
-  PhaseClock clock(options_.profile);
+  grains::PhaseClock clock(options_.profile);
   Lane& lane = lanes_.front();
   const bool overlaps = !world_.state.pushes.empty();
   // Where nothing has moved or changed since all that overlap had last looked, they rest again.
@@ -178,7 +178,7 @@ void Stepper::step_together() {
     lane.awake.resize(world_.state.particles.size());
     lane.waking.resize(world_.state.particles.size());
   }
-  PhaseClock clock(options_.profile);
+  grains::PhaseClock clock(options_.profile);
   const auto end = [&](double Profile::*phase) {
 #pragma omp master
     clock.end(phase);

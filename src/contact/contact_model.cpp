@@ -191,7 +191,8 @@ class ContactModel::Impl {
         normals_(state_.grains.kinds) {
     if (!options.reference) {
       engine_.emplace(state_, occupancy_, footprints_, edges_, rule_,
-                      parallel::Threads{.count = options.threads, .least = options.split_from});
+                      parallel::Threads{.count = options.threads, .least = options.split_from},
+                      options.profile);
     }
   }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clca/contact/parameters.hpp"
+#include "clca/contact/profile.hpp"
 #include "clca/contact/state.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/occupancy.hpp"
@@ -38,6 +39,8 @@ struct Options {
   int threads = 1;
   /// Grains that are worth a thread.
   std::size_t split_from = 1024;
+  /// Where steps are to add what they took; it has to outlive the model.
+  Profile* profile = nullptr;
 };
 
 // In lattice spacings per step squared.

@@ -12,12 +12,15 @@
 namespace clca::contact {
 
 Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-               const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads)
+               const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads,
+               Profile* profile)
     : state_(state),
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
       threads_(threads),
+      profile_(profile),
+      clock_(profile),
       batch_(fastest_functions()),
       finder_(state.grains, occupancy, footprints, rule, threads),
       slots_(state.grains.walls.size(), ContactFinder::most_groups(state.grains.lattice, threads)),
@@ -56,12 +59,15 @@ void Engine::look_at_all() {
 }
 
 void Engine::step() {
+  clock_ = grains::PhaseClock(profile_);
   update_contacts();
   set_walls();
   bounce_new();
   accelerate_all();
+  clock_.end(&Profile::motion);
   sweep_contacts();
   advance_and_move();
+  clock_.end(&Profile::moves);
 }
 
 void Engine::update_contacts() {
@@ -74,6 +80,7 @@ void Engine::update_contacts() {
   for (const Slot& slot : slots_.all().subspan(first_new)) {
     new_lanes_.push_back(slot.lane);
   }
+  clock_.end(&Profile::contacts);
   if (sorts_contacts(state_)) {
     finder_.sort(slots_, new_lanes_);
   }
@@ -81,6 +88,7 @@ void Engine::update_contacts() {
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
+  clock_.end(&Profile::order);
 }
 
 void Engine::set_walls() {
@@ -133,6 +141,7 @@ void Engine::sweep_contacts() {
   in_rounds(false, [&](Batch* batches, std::size_t count) {
     batch_.apply(batches, count, bodies_.data(), rule_.turning.turns);
   });
+  clock_.end(&Profile::warm_start);
   for (int i = 0; i < rule_.sweeps; ++i) {
     const bool backwards = i % 2 != 0;
     in_rounds(backwards, [&](Batch* batches, std::size_t count) {
@@ -142,6 +151,7 @@ void Engine::sweep_contacts() {
   for (const std::int32_t lane : new_lanes_) {
     slots_.batches().bounce(lane) = 0;
   }
+  clock_.end(&Profile::sweeps);
 }
 
 void Engine::advance_and_move() {
@@ -171,6 +181,7 @@ void Engine::advance_and_move() {
                   });
   candidates_.clear();
   may_move_.for_each([&](std::uint32_t id) { candidates_.push_back(id); });
+  clock_.end(&Profile::motion);
   std::vector<WallMove> walls = advance_walls(state_);
   const Moves& moves = mover_.move_all(finder_.down(), candidates_, walls);
   moved_ = moves.moved;

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "clca/contact/profile.hpp"
+#include "clca/grains/phase_clock.hpp"
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/rule/moves.hpp"
@@ -15,9 +17,10 @@ namespace clca::contact {
 class Engine {
  public:
   /// All outlive the engine. While it is there, velocities and contacts of the state are as they
-  /// were at write_back() last.
+  /// were at write_back() last. `profile` may be null.
   Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-         const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads);
+         const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads,
+         Profile* profile);
 
   /// There are new grains, which are at rest.
   void add_grains();
@@ -53,6 +56,8 @@ class Engine {
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
   parallel::Threads threads_;
+  Profile* profile_;
+  grains::PhaseClock<Profile> clock_;  // of this step
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;

@@ -3,10 +3,10 @@
 
 #include <chrono>
 
-#include "clca/automaton/profile.hpp"
+namespace clca::grains {
 
-namespace clca::automaton {
-
+/// `Profile` has a number of seconds for each phase.
+template <class Profile>
 class PhaseClock {
  public:
   /// Nothing is measured where there is no profile.
@@ -32,4 +32,4 @@ class PhaseClock {
   Clock::time_point since_{};
 };
 
-}  // namespace clca::automaton
+}  // namespace clca::grains

@@ -1,0 +1,42 @@
+#pragma once
+// Steps of the contact model, in the cases in which grains come to rest.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cases.hpp"
+#include "clca/contact/profile.hpp"
+#include "clca/store/table.hpp"
+
+namespace clca::bench {
+
+/// Resolution and restitution of `preview` are for a quick look.
+enum class ContactSetting : std::uint8_t { defaults, preview };
+
+struct ContactMeasurement {
+  Case a_case = Case::settling;
+  ContactSetting setting = ContactSetting::defaults;
+  std::size_t particles = 0;
+  std::uint64_t steps = 0;
+  std::uint64_t moved = 0;
+  bool at_rest = false;
+  std::vector<double> seconds = {};  ///< a step, processor time of each run, ascending
+  contact::Profile profile = {};     ///< of one more run
+};
+
+/// Both settings, on one thread: settling and collapse only. At least two runs each, and more
+/// until they have taken `seconds`; each ends after `most_updates` (particles x steps), at least
+/// 100 steps.
+std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State& start,
+                                                double seconds, std::uint64_t most_updates);
+
+/// A row for each measurement.
+store::Table contact_table(const std::vector<ContactMeasurement>& measurements);
+/// A row for each measurement and phase of a step.
+store::Table contact_profile_table(const std::vector<ContactMeasurement>& measurements);
+/// A row for each measurement, with its phases, in Markdown.
+std::string markdown(const std::vector<ContactMeasurement>& measurements);
+
+}  // namespace clca::bench
