@@ -15,10 +15,12 @@ bool in_motion(const grains::Wall& wall) {
   return wall.motion && wall.present && wall.travel.active;
 }
 
-// A wall that lags adds to its velocity: a 64th of its lag a step, at most an eighth of a spacing.
-// Lags are in the unit of motions (grains::kSpacing).
-constexpr std::int64_t kLagSteps = 64;
-constexpr std::int64_t kMostHaste = grains::kSpacing / 8;
+// A wall that lags adds to its velocity: a 16th of its lag a step, at most half a spacing. A weaker
+// push is lost in the bed, which two sweeps make as soft as an elastic one: with a 64th and an
+// eighth of a spacing walls took two to four times their time. Lags are in the unit of motions
+// (grains::kSpacing).
+constexpr std::int64_t kLagSteps = 16;
+constexpr std::int64_t kMostHaste = grains::kSpacing / 2;
 
 /// `speed`: of the motion; where that has stopped the wall still has to arrive.
 std::int64_t haste(std::int64_t lag, std::int32_t speed) {
