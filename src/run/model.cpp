@@ -95,6 +95,16 @@ std::optional<std::vector<contact::Force>> Model::forces() const {
   return std::nullopt;
 }
 
+std::vector<Eigen::Vector2d> Model::velocities() const {
+  std::vector<Eigen::Vector2d> result;
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    for (const auto& velocity : contact->state().velocities) {
+      result.push_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
+    }
+  }
+  return result;
+}
+
 contact::Vessel Model::vessel() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact->vessel() : contact::Vessel();

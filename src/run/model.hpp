@@ -1,6 +1,7 @@
 #pragma once
 // The grains of a run, whichever model moves them.
 
+#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <variant>
@@ -53,6 +54,8 @@ class Model {
   // Of the contact model; none of the automaton.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
+  /// By id, lattice spacings a step; empty of the automaton.
+  std::vector<Eigen::Vector2d> velocities() const;
   /// Upright and at rest, of the automaton.
   contact::Vessel vessel() const;
 

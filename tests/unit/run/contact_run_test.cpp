@@ -383,9 +383,10 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
               EndsWith("a contact is not one of two bodies"));
   EXPECT_THAT(refusal(column("state/contacts/size", std::uint64_t{1} << 40U)),
               EndsWith("state/contacts needs more memory than the limit"));
-  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/upper", std::uint32_t{1000})),
-              EndsWith("records/contacts is not of this run"));
-  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/force_x",
+  EXPECT_THAT(
+      refusal(column("records/contacts/pictures/window/block/sums/upper", std::uint32_t{1000})),
+      EndsWith("records/contacts is not of this run"));
+  EXPECT_THAT(refusal(column("records/contacts/pictures/window/block/sums/force_x",
                              std::numeric_limits<double>::infinity())),
               EndsWith("records/contacts is not of this run"));
   EXPECT_THAT(refusal(column("state/grains/particles/kind", std::uint16_t{9})),
