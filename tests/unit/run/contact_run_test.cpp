@@ -12,6 +12,7 @@
 
 #include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
+#include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "run/energy_record.hpp"
 #include "run/stage.hpp"
@@ -75,6 +76,11 @@ TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
     EXPECT_LE(kinetic[step] + potential[step], 1.005 * potential.front());
   }
   EXPECT_GT(discharged.back(), 0);
+}
+
+TEST_F(ContactRunTest, ItsSummaryAndCheckpointsAreOfItsKind) {
+  EXPECT_EQ(run(small(), {.folder = path()}).kind, "contact");
+  EXPECT_EQ(store::read_checkpoint(path(), kMuch)->checkpoint.kind, "contact");
 }
 
 TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
