@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
@@ -14,12 +15,20 @@ double value_or_nan(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::vector<std::string> cycle_columns(bool has_time) {
+  std::vector<std::string> names = {"stage", "cycle", "step"};
+  if (has_time) {
+    names.emplace_back("time");
+  }
+  names.insert(names.end(), {"height_mean", "repose_angle_deg", "intruder_height_rel",
+                             "segregation_index", "lacey_index"});
+  return names;
+}
+
 }  // namespace
 
-CycleRecord::CycleRecord(double cell)
-    : cell_(cell),
-      table_({"stage", "cycle", "step", "height_mean", "repose_angle_deg", "intruder_height_rel",
-              "segregation_index", "lacey_index"}) {}
+CycleRecord::CycleRecord(double cell, const std::optional<scene::Conversion>& conversion)
+    : cell_(cell), conversion_(conversion), table_(cycle_columns(conversion.has_value())) {}
 
 void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
                               const grains::State& state) {
@@ -87,11 +96,16 @@ std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t o
 
 void CycleRecord::add_row(const grains::State& state) {
   const std::vector<double> profile = measure::surface_profile(state);
-  table_.add_row({stage_, cycles_, state.step, measure::mean_height(profile),
-                  value_or_nan(measure::repose_angle(profile).mean()),
-                  value_or_nan(measure::intruder_height(state)),
-                  value_or_nan(measure::segregation_index(state)),
-                  value_or_nan(measure::lacey_index(state, cell_))});
+  std::vector<store::Cell> cells = {stage_, cycles_, state.step};
+  if (conversion_) {
+    cells.emplace_back(conversion_->time(state.step));
+  }
+  cells.insert(cells.end(),
+               {measure::mean_height(profile), value_or_nan(measure::repose_angle(profile).mean()),
+                value_or_nan(measure::intruder_height(state)),
+                value_or_nan(measure::segregation_index(state)),
+                value_or_nan(measure::lacey_index(state, cell_))});
+  table_.add_row(std::move(cells));
 }
 
 std::string CycleRecord::convection_csv() const {

@@ -8,16 +8,18 @@
 #include "clca/grains/state.hpp"
 #include "clca/measure/convection.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
 
-/// Columns: stage, cycle (0: before the first), step, height_mean, repose_angle_deg,
-/// intruder_height_rel, segregation_index, lacey_index; empty where there is none.
+/// Columns: stage, cycle (0: before the first), step, time where steps have a length, height_mean,
+/// repose_angle_deg, intruder_height_rel, segregation_index, lacey_index; empty where there is
+/// none.
 class CycleRecord {
  public:
   /// `cell`: side of the cells of Lacey's index and the convection, in lattice spacings.
-  explicit CycleRecord(double cell);
+  CycleRecord(double cell, const std::optional<scene::Conversion>& conversion);
 
   void begin_stage(const scene::Scene& scene, const scene::Stage& stage,
                    const grains::State& state);
@@ -52,6 +54,7 @@ class CycleRecord {
   void add_row(const grains::State& state);
 
   double cell_;
+  std::optional<scene::Conversion> conversion_;
   std::string stage_;
   bool vessel_has_cycles_ = false;
   std::uint64_t cycles_ = 0;

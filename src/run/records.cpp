@@ -24,7 +24,8 @@ void load(const char* path, const fields::Columns& columns, double most_bytes, R
 }  // namespace
 
 Records::Records(const scene::Scene& scene)
-    : scene_(scene), cycles_(scene.output.fields.value_or(scene::Fields{}).cell) {
+    : scene_(scene),
+      cycles_(scene.output.fields.value_or(scene::Fields{}).cell, scene::conversion(scene)) {
   if (scene.output.fields) {
     fields_.emplace(*scene.output.fields, scene::conversion(scene));
   }
