@@ -1,5 +1,7 @@
 #include "run/model.hpp"
 
+#include <algorithm>
+
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
@@ -51,6 +53,11 @@ ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns
   std::visit([&](auto& state) { fields::decode(kState, columns, most_bytes, state); }, saved);
   grains::check_reachable(grains_of(saved), beginning);
   return saved;
+}
+
+bool has_vessel(const scene::Scene& scene) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [](const scene::Stage& stage) { return stage.vessel.has_value(); });
 }
 
 Model::Model(const scene::Scene& scene, ModelState state, const Options& options)

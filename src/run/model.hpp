@@ -28,6 +28,9 @@ ModelState first_state(const scene::Scene& scene);
 ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
                        double most_bytes);
 
+/// Whether a vessel stands at an angle or moves in some stage.
+bool has_vessel(const scene::Scene& scene);
+
 class Model {
  public:
   struct Options {

@@ -83,6 +83,31 @@ TEST_F(ContactRunTest, ItsSummaryAndCheckpointsAreOfItsKind) {
   EXPECT_EQ(store::read_checkpoint(path(), kMuch)->checkpoint.kind, "contact");
 }
 
+TEST_F(ContactRunTest, ATiltedVesselHasItsAngleAndSlopesAgainstGravity) {
+  const auto summary = run(scene::parse(R"(clca: 1
+model: contact
+seed: 5
+box: {width: 60, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 60, 60], counts: {grain: 150}}
+    until: {steps: 1500}
+  - {name: tilt, vessel: {tilt: 30}, until: {steps: 10}}
+measure: [repose]
+output: {series: {every: 10}}
+)",
+                                        "tilted.yaml"),
+                           {.folder = path()});
+  const auto angles = testing::csv_column(path() / "series.csv", "vessel_angle_deg");
+  EXPECT_EQ(angles.front(), 0);
+  EXPECT_NEAR(angles.back(), 30, 1e-9);
+  EXPECT_EQ(testing::measure_of(summary, "packing", "vessel_angle_deg"), 0);
+  EXPECT_NEAR(testing::measure_of(summary, "tilt", "vessel_angle_deg"), 30, 1e-9);
+  // Level with the floor still.
+  EXPECT_NEAR(testing::measure_of(summary, "tilt", "repose_gravity_left_deg"), 30, 4);
+}
+
 TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
   run(small(), {.folder = path()});
   const auto column = [&](const char* name) {
