@@ -7,6 +7,8 @@ import sys
 import h5py
 import numpy
 
+FLOOR = -2**31  # in contacts/other
+
 with h5py.File(sys.argv[1] + "/trajectory.h5", "r") as file:
     stages = [name.decode() for name in file["scene/stages"]]
     walls = [name.decode() for name in file["scene/walls/name"]]
@@ -22,4 +24,8 @@ with h5py.File(sys.argv[1] + "/trajectory.h5", "r") as file:
             if file["walls/present"][frame, wall]:
                 x, y = file["walls/position"][frame, wall]
                 print(f" {name}=({x:.9g},{y:.9g})", end="")
+        if "contacts" in file:
+            rows = slice(frames["first_contact"][frame], frames["first_contact"][frame] + frames["contacts"][frame])
+            on_floor = file["contacts/other"][rows] == FLOOR
+            print(f" floor={file['contacts/force'][rows, 0][on_floor].sum():.9g}", end="")
         print()

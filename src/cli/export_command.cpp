@@ -42,9 +42,9 @@ struct Source {
 
 Source open_run(const ExportOptions& options) {
   const store::RunSummary summary = store::read_summary(options.run / "run.json");
-  if (summary.kind != "automaton") {
+  if (summary.kind != "automaton" && summary.kind != "contact") {
     throw exports::ExportError(
-        fmt::format("{}: expected a run of kind automaton, found {}; only the automaton has a "
+        fmt::format("{}: expected a run of kind automaton or contact, found {}, which has no "
                     "trajectory",
                     options.run.string(), summary.kind));
   }

@@ -30,8 +30,8 @@ int fail(ExitCode code, std::string_view message) {
 
 int run_program(int argc, char** argv) {
   CLI::App app(
-      "Granular flow patterns by the Connected Lattice Cellular Automaton, and the Boltzmann\n"
-      "equation of inelastic, frictional spheres beside it.",
+      "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
+      "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
       "clca");
   app.set_version_flag("--version", "clca " + clca::run::version());
   app.require_subcommand(1);

@@ -48,7 +48,7 @@ scene::Scene unpainted(scene::Scene scene) {
 scene::Scene scene_of(const RenderOptions& options) {
   const fs::path& run = options.redraw.run;
   const store::RunSummary summary = store::read_summary(run / "run.json");
-  if (summary.kind != "automaton") {
+  if (summary.kind != "automaton" && summary.kind != "contact") {
     throw run::RedrawError(fmt::format(
         "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
         run.string()));

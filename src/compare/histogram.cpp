@@ -29,11 +29,12 @@ auto readable(Read read) {
 
 }  // namespace
 
-store::RunSummary read_run(const std::filesystem::path& run, std::string_view kind) {
+store::RunSummary read_run(const std::filesystem::path& run,
+                           std::initializer_list<std::string_view> kinds) {
   store::RunSummary summary = readable([&] { return store::read_summary(run / "run.json"); });
-  if (summary.kind != kind) {
-    throw CompareError(
-        fmt::format("{}: expected a run of kind {}, found {}", run.string(), kind, summary.kind));
+  if (std::find(kinds.begin(), kinds.end(), summary.kind) == kinds.end()) {
+    throw CompareError(fmt::format("{}: expected a run of kind {}, found {}", run.string(),
+                                   fmt::join(kinds, " or "), summary.kind));
   }
   return summary;
 }

@@ -2,6 +2,7 @@
 // Tables of shares by bin.
 
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,8 +13,9 @@
 
 namespace clca::compare {
 
-/// Summary of the run in a folder, of the kind "automaton" or "boltzmann". Throws CompareError.
-store::RunSummary read_run(const std::filesystem::path& run, std::string_view kind);
+/// Summary of the run in a folder, of one of these kinds. Throws CompareError.
+store::RunSummary read_run(const std::filesystem::path& run,
+                           std::initializer_list<std::string_view> kinds);
 
 /// A whole text as a number; nothing for any other text, and for NaN and infinities.
 std::optional<double> number(const std::string& text);

@@ -96,6 +96,17 @@ void find_places(ForceSums& sums) {
 
 }  // namespace
 
+std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces) {
+  std::vector<double> sums(grain_count, 0);
+  for (const Force& force : forces) {
+    sums[force.upper] += force.along_normal;
+    if (grains::is_particle(force.other)) {
+      sums[static_cast<std::size_t>(force.other)] += force.along_normal;
+    }
+  }
+  return sums;
+}
+
 double mean_mass(const grains::State& state) {
   double sum = 0;
   double count = 0;

@@ -63,7 +63,7 @@ std::size_t write(const store::Trajectory& trajectory, const Choice& choice, Wri
     if (stop.load() != 0) {
       break;
     }
-    writer.add(trajectory.state(frame));
+    writer.add(trajectory.state(frame), trajectory.contact_frame(frame));
     ++written;
   }
   if (written > 0) {

@@ -13,7 +13,10 @@ namespace clca::exports {
 
 namespace {
 
-std::vector<double> forces(const grains::State& state) {
+std::vector<double> forces(const grains::State& state, const store::ContactFrame& contact) {
+  if (!contact.forces.empty()) {
+    return contact::loads(state.particles.size(), contact.forces);
+  }
   std::vector<double> none(state.particles.size(), 0.0);
   if (state.pushes.empty()) {
     return none;
@@ -22,7 +25,7 @@ std::vector<double> forces(const grains::State& state) {
   return measure::force_indices(state.particles.size(), measure::contacts(state, occupancy));
 }
 
-Eigen::Vector2d velocity(grains::Move move) {
+Eigen::Vector2d last_move(grains::Move move) {
   if (move == grains::kRest) {
     return Eigen::Vector2d::Zero();
   }
@@ -50,8 +53,10 @@ std::vector<Eigen::Vector2d> outline_of(const lattice::Shape& shape) {
 
 }  // namespace
 
-std::vector<Body> bodies(const grains::State& state) {
-  const std::vector<double> force = forces(state);
+std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& contact,
+                         double velocity_unit) {
+  const std::vector<double> force = forces(state, contact);
+  const auto& velocities = contact.velocities;
   std::vector<Body> result;
   result.reserve(grains::present_count(state));
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
@@ -63,7 +68,8 @@ std::vector<Body> bodies(const grains::State& state) {
     const int image = state.lattice.image(centre.x());
     centre.x() -= image * state.lattice.size().x();
     result.push_back({.centre = centre,
-                      .velocity = velocity(particle.previous),
+                      .velocity = velocities.empty() ? last_move(particle.previous)
+                                                     : velocity_unit * velocities[id],
                       .displacement = lattice::position(particle.site() - state.origins[id]),
                       .id = static_cast<std::uint32_t>(id),
                       .image = image,
@@ -76,6 +82,11 @@ std::vector<Body> bodies(const grains::State& state) {
 double time_step(const scene::Scene& scene) {
   const auto conversion = scene::conversion(scene);
   return conversion ? conversion->time_step : 1;
+}
+
+double velocity_unit(const scene::Scene& scene) {
+  const auto conversion = scene::conversion(scene);
+  return conversion ? conversion->velocity(1) : 1;
 }
 
 std::vector<KindLook> kind_looks(const scene::Scene& scene,

@@ -75,10 +75,12 @@ Bytes column(const std::vector<Body>& all, Append append_to) {
 
 GsdWriter::GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
-    : file_(file.create(), chunk_names()), kinds_(kind_looks(scene, kinds)) {}
+    : file_(file.create(), chunk_names()),
+      velocity_unit_(velocity_unit(scene)),
+      kinds_(kind_looks(scene, kinds)) {}
 
-void GsdWriter::add(const grains::State& state) {
-  const std::vector<Body> all = bodies(state);
+void GsdWriter::add(const grains::State& state, const store::ContactFrame& contact) {
+  const std::vector<Body> all = bodies(state, contact, velocity_unit_);
   file_.write(chunk(Chunk::step, GsdType::uint64, 1), bytes_of(state.step));
   file_.write(chunk(Chunk::count, GsdType::uint32, 1),
               bytes_of(static_cast<std::uint32_t>(all.size())));

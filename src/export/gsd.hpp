@@ -12,7 +12,7 @@ class GsdWriter : public Writer {
   GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
             const std::vector<grains::Kind>& kinds);
 
-  void add(const grains::State& state) override;
+  void add(const grains::State& state, const store::ContactFrame& contact) override;
   void finish() override { file_.finish(); }
 
  private:
@@ -21,6 +21,7 @@ class GsdWriter : public Writer {
   void add_particles(const lattice::Lattice& lattice, const std::vector<Body>& all);
 
   GsdFile file_;
+  double velocity_unit_;
   std::vector<KindLook> kinds_;
   bool first_ = true;
 };

@@ -79,6 +79,7 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
     : collection_(std::move(collection)),
       time_step_(time_step(scene)),
+      velocity_unit_(velocity_unit(scene)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
       kinds_(kind_looks(scene, kinds)) {
@@ -100,10 +101,10 @@ void VtpWriter::count_frame(std::uint64_t step) {
   step_ = step;
 }
 
-void VtpWriter::add(const grains::State& state) {
+void VtpWriter::add(const grains::State& state, const store::ContactFrame& contact) {
   count_frame(state.step);
   const std::string file = beside("", state.step);
-  write_particles(file, state);
+  write_particles(file, state, contact);
   collect(state.step, 0, "particles", file);
   if (state.walls.empty()) {
     return;
@@ -117,14 +118,15 @@ void VtpWriter::add(const grains::State& state) {
   collect(state.step, 1, "walls", wall_file_);
 }
 
-void VtpWriter::write_particles(const std::string& file, const grains::State& state) const {
+void VtpWriter::write_particles(const std::string& file, const grains::State& state,
+                                const store::ContactFrame& contact) const {
   VtpFile polygons;
   Bytes id;
   Bytes species;
   Bytes velocity;
   Bytes displacement;
   Bytes force;
-  for (const Body& body : bodies(state)) {
+  for (const Body& body : bodies(state, contact, velocity_unit_)) {
     const KindLook& look = kinds_[body.kind];
     for (const Eigen::Vector2d& corner : look.outline) {
       polygons.add_corner(body.centre + corner);

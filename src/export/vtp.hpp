@@ -16,7 +16,7 @@ class VtpWriter : public Writer {
   VtpWriter(store::OutputFile collection, const scene::Scene& scene,
             const std::vector<grains::Kind>& kinds);
 
-  void add(const grains::State& state) override;
+  void add(const grains::State& state, const store::ContactFrame& contact) override;
   void finish() override;
 
  private:
@@ -29,12 +29,14 @@ class VtpWriter : public Writer {
   /// frame of a step, as no two can be at one time.
   double time(std::uint64_t step) const;
   void count_frame(std::uint64_t step);
-  void write_particles(const std::string& file, const grains::State& state) const;
+  void write_particles(const std::string& file, const grains::State& state,
+                       const store::ContactFrame& contact) const;
   void write_walls(const std::string& file, const grains::State& state) const;
   void collect(std::uint64_t step, int part, const std::string& name, const std::string& file);
 
   store::OutputFile collection_;
   double time_step_;
+  double velocity_unit_;
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
   std::vector<KindLook> kinds_;

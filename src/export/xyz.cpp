@@ -42,14 +42,14 @@ void append_comment(Text& text, const grains::State& state, double time_step) {
 
 XyzWriter::XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
-    : file_(file.create()), time_step_(time_step(scene)) {
+    : file_(file.create()), time_step_(time_step(scene)), velocity_unit_(velocity_unit(scene)) {
   for (const grains::Kind& kind : kinds) {
     species_.push_back(scene.species[kind.species].name);
   }
 }
 
-void XyzWriter::add(const grains::State& state) {
-  const std::vector<Body> all = bodies(state);
+void XyzWriter::add(const grains::State& state, const store::ContactFrame& contact) {
+  const std::vector<Body> all = bodies(state, contact, velocity_unit_);
   Text text;
   fmt::format_to(std::back_inserter(text), "{}\n", all.size());
   append_comment(text, state, time_step_);
@@ -59,7 +59,7 @@ void XyzWriter::add(const grains::State& state) {
     fmt::format_to(std::back_inserter(text), " {}", body.id);
     append_vector(text, body.velocity);
     append_vector(text, body.displacement);
-    fmt::format_to(std::back_inserter(text), " {:.0f}\n", body.force);
+    fmt::format_to(std::back_inserter(text), " {:.7g}\n", body.force);
   }
   file_.write(std::string_view(text.data(), text.size()));
 }

@@ -13,12 +13,13 @@ class XyzWriter : public Writer {
   XyzWriter(const store::OutputFile& file, const scene::Scene& scene,
             const std::vector<grains::Kind>& kinds);
 
-  void add(const grains::State& state) override;
+  void add(const grains::State& state, const store::ContactFrame& contact) override;
   void finish() override { file_.finish(); }
 
  private:
   store::AtomicFile file_;
   double time_step_;
+  double velocity_unit_;
   std::vector<std::string> species_;  // by kind
 };
 

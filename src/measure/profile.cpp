@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
 
 namespace clca::measure {
@@ -99,6 +100,30 @@ std::vector<double> surface_profile(const grains::State& state) {
       const lattice::Site top = {static_cast<int>(column), spans[column].high};
       profile[column] = lattice::position(top).y() + kSiteTop;
     }
+  }
+  return profile;
+}
+
+std::vector<double> surface_profile(const grains::State& state, const Eigen::Vector2d& down) {
+  std::vector<Eigen::Vector2d> places;  // to the right, up
+  Eigen::Vector2d lowest = Eigen::Vector2d::Constant(kInfinity);
+  double last = -kInfinity;
+  for_each_site(state, [&](lattice::Site site) {
+    const Eigen::Vector2d place = lattice::position(site);
+    places.emplace_back(down.x() * place.y() - down.y() * place.x(), -place.dot(down));
+    lowest = lowest.cwiseMin(places.back());
+    last = std::max(last, places.back().x());
+  });
+  std::vector<double> profile;
+  const auto column_of = [&](double x) {
+    return static_cast<std::size_t>((x - lowest.x()) / lattice::kColumnPitch);
+  };
+  if (!places.empty()) {
+    profile.resize(column_of(last) + 1, 0.0);
+  }
+  for (const Eigen::Vector2d& place : places) {
+    double& height = profile[column_of(place.x())];
+    height = std::max(height, place.y() - lowest.y() + kSiteTop);
   }
   return profile;
 }

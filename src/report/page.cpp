@@ -45,6 +45,13 @@ bool is_gas(const store::RunSummary& summary) {
   return summary.kind == "boltzmann";
 }
 
+const char* kind_text(const store::RunSummary& summary) {
+  if (is_gas(summary)) {
+    return "Gas of rough spheres, Boltzmann equation";
+  }
+  return summary.kind == "contact" ? "Lattice contact dynamics" : "Granular cellular automaton";
+}
+
 std::string facts_html(const store::RunSummary& summary) {
   std::string facts = fact("Seed", fmt::format("{}", summary.seed));
   facts += fact("Particles", whole(summary.particles));
@@ -71,9 +78,8 @@ std::string header_html(const Page& page, const store::RunSummary& summary) {
 <p class="scene-name">Scene <code>{}</code></p>
 {}</header>
 )",
-      is_gas(summary) ? "Gas of rough spheres, Boltzmann equation" : "Granular cellular automaton",
-      is_done ? "" : " incomplete", escaped(summary.status), escaped(page.title),
-      escaped(summary.scene), facts_html(summary));
+      kind_text(summary), is_done ? "" : " incomplete", escaped(summary.status),
+      escaped(page.title), escaped(summary.scene), facts_html(summary));
 }
 
 std::string warnings_html(const Warnings& warnings) {

@@ -24,7 +24,8 @@ store::RunSummary summary_of(const fs::path& run) {
   try {
     const fs::path file = run / "run.json";
     store::RunSummary summary = store::read_summary(file);
-    if (summary.kind != "automaton" && summary.kind != "boltzmann") {
+    const auto kinds = {"automaton", "contact", "boltzmann"};
+    if (std::find(kinds.begin(), kinds.end(), summary.kind) == kinds.end()) {
       throw store::StoreError(fmt::format("cannot read {}: no report of a run of kind '{}'",
                                           file.string(), summary.kind));
     }

@@ -61,46 +61,64 @@ bool ForceWindow::is_of(const grains::State& state) const {
   return all_sound(before_) && all_sound(block_);
 }
 
+void ContactRecord::Recurring::begin_step(std::uint64_t steps_in_stage) {
+  if (due) {
+    window.clear();
+  }
+  due = every > 0 && steps_in_stage % every == 0;
+}
+
+bool ContactRecord::Recurring::is_due_within(std::uint64_t steps,
+                                             std::uint64_t steps_in_stage) const {
+  return every > 0 && (every - steps_in_stage % every) % every < steps;
+}
+
 ContactRecord::ContactRecord(const scene::Scene& scene)
     : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
       most_((sampling_.window + sampling_.every - 1) / sampling_.every),
-      picture_every_(pictures_show_forces(scene) ? scene.output.frames->every : 0),
       has_tables_(std::find(scene.measures.begin(), scene.measures.end(), scene::Measure::force) !=
-                  scene.measures.end()) {}
+                  scene.measures.end()),
+      pictures_{.every = pictures_show_forces(scene) ? scene.output.frames->every : 0},
+      frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
+                           ? scene.output.trajectory->every
+                           : 0} {}
 
 void ContactRecord::begin_stage() {
   stage_.clear();
-  picture_.clear();
-  picture_due_ = false;
+  for (Recurring* recurring : {&pictures_, &frames_}) {
+    recurring->window.clear();
+    recurring->due = false;
+  }
 }
 
 void ContactRecord::after_step(const scene::Stage& stage, const Model& model,
                                const Model::Report& report, std::uint64_t steps_in_stage) {
-  if (std::exchange(picture_due_, false)) {
-    picture_.clear();
-  }
-  const bool shows = picture_every_ > 0;
-  picture_due_ = shows && steps_in_stage % picture_every_ == 0;
-  const bool ends_soon =
-      (has_tables_ || shows) && may_end_soon(stage, steps_in_stage, sampling_.window, report.quiet);
+  pictures_.begin_step(steps_in_stage);
+  frames_.begin_step(steps_in_stage);
+  const bool is_shown = pictures_.every > 0 || frames_.every > 0;
+  const bool ends_soon = (has_tables_ || is_shown) &&
+                         may_end_soon(stage, steps_in_stage, sampling_.window, report.quiet);
   if (!ends_soon && !stage_.is_empty()) {
     stage_.clear();
   }
   if (steps_in_stage % sampling_.every != 0) {
     return;
   }
-  const std::uint64_t to_picture =
-      shows ? (picture_every_ - steps_in_stage % picture_every_) % picture_every_ : 0;
-  const bool pictured_soon = shows && to_picture < sampling_.window;
-  if (!ends_soon && !pictured_soon) {
+  std::vector<ForceWindow*> takers;
+  if (ends_soon) {
+    takers.push_back(&stage_);
+  }
+  for (Recurring* recurring : {&pictures_, &frames_}) {
+    if (recurring->is_due_within(sampling_.window, steps_in_stage)) {
+      takers.push_back(&recurring->window);
+    }
+  }
+  if (takers.empty()) {
     return;
   }
   const std::vector<contact::Force> forces = *model.forces();
-  if (ends_soon) {
-    stage_.add(forces, most_);
-  }
-  if (pictured_soon) {
-    picture_.add(forces, most_);
+  for (ForceWindow* window : takers) {
+    window->add(forces, most_);
   }
 }
 
@@ -109,7 +127,24 @@ std::vector<contact::Force> ContactRecord::at_end(const Model& model) const {
 }
 
 std::vector<contact::Force> ContactRecord::of_picture(const Model& model) const {
-  return picture_due_ && !picture_.is_empty() ? picture_.means() : at_end(model);
+  return forces_of(pictures_, model);
+}
+
+std::vector<contact::Force> ContactRecord::of_frame(const Model& model) const {
+  const bool is_pictured = pictures_.every > 0 && (pictures_.due || !stage_.is_empty());
+  return forces_of(is_pictured ? pictures_ : frames_, model);
+}
+
+std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
+                                                     const Model& model) const {
+  std::vector<contact::Force> forces =
+      recurring.due && !recurring.window.is_empty() ? recurring.window.means() : at_end(model);
+  const std::vector<grains::Particle>& grains = model.state().particles;
+  std::erase_if(forces, [&](const contact::Force& force) {
+    return !grains[force.upper].present || (grains::is_particle(force.other) &&
+                                            !grains[static_cast<std::size_t>(force.other)].present);
+  });
+  return forces;
 }
 
 bool pictures_show_forces(const scene::Scene& scene) {

@@ -33,8 +33,8 @@ class ForceWindow {
   contact::ForceSums block_;
 };
 
-/// The steps before the end of a stage and before each picture. Costs nothing in steps that neither
-/// needs.
+/// The steps before the end of a stage, before each picture and before each frame of a trajectory
+/// that show forces. Costs nothing in steps that none of these needs.
 class ContactRecord {
  public:
   explicit ContactRecord(const scene::Scene& scene);
@@ -48,25 +48,46 @@ class ContactRecord {
   /// forces of the last step.
   std::vector<contact::Force> at_end(const Model& model) const;
   /// Means over the last steps before a picture that is due now; else as at_end().
+  /// Without grains that have left.
   std::vector<contact::Force> of_picture(const Model& model) const;
+  /// The same of a frame of the trajectory: those of a picture where one is drawn that shows
+  /// forces, or may be as the stage ends.
+  std::vector<contact::Force> of_frame(const Model& model) const;
 
   /// False where this was not recorded in a run that has come to `now`.
-  bool precedes(const grains::State& now) const { return stage_.is_of(now) && picture_.is_of(now); }
+  bool precedes(const grains::State& now) const {
+    return stage_.is_of(now) && pictures_.window.is_of(now) && frames_.window.is_of(now);
+  }
   static constexpr auto fields() {
     using fields::field;
     return std::make_tuple(field("stage", &ContactRecord::stage_),
-                           field("picture", &ContactRecord::picture_),
-                           field("picture_due", &ContactRecord::picture_due_));
+                           field("pictures", &ContactRecord::pictures_),
+                           field("frames", &ContactRecord::frames_));
   }
 
  private:
+  /// What comes every so many steps of a stage, and the steps before it.
+  struct Recurring {
+    std::uint64_t every = 0;  // 0: never
+    ForceWindow window = {};
+    bool due = false;
+
+    void begin_step(std::uint64_t steps_in_stage);
+    bool is_due_within(std::uint64_t steps, std::uint64_t steps_in_stage) const;
+    static constexpr auto fields() {
+      return std::make_tuple(fields::field("window", &Recurring::window),
+                             fields::field("due", &Recurring::due));
+    }
+  };
+
+  std::vector<contact::Force> forces_of(const Recurring& recurring, const Model& model) const;
+
   scene::Contacts sampling_;
-  std::uint64_t most_;           // samples in a window
-  std::uint64_t picture_every_;  // steps; 0: pictures show no forces
+  std::uint64_t most_;  // samples in a window
   bool has_tables_;
   ForceWindow stage_;
-  ForceWindow picture_;
-  bool picture_due_ = false;
+  Recurring pictures_;
+  Recurring frames_;
 };
 
 /// Whether the pictures of a scene of the contact model show forces.

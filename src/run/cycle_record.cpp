@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
+#include "run/model.hpp"
 
 namespace clca::run {
 
@@ -14,19 +16,33 @@ double value_or_nan(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::vector<std::string> cycle_columns(bool has_time, bool has_vessel) {
+  std::vector<std::string> names = {"stage", "cycle", "step"};
+  if (has_time) {
+    names.emplace_back("time");
+  }
+  names.insert(names.end(), {"height_mean", "repose_angle_deg", "intruder_height_rel",
+                             "segregation_index", "lacey_index"});
+  if (has_vessel) {
+    names.emplace_back("repose_gravity_deg");
+  }
+  return names;
+}
+
 }  // namespace
 
-CycleRecord::CycleRecord(double cell)
+CycleRecord::CycleRecord(double cell, const scene::Scene& scene)
     : cell_(cell),
-      table_({"stage", "cycle", "step", "height_mean", "repose_angle_deg", "intruder_height_rel",
-              "segregation_index", "lacey_index"}) {}
+      conversion_(scene::conversion(scene)),
+      has_vessel_(has_vessel(scene) && !scene.box.periodic),
+      table_(cycle_columns(conversion_.has_value(), has_vessel_)) {}
 
 void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
-                              const grains::State& state) {
+                              const grains::State& state, const contact::Vessel& vessel) {
   resume_stage(scene, stage, state);
   if (convection_) {
     convection_->begin_cycle(state);
-    add_row(state);
+    add_row(state, vessel);
   }
 }
 
@@ -52,18 +68,18 @@ bool CycleRecord::precedes(const grains::State& now) const {
   return at_start_.size() == now.walls.size() && (!convection_ || convection_->precedes(now));
 }
 
-void CycleRecord::after_step(const grains::State& state, std::uint64_t of_vessel) {
+void CycleRecord::after_step(const grains::State& state, const contact::Vessel& vessel) {
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = completed(state, of_vessel);
+  const std::uint64_t cycles = completed(state, vessel.whole_cycles);
   if (cycles == cycles_) {
     return;
   }
   cycles_ = cycles;
   convection_->end_cycle(state);
   convection_->begin_cycle(state);
-  add_row(state);
+  add_row(state, vessel);
 }
 
 std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t of_vessel) const {
@@ -85,13 +101,22 @@ std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t o
   return least.value_or(0);
 }
 
-void CycleRecord::add_row(const grains::State& state) {
+void CycleRecord::add_row(const grains::State& state, const contact::Vessel& vessel) {
   const std::vector<double> profile = measure::surface_profile(state);
-  table_.add_row({stage_, cycles_, state.step, measure::mean_height(profile),
-                  value_or_nan(measure::repose_angle(profile).mean()),
-                  value_or_nan(measure::intruder_height(state)),
-                  value_or_nan(measure::segregation_index(state)),
-                  value_or_nan(measure::lacey_index(state, cell_))});
+  std::vector<store::Cell> cells = {stage_, cycles_, state.step};
+  if (conversion_) {
+    cells.emplace_back(conversion_->time(state.step));
+  }
+  cells.insert(cells.end(),
+               {measure::mean_height(profile), value_or_nan(measure::repose_angle(profile).mean()),
+                value_or_nan(measure::intruder_height(state)),
+                value_or_nan(measure::segregation_index(state)),
+                value_or_nan(measure::lacey_index(state, cell_))});
+  if (has_vessel_) {
+    const auto in_gravity = measure::surface_profile(state, contact::gravity_direction(vessel));
+    cells.emplace_back(value_or_nan(measure::repose_angle(in_gravity).mean()));
+  }
+  table_.add_row(std::move(cells));
 }
 
 std::string CycleRecord::convection_csv() const {

@@ -5,27 +5,30 @@
 #include <string>
 #include <vector>
 
+#include "clca/contact/vessel.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/measure/convection.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
 
-/// Columns: stage, cycle (0: before the first), step, height_mean, repose_angle_deg,
-/// intruder_height_rel, segregation_index, lacey_index; empty where there is none.
+/// Columns: stage, cycle (0: before the first), step, time where steps have a length, height_mean,
+/// repose_angle_deg, intruder_height_rel, segregation_index, lacey_index; empty where there is
+/// none.
 class CycleRecord {
  public:
   /// `cell`: side of the cells of Lacey's index and the convection, in lattice spacings.
-  explicit CycleRecord(double cell);
+  CycleRecord(double cell, const scene::Scene& scene);
 
-  void begin_stage(const scene::Scene& scene, const scene::Stage& stage,
-                   const grains::State& state);
+  void begin_stage(const scene::Scene& scene, const scene::Stage& stage, const grains::State& state,
+                   const contact::Vessel& vessel);
   /// Makes ready for a stage that goes on; what fields() lists has still to be loaded.
   void resume_stage(const scene::Scene& scene, const scene::Stage& stage,
                     const grains::State& state);
-  /// Call after each step. `of_vessel`: whole cycles of it in this stage.
-  void after_step(const grains::State& state, std::uint64_t of_vessel);
+  /// Call after each step.
+  void after_step(const grains::State& state, const contact::Vessel& vessel);
 
   /// Completed in this stage by all walls that go to and fro and by the vessel. A wave counts from
   /// where it stood when the stage began; a shake that was held on its way completes that cycle
@@ -49,9 +52,11 @@ class CycleRecord {
 
  private:
   std::uint64_t completed(const grains::State& state, std::uint64_t of_vessel) const;
-  void add_row(const grains::State& state);
+  void add_row(const grains::State& state, const contact::Vessel& vessel);
 
   double cell_;
+  std::optional<scene::Conversion> conversion_;
+  bool has_vessel_;  // and a box with sides
   std::string stage_;
   bool vessel_has_cycles_ = false;
   std::uint64_t cycles_ = 0;

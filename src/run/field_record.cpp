@@ -54,18 +54,13 @@ void FieldRecord::end_window(const grains::State& state) {
   const measure::Fields fields = window_->fields(state, fields_.cell);
   for (const measure::FieldCell& cell : fields.cells) {
     if (cell.particles > 0 || cell.packing > 0) {
-      std::vector<store::Cell> cells = {stage_,
-                                        state.step,
-                                        cell.centre.x(),
-                                        cell.centre.y(),
-                                        cell.packing,
-                                        std::uint64_t{cell.particles},
-                                        cell.velocity.x() * speed_,
-                                        cell.velocity.y() * speed_,
-                                        cell.fluctuation * speed_ * speed_};
+      std::vector<store::Cell> cells = {stage_, state.step};
       if (conversion_) {
-        cells.emplace(cells.begin() + 2, conversion_->time(state.step));
+        cells.emplace_back(conversion_->time(state.step));
       }
+      cells.insert(cells.end(), {cell.centre.x(), cell.centre.y(), cell.packing,
+                                 std::uint64_t{cell.particles}, cell.velocity.x() * speed_,
+                                 cell.velocity.y() * speed_, cell.fluctuation * speed_ * speed_});
       table_.add_row(std::move(cells));
     }
   }

@@ -56,18 +56,6 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
   return colors;
 }
 
-/// Sum of the normal forces on each grain, in weights of a grain.
-std::vector<double> loads(const grains::State& state, const std::vector<contact::Force>& forces) {
-  std::vector<double> sums(state.particles.size(), 0);
-  for (const contact::Force& force : forces) {
-    sums[force.upper] += force.along_normal;
-    if (grains::is_particle(force.other)) {
-      sums[static_cast<std::size_t>(force.other)] += force.along_normal;
-    }
-  }
-  return sums;
-}
-
 }  // namespace
 
 void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state) {
@@ -136,7 +124,8 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
       return render::color_by_id();
     case scene::ColorBy::force:
       return view.forces != nullptr
-                 ? render::color_by_load(loads(state, *view.forces), kLoad * strongest_force_)
+                 ? render::color_by_load(contact::loads(state.particles.size(), *view.forces),
+                                         kLoad * strongest_force_)
                  : render::color_by_force(kHighestIndex);
     case scene::ColorBy::species:
       break;

@@ -1,5 +1,7 @@
 #include "run/model.hpp"
 
+#include <algorithm>
+
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
@@ -53,6 +55,11 @@ ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns
   return saved;
 }
 
+bool has_vessel(const scene::Scene& scene) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [](const scene::Stage& stage) { return stage.vessel.has_value(); });
+}
+
 Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
     : scene_(scene),
       model_(make_model(scene, std::move(state), options)),
@@ -93,6 +100,16 @@ std::optional<std::vector<contact::Force>> Model::forces() const {
     return contact::forces(contact->state(), gravity_);
   }
   return std::nullopt;
+}
+
+std::vector<Eigen::Vector2d> Model::velocities() const {
+  std::vector<Eigen::Vector2d> result;
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    for (const auto& velocity : contact->state().velocities) {
+      result.push_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
+    }
+  }
+  return result;
 }
 
 contact::Vessel Model::vessel() const {

@@ -1,6 +1,7 @@
 #pragma once
 // The grains of a run, whichever model moves them.
 
+#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <variant>
@@ -26,6 +27,9 @@ ModelState first_state(const scene::Scene& scene);
 /// scene can have saved.
 ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
                        double most_bytes);
+
+/// Whether a vessel stands at an angle or moves in some stage.
+bool has_vessel(const scene::Scene& scene);
 
 class Model {
  public:
@@ -53,6 +57,8 @@ class Model {
   // Of the contact model; none of the automaton.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
+  /// By id, lattice spacings a step; empty of the automaton.
+  std::vector<Eigen::Vector2d> velocities() const;
   /// Upright and at rest, of the automaton.
   contact::Vessel vessel() const;
 

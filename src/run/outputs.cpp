@@ -120,15 +120,21 @@ void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const R
   if (series_) {
     series_->add(stage.name, model, records, 0, true);
   }
-  add_to_trajectory(stage, model.state(), true);
+  add_to_trajectory(stage, model, records, true);
 }
 
-void Outputs::add_to_trajectory(const scene::Stage& stage, const grains::State& state,
-                                bool begins) {
-  if (trajectory_ && (begins || trajectory_step_ != state.step)) {
-    trajectory_->add(state, static_cast<std::size_t>(&stage - scene_.stages.data()), begins);
-    trajectory_step_ = state.step;
+void Outputs::add_to_trajectory(const scene::Stage& stage, const Model& model,
+                                const Records& records, bool begins) {
+  const grains::State& state = model.state();
+  if (!trajectory_ || (!begins && trajectory_step_ == state.step)) {
+    return;
   }
+  store::ContactFrame contact{.velocities = model.velocities()};
+  if (scene_.output.trajectory->contacts) {
+    contact.forces = records.contacts()->of_frame(model);
+  }
+  trajectory_->add(state, static_cast<std::size_t>(&stage - scene_.stages.data()), begins, contact);
+  trajectory_step_ = state.step;
 }
 
 void Outputs::after_step(const scene::Stage& stage, const Model& model, Records& records,
@@ -140,7 +146,7 @@ void Outputs::after_step(const scene::Stage& stage, const Model& model, Records&
     series_->add(stage.name, model, records, moving, false);
   }
   if (trajectory_ && steps_in_stage % scene_.output.trajectory->every == 0) {
-    add_to_trajectory(stage, model.state(), false);
+    add_to_trajectory(stage, model, records, false);
   }
   write_rows(records, kBlock);
 }
@@ -153,7 +159,7 @@ void Outputs::end_stage(const scene::Stage& stage, const Model& model, Records& 
   if (series_) {
     series_->add(stage.name, model, records, moving, true);
   }
-  add_to_trajectory(stage, model.state(), false);
+  add_to_trajectory(stage, model, records, false);
   write_rows(records, 0);
   write_tables(stage, model, records, history);
 }

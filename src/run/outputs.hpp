@@ -78,7 +78,8 @@ class Outputs {
   void write_tables(const scene::Stage& stage, const Model& model, const Records& records,
                     const StageHistory& history);
   void write_rows(Records& records, std::size_t least);
-  void add_to_trajectory(const scene::Stage& stage, const grains::State& state, bool begins);
+  void add_to_trajectory(const scene::Stage& stage, const Model& model, const Records& records,
+                         bool begins);
   bool wants(scene::Measure measure) const;
 
   const scene::Scene& scene_;

@@ -24,7 +24,7 @@ void load(const char* path, const fields::Columns& columns, double most_bytes, R
 }  // namespace
 
 Records::Records(const scene::Scene& scene)
-    : scene_(scene), cycles_(scene.output.fields.value_or(scene::Fields{}).cell) {
+    : scene_(scene), cycles_(scene.output.fields.value_or(scene::Fields{}).cell, scene) {
   if (scene.output.fields) {
     fields_.emplace(*scene.output.fields, scene::conversion(scene));
   }
@@ -38,7 +38,7 @@ Records::Records(const scene::Scene& scene)
 }
 
 void Records::begin_stage(const scene::Stage& stage, const Model& model) {
-  cycles_.begin_stage(scene_, stage, model.state());
+  cycles_.begin_stage(scene_, stage, model.state(), model.vessel());
   if (fields_) {
     fields_->begin_stage(stage.name, model.state());
   }
@@ -53,7 +53,7 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
 
 void Records::after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
                          std::uint64_t steps_in_stage) {
-  cycles_.after_step(model.state(), model.vessel().whole_cycles);
+  cycles_.after_step(model.state(), model.vessel());
   if (fields_) {
     fields_->after_step(model.state());
   }

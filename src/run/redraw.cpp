@@ -37,11 +37,12 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         "with the overlay none or forces",
         scene.output.frames->place));
   }
-  if (pictures_show_forces(scene)) {
+  const auto& trajectory = scene.output.trajectory;
+  if (pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
     const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
     throw RedrawError(fmt::format(
-        "{}: {}: a trajectory does not hold the forces of the contact model; draw {}, or let the "
-        "run draw them",
+        "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
+        "output.trajectory.contacts: true",
         scene.output.frames->place, overlay ? "overlay" : "color_by",
         overlay ? "with the overlay none" : "by another colour"));
   }
@@ -156,8 +157,12 @@ void Redraw::Impl::draw_frame(std::size_t number) {
   begin_stage(trajectory_.frames()[place].stage);
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
+  const bool has_forces = pictures_show_forces(scene_);
+  const std::vector<contact::Force> forces =
+      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
   const View view = {.state = state,
                      .occupancy = occupancy,
+                     .forces = has_forces ? &forces : nullptr,
                      .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
   targets_.add(painter_.develop(painter_.expose(view, history_)), number, state.step);
 }

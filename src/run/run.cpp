@@ -31,6 +31,11 @@ namespace clca::run {
 
 namespace {
 
+/// As run.json calls it.
+std::string kind_of(const scene::Scene& scene) {
+  return scene.model == scene::Model::contact ? "contact" : "automaton";
+}
+
 class Run {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
@@ -267,7 +272,7 @@ void Run::end_stage(StageEnd end) {
 }
 
 store::Checkpoint Run::checkpoint() const {
-  return {.kind = "automaton",
+  return {.kind = kind_of(scene_),
           .scene_name = scene_.name,
           .scene = scene::to_yaml(scene_),
           .summary = store::to_json(summary("running")),
@@ -305,6 +310,7 @@ void Run::show_progress(double moving_share, std::optional<double> seconds_left)
 
 store::RunSummary Run::summary(const std::string& status) const {
   store::RunSummary summary = provenance();
+  summary.kind = kind_of(scene_);
   summary.scene = scene_.name;
   summary.seed = scene_.seed;
   summary.threads = options_.threads;

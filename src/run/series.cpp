@@ -33,6 +33,9 @@ std::vector<std::string> columns(const scene::Scene& scene) {
     names.insert(names.begin() + 1, "time");
     names.insert(names.end(), {"kinetic_energy", "potential_energy", "dissipated_energy"});
   }
+  if (has_vessel(scene)) {
+    names.push_back("vessel_angle_deg");
+  }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
@@ -64,6 +67,7 @@ std::vector<std::uint64_t> indices(const Model& model) {
 SeriesTable::SeriesTable(const scene::Scene& scene)
     : every_(scene.output.series->every),
       conversion_(scene::conversion(scene)),
+      has_vessel_(has_vessel(scene)),
       table_(columns(scene)) {}
 
 void SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
@@ -86,6 +90,9 @@ void SeriesTable::add(const std::string& stage, const Model& model, const Record
   if (const auto energy = model.energy()) {
     cells.insert(cells.end(),
                  {energy->kinetic, energy->potential, records.energy()->dissipated(*energy)});
+  }
+  if (has_vessel_) {
+    cells.emplace_back(contact::degrees(model.vessel().angle));
   }
   const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {

@@ -31,6 +31,7 @@ class SeriesTable {
  private:
   std::uint64_t every_;
   std::optional<scene::Conversion> conversion_;
+  bool has_vessel_;
   store::Table table_;
   std::optional<std::uint64_t> last_step_;
 };

@@ -21,6 +21,20 @@ void add_repose(Results& results, const grains::State& state) {
   results.emplace_back("repose_right_deg", store::value_or_null(angle.right));
 }
 
+/// Of a vessel that is tilted or turned.
+void add_repose_in_gravity(Results& results, const Model& model) {
+  const contact::Vessel vessel = model.vessel();
+  results.emplace_back("vessel_angle_deg", contact::degrees(vessel.angle));
+  if (model.state().lattice.periodic()) {
+    return;
+  }
+  const auto angle = measure::repose_angle(
+      measure::surface_profile(model.state(), contact::gravity_direction(vessel)));
+  results.emplace_back("repose_gravity_deg", store::value_or_null(angle.mean()));
+  results.emplace_back("repose_gravity_left_deg", store::value_or_null(angle.left));
+  results.emplace_back("repose_gravity_right_deg", store::value_or_null(angle.right));
+}
+
 void add_runout(Results& results, const grains::State& state) {
   const auto runout = measure::runout(state);
   results.emplace_back("runout_99",
@@ -107,6 +121,9 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         break;  // a table of its own
       case scene::Measure::repose:
         add_repose(results, state);
+        if (has_vessel(scene)) {
+          add_repose_in_gravity(results, model);
+        }
         break;
       case scene::Measure::runout:
         add_runout(results, state);

@@ -112,6 +112,9 @@ void check_model(const Scene& scene, const Value& root) {
       refuse_foreign(*frames, "output.frames", "upright", Model::contact);
       refuse_foreign(*frames, "output.frames", "force_scale", Model::contact);
     }
+    if (const Value* trajectory = value_at(root, {"output", "trajectory"})) {
+      refuse_foreign(*trajectory, "output.trajectory", "contacts", Model::contact);
+    }
     if (const Value* stages = root.find("stages")) {
       for (const Value& stage : stages->items) {
         refuse_foreign(stage, "stages", "vessel", Model::contact);

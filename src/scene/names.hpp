@@ -56,7 +56,7 @@ inline constexpr std::array<std::string_view, 12> kFramesKeys = {
 inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
 inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
 inline constexpr std::array<std::string_view, 2> kContactsKeys = {"every", "window"};
-inline constexpr std::array<std::string_view, 1> kTrajectoryKeys = {"every"};
+inline constexpr std::array<std::string_view, 2> kTrajectoryKeys = {"every", "contacts"};
 inline constexpr std::array<std::string_view, 2> kCheckpointKeys = {"every", "seconds"};
 inline constexpr std::array<std::string_view, 1> kGasCheckpointKeys = {"seconds"};
 

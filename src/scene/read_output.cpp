@@ -121,6 +121,7 @@ TrajectoryOutput read_trajectory(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kTrajectoryKeys);
   TrajectoryOutput trajectory;
   trajectory.every = fields.count("every", 1, kMostSteps, trajectory.every);
+  trajectory.contacts = fields.boolean("contacts", trajectory.contacts);
   return trajectory;
 }
 

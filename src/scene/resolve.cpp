@@ -165,13 +165,18 @@ std::string output_block(const Output& output, Model model) {
                                    ? fmt::format("{{every: {}, window: {}}}",
                                                  output.contacts->every, output.contacts->window)
                                    : every(output.contacts);
+  const std::string trajectory =
+      output.trajectory && model == Model::contact
+          ? fmt::format("{{every: {}, contacts: {}}}", output.trajectory->every,
+                        output.trajectory->contacts)
+          : every(output.trajectory);
   return fmt::format(
       "output:\n{}  series: {}\n  fields: {}\n  contacts: {}\n  trajectory: {}\n"
       "  checkpoint: {}\n",
       output.frames ? frames_block(*output.frames, model) : "  frames: none\n",
       every(output.series),
       fields ? fmt::format("{{cell: {}, every: {}}}", fields->cell, fields->every) : "none",
-      contacts, every(output.trajectory), checkpoint_text(output.checkpoint));
+      contacts, trajectory, checkpoint_text(output.checkpoint));
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.

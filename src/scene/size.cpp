@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "automaton/claims.hpp"
+#include "clca/contact/force.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/scene/resolve.hpp"
 #include "scene/sections.hpp"
@@ -28,6 +29,12 @@ constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
 constexpr double kTrajectoryRowBytes = 6 * 45;
+// Of the contact model: a velocity, and the contacts of a grain.
+constexpr double kVelocityRowBytes = 6 * 16;
+constexpr double kContactRowBytes = 6 * 4 * 72;
+// Sums of forces over a window, by contact: two blocks and what they make together, each sum with
+// its place in a map.
+constexpr double kForceWindowBytes = 3 * 4 * (sizeof(contact::ForceSums::Sum) + 48);
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
@@ -134,8 +141,27 @@ double picture_bytes(const Output& output) {
 }
 
 /// A part is written once it is large enough: it has one frame too many at the most.
-double trajectory_bytes(const Output& output, double particles) {
-  return output.trajectory ? kTrajectoryPartBytes + kTrajectoryRowBytes * particles : 0;
+double trajectory_bytes(const Scene& scene, double particles) {
+  const auto& trajectory = scene.output.trajectory;
+  if (!trajectory) {
+    return 0;
+  }
+  const double row = kTrajectoryRowBytes + (scene.model == Model::contact ? kVelocityRowBytes : 0) +
+                     (trajectory->contacts ? kContactRowBytes : 0);
+  return kTrajectoryPartBytes + row * particles;
+}
+
+/// Windows of means of forces that may be there at a time: of tables, pictures and trajectory.
+double force_windows(const Scene& scene) {
+  const auto& measures = scene.measures;
+  const Output& output = scene.output;
+  const bool in_tables =
+      std::find(measures.begin(), measures.end(), Measure::force) != measures.end();
+  const bool in_pictures = output.frames && (output.frames->overlay == Overlay::forces ||
+                                             output.frames->color_by == ColorBy::force);
+  const bool in_frames = output.trajectory && output.trajectory->contacts;
+  const bool at_end = in_tables || in_pictures || in_frames;
+  return (at_end ? 1 : 0) + (in_pictures ? 1 : 0) + (in_frames ? 1 : 0);
 }
 
 }  // namespace
@@ -158,9 +184,9 @@ Size size_of(const Scene& scene) {
   double bytes = grains::Occupancy::bytes_for(places, overlaps) +
                  automaton::Claims::bytes_for(places) + kParticleBytes * particles +
                  kAwakeBytes * awake + fill_bytes(scene, lattice) + picture_bytes(scene.output) +
-                 trajectory_bytes(scene.output, particles);
+                 trajectory_bytes(scene, particles);
   if (scene.model == Model::contact) {
-    bytes += kContactGrainBytes * particles;
+    bytes += (kContactGrainBytes + kForceWindowBytes * force_windows(scene)) * particles;
   }
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "clca/grains/occupancy.hpp"
@@ -61,6 +62,11 @@ bool all_below(const std::vector<T>& values, std::size_t end) {
   return std::all_of(values.begin(), values.end(), [end](T value) { return value < end; });
 }
 
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value); });
+}
+
 void check_ranges(const PartContext& context, const RowRanges& ranges, std::uint64_t first) {
   for (std::size_t frame = 0; frame < ranges.first.size(); ++frame) {
     require(ranges.first[frame] == first, context, "rows of frames do not follow each other");
@@ -79,6 +85,46 @@ void check_wall_rows(const PartContext& context, const PartFrames& frames, const
     const grains::Range range = wall.motion ? grains::range_of(*wall.motion) : grains::Range{};
     require_in_frame(rows.wall_offset[at] >= range.low && rows.wall_offset[at] <= range.high,
                      context, frames.step[at / walls.size()], "a wall where it cannot come");
+  }
+}
+
+/// One grain is there, and so is the other body, and they meet near the grain.
+bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
+                const grains::State& fixed) {
+  const auto first = rows.id.begin() + static_cast<std::ptrdiff_t>(particles.first);
+  const auto end = rows.id.begin() + static_cast<std::ptrdiff_t>(particles.end);
+  const auto upper = std::lower_bound(first, end, rows.upper[row]);
+  const grains::Owner other = rows.other[row];
+  const bool has_other =
+      grains::is_particle(other)
+          ? std::binary_search(first, end, static_cast<std::uint32_t>(other))
+          : (other >= contact::kFloor && other <= contact::kRightSide) ||
+                (grains::is_wall(other) && grains::wall_number(other) < fixed.walls.size());
+  if (upper == end || *upper != rows.upper[row] || !has_other) {
+    return false;
+  }
+  const auto at = static_cast<std::size_t>(upper - rows.id.begin());
+  const Eigen::Vector2d site =
+      lattice::position(lattice::Site{rows.site[2 * at], rows.site[2 * at + 1]});
+  const Eigen::Vector2d place(rows.place[2 * row], rows.place[2 * row + 1]);
+  return (place - site).norm() <= 2 * fixed.lattice.size().norm();
+}
+
+void check_contact_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
+                        const grains::State& fixed) {
+  const auto contacts = static_cast<std::size_t>(frames.extents().contacts);
+  require(have_size(contacts, rows.upper, rows.other) &&
+              have_size(2 * contacts, rows.place, rows.normal, rows.branch, rows.force),
+          context, "contacts and frames do not go together");
+  require(all_finite(rows.place) && all_finite(rows.normal) && all_finite(rows.branch) &&
+              all_finite(rows.force),
+          context, "a number of a contact that is not finite");
+  for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
+    const RowSpan span = frames.contacts.rows_of(frame);
+    for (std::size_t row = span.first; row < span.end; ++row) {
+      require_in_frame(is_contact(rows, frames.particles.rows_of(frame), row, fixed), context,
+                       frames.step[frame], "a contact that cannot be");
+    }
   }
 }
 
@@ -128,12 +174,13 @@ void check_scene(const std::filesystem::path& path, const SceneTables& scene,
   }
 }
 
-void check_frames(const PartContext& context, const PartFrames& frames) {
+void check_frames(const PartContext& context, const PartFrames& frames, const Layout& layout) {
   const std::size_t size = frames.step.size();
   require(size > 0, context, "no frames");
   require(have_size(size, frames.stage, frames.entered, frames.particles.first,
                     frames.particles.count, frames.origins.first, frames.origins.count,
-                    frames.pushes.first, frames.pushes.count),
+                    frames.pushes.first, frames.pushes.count) &&
+              have_size(layout.contacts ? size : 0, frames.contacts.first, frames.contacts.count),
           context, "datasets of frames have different lengths");
   PartContext last = context;
   for (std::size_t frame = 0; frame < size; ++frame) {
@@ -154,6 +201,7 @@ void check_frames(const PartContext& context, const PartFrames& frames) {
   check_ranges(context, frames.particles, context.before.particles);
   check_ranges(context, frames.origins, context.before.origins);
   check_ranges(context, frames.pushes, context.before.pushes);
+  check_ranges(context, frames.contacts, context.before.contacts);
 }
 
 void check_origins(const PartContext& context, const PartFrames& frames, const PartOrigins& origins,
@@ -169,7 +217,7 @@ void check_origins(const PartContext& context, const PartFrames& frames, const P
 }
 
 void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
-                const grains::State& fixed) {
+                const grains::State& fixed, const Layout& layout) {
   const Extents extents = frames.extents();
   const auto particles = static_cast<std::size_t>(extents.particles);
   require(
@@ -178,6 +226,9 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
   require(have_size(static_cast<std::size_t>(extents.pushes), rows.pushed, rows.pusher,
                     rows.push_source, rows.push_direction),
           context, "pushes and frames do not go together");
+  require(
+      have_size(layout.velocities ? 2 * particles : 0, rows.velocity) && all_finite(rows.velocity),
+      context, "velocities and particles do not go together");
   require(all_below(rows.kind, fixed.kinds.size()), context, "a kind that the scene does not have");
   require(all_below(rows.move, grains::kRest + 1), context, "a move that is none");
   require(all_below(rows.push_direction, lattice::kDirectionCount), context,
@@ -188,6 +239,9 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
                      context, frames.step[frame], "ids of particles out of order or out of range");
   }
   check_wall_rows(context, frames, rows, fixed.walls);
+  if (layout.contacts) {
+    check_contact_rows(context, frames, rows, fixed);
+  }
 }
 
 void check_state(const PartContext& context, const grains::State& state) {

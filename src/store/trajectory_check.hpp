@@ -27,13 +27,13 @@ struct PartContext {
 /// `read`: of the part; `scene`: of the scene that it has to be of.
 void check_scene(const std::filesystem::path& path, const SceneTables& scene,
                  const SceneTables& read);
-void check_frames(const PartContext& context, const PartFrames& frames);
+void check_frames(const PartContext& context, const PartFrames& frames, const Layout& layout);
 /// After check_frames.
 void check_origins(const PartContext& context, const PartFrames& frames, const PartOrigins& origins,
                    const lattice::Lattice& lattice);
 /// After check_frames. `fixed`: a state of the scene.
 void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
-                const grains::State& fixed);
+                const grains::State& fixed, const Layout& layout);
 /// That particles, walls and pushes of a frame go together: an Automaton can go on with them.
 void check_state(const PartContext& context, const grains::State& state);
 

@@ -97,10 +97,10 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
 }  // namespace
 
 void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
-                 std::size_t walls) {
+                 const Layout& layout) {
   const auto add_all = [&](const Handle& file) {
     const TrajectoryPart none;
-    for_each_column(none, walls, [&]<class T>(const Column& column, const std::vector<T>&) {
+    for_each_column(none, layout, [&]<class T>(const Column& column, const std::vector<T>&) {
       add_dataset<T>(file, column, parts);
     });
     check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,

@@ -13,6 +13,6 @@ namespace clca::store {
 /// Writes `trajectory.h5` of a run folder: virtual datasets over parts with these extents, and
 /// group `scene` as a link into the first part. At least one part. Throws StoreError.
 void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
-                 std::size_t walls);
+                 const Layout& layout);
 
 }  // namespace clca::store

@@ -23,6 +23,13 @@ void add_point_row(std::vector<double>& rows, const Eigen::Vector2d& point) {
 
 }  // namespace
 
+Layout layout_of(const scene::Scene& scene) {
+  const auto& trajectory = scene.output.trajectory;
+  return {.walls = scene.walls.size(),
+          .velocities = scene.model == scene::Model::contact,
+          .contacts = trajectory && trajectory->contacts};
+}
+
 std::uint64_t Extents::along(Axis axis) const {
   switch (axis) {
     case Axis::frames:
@@ -32,9 +39,11 @@ std::uint64_t Extents::along(Axis axis) const {
     case Axis::origins:
       return origins;
     case Axis::pushes:
+      return pushes;
+    case Axis::contacts:
       break;
   }
-  return pushes;
+  return contacts;
 }
 
 std::size_t Column::width() const {
@@ -46,6 +55,7 @@ Extents& Extents::operator+=(const Extents& other) {
   particles += other.particles;
   origins += other.origins;
   pushes += other.pushes;
+  contacts += other.contacts;
   return *this;
 }
 
@@ -63,11 +73,12 @@ Extents PartFrames::extents() const {
   return {.frames = step.size(),
           .particles = sum_of(particles.count),
           .origins = sum_of(origins.count),
-          .pushes = sum_of(pushes.count)};
+          .pushes = sum_of(pushes.count),
+          .contacts = sum_of(contacts.count)};
 }
 
 void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::size_t first_origin,
-                         const Extents& before) {
+                         const Extents& before, const ContactFrame& contact) {
   Extents first = before;
   first += extents();
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
@@ -81,6 +92,9 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
     rows.move.push_back(particle.previous);
     derived.species.push_back(state.kinds[particle.kind].species);
     add_point_row(derived.position, grains::centre(state, particle));
+    if (!contact.velocities.empty()) {
+      add_point_row(rows.velocity, contact.velocities[id]);
+    }
     if (id >= first_origin) {
       origins.id.push_back(static_cast<std::uint32_t>(id));
       add_site_row(origins.site, state.origins[id]);
@@ -91,6 +105,14 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
     rows.pusher.push_back(push.pusher);
     rows.push_source.push_back(push.source);
     rows.push_direction.push_back(static_cast<std::uint8_t>(push.direction));
+  }
+  for (const contact::Force& force : contact.forces) {
+    rows.upper.push_back(force.upper);
+    rows.other.push_back(force.other);
+    add_point_row(rows.place, force.place);
+    add_point_row(rows.normal, force.normal);
+    add_point_row(rows.branch, force.branch);
+    add_point_row(rows.force, {force.along_normal, force.along_shear});
   }
   for (const grains::Wall& wall : state.walls) {
     rows.wall_present.push_back(wall.present ? 1 : 0);
@@ -105,21 +127,23 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.particles.add(first.particles, end.particles - first.particles);
   frames.origins.add(first.origins, end.origins - first.origins);
   frames.pushes.add(first.pushes, end.pushes - first.pushes);
+  frames.contacts.add(first.contacts, end.contacts - first.contacts);
 }
 
 Extents TrajectoryPart::extents() const {
   return {.frames = frames.step.size(),
           .particles = rows.id.size(),
           .origins = origins.id.size(),
-          .pushes = rows.pushed.size()};
+          .pushes = rows.pushed.size(),
+          .contacts = rows.upper.size()};
 }
 
 std::size_t TrajectoryPart::bytes() const {
   std::size_t sum = 0;
-  // Walls or not: what is not written is empty.
-  for_each_column(*this, 1, [&sum](const Column&, const auto& values) {
-    sum += values.size() * sizeof(values.front());
-  });
+  // All there may be: what is not written is empty.
+  for_each_column(
+      *this, {.walls = 1, .velocities = true, .contacts = true},
+      [&sum](const Column&, const auto& values) { sum += values.size() * sizeof(values.front()); });
   return sum;
 }
 

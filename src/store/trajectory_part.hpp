@@ -5,20 +5,32 @@
 #include <vector>
 
 #include "clca/grains/state.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/trajectory.hpp"
 #include "store/hdf5_file.hpp"
 
 namespace clca::store {
 
 inline constexpr FileKind kTrajectoryKind{.name = "trajectory", .version = 1};
 
+/// Which datasets there are beside those that all trajectories have.
+struct Layout {
+  std::size_t walls = 0;
+  bool velocities = false;
+  bool contacts = false;
+};
+
+Layout layout_of(const scene::Scene& scene);
+
 /// What the rows of a dataset are.
-enum class Axis : std::uint8_t { frames, particles, origins, pushes };
+enum class Axis : std::uint8_t { frames, particles, origins, pushes, contacts };
 
 struct Extents {
   std::uint64_t frames = 0;
   std::uint64_t particles = 0;
   std::uint64_t origins = 0;
   std::uint64_t pushes = 0;
+  std::uint64_t contacts = 0;
 
   std::uint64_t along(Axis axis) const;
   Extents& operator+=(const Extents& other);
@@ -59,6 +71,7 @@ struct PartFrames {
   RowRanges particles;
   RowRanges origins;
   RowRanges pushes;
+  RowRanges contacts;
 
   /// As the counts have it.
   Extents extents() const;
@@ -81,6 +94,14 @@ struct PartRows {
   std::vector<std::uint8_t> push_direction;
   std::vector<std::uint8_t> wall_present;  ///< frames x walls
   std::vector<std::int32_t> wall_offset;   ///< frames x walls, sites along the motion
+  std::vector<double> velocity;            ///< x, y
+  // Of contacts: see contact::Force.
+  std::vector<std::uint32_t> upper;
+  std::vector<std::int32_t> other;
+  std::vector<double> place;   ///< x, y
+  std::vector<double> normal;  ///< x, y
+  std::vector<double> branch;  ///< x, y
+  std::vector<double> force;   ///< along the normal, along the shear
 };
 
 /// What follows from the rest and the scene, for the convenience of other readers.
@@ -99,14 +120,14 @@ struct TrajectoryPart {
   /// Adds a frame. `before`: extents of the parts before. Origins are those of the particles with
   /// ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
-           const Extents& before);
+           const Extents& before, const ContactFrame& contact);
   Extents extents() const;
   std::size_t bytes() const;
 };
 
 /// Calls visit(column, vector) for each dataset.
 template <class Frames, class Visit>
-void for_each_frames_column(Frames& frames, Visit visit) {
+void for_each_frames_column(Frames& frames, const Layout& layout, Visit visit) {
   visit(Column{"frames/step", Axis::frames}, frames.step);
   visit(Column{"frames/stage", Axis::frames}, frames.stage);
   visit(Column{"frames/entered", Axis::frames}, frames.entered);
@@ -116,6 +137,10 @@ void for_each_frames_column(Frames& frames, Visit visit) {
   visit(Column{"frames/origins", Axis::frames}, frames.origins.count);
   visit(Column{"frames/first_push", Axis::frames}, frames.pushes.first);
   visit(Column{"frames/pushes", Axis::frames}, frames.pushes.count);
+  if (layout.contacts) {
+    visit(Column{"frames/first_contact", Axis::frames}, frames.contacts.first);
+    visit(Column{"frames/contacts", Axis::frames}, frames.contacts.count);
+  }
 }
 
 template <class Origins, class Visit>
@@ -125,7 +150,7 @@ void for_each_origins_column(Origins& origins, Visit visit) {
 }
 
 template <class Rows, class Visit>
-void for_each_rows_column(Rows& rows, std::size_t walls, Visit visit) {
+void for_each_rows_column(Rows& rows, const Layout& layout, Visit visit) {
   visit(Column{"particles/id", Axis::particles}, rows.id);
   visit(Column{"particles/site", Axis::particles, {2}}, rows.site);
   visit(Column{"particles/kind", Axis::particles}, rows.kind);
@@ -134,9 +159,20 @@ void for_each_rows_column(Rows& rows, std::size_t walls, Visit visit) {
   visit(Column{"pushes/pusher", Axis::pushes}, rows.pusher);
   visit(Column{"pushes/source", Axis::pushes}, rows.push_source);
   visit(Column{"pushes/direction", Axis::pushes}, rows.push_direction);
-  if (walls > 0) {
-    visit(Column{"walls/present", Axis::frames, {walls}}, rows.wall_present);
-    visit(Column{"walls/offset", Axis::frames, {walls}}, rows.wall_offset);
+  if (layout.walls > 0) {
+    visit(Column{"walls/present", Axis::frames, {layout.walls}}, rows.wall_present);
+    visit(Column{"walls/offset", Axis::frames, {layout.walls}}, rows.wall_offset);
+  }
+  if (layout.velocities) {
+    visit(Column{"particles/velocity", Axis::particles, {2}}, rows.velocity);
+  }
+  if (layout.contacts) {
+    visit(Column{"contacts/upper", Axis::contacts}, rows.upper);
+    visit(Column{"contacts/other", Axis::contacts}, rows.other);
+    visit(Column{"contacts/place", Axis::contacts, {2}}, rows.place);
+    visit(Column{"contacts/normal", Axis::contacts, {2}}, rows.normal);
+    visit(Column{"contacts/branch", Axis::contacts, {2}}, rows.branch);
+    visit(Column{"contacts/force", Axis::contacts, {2}}, rows.force);
   }
 }
 
@@ -150,11 +186,11 @@ void for_each_derived_column(Derived& derived, std::size_t walls, Visit visit) {
 }
 
 template <class Part, class Visit>
-void for_each_column(Part& part, std::size_t walls, Visit visit) {
-  for_each_frames_column(part.frames, visit);
+void for_each_column(Part& part, const Layout& layout, Visit visit) {
+  for_each_frames_column(part.frames, layout, visit);
   for_each_origins_column(part.origins, visit);
-  for_each_rows_column(part.rows, walls, visit);
-  for_each_derived_column(part.derived, walls, visit);
+  for_each_rows_column(part.rows, layout, visit);
+  for_each_derived_column(part.derived, layout.walls, visit);
 }
 
 /// For the functions above: notes where a column is to be read to.

@@ -24,6 +24,10 @@ lattice::Site site_at(const std::vector<std::int32_t>& sites, std::size_t row) {
   return {sites[2 * row], sites[2 * row + 1]};
 }
 
+Eigen::Vector2d point_at(const std::vector<double>& points, std::size_t row) {
+  return {points[2 * row], points[2 * row + 1]};
+}
+
 /// Particles whose state, and the check of it, fit into so many bytes.
 std::size_t most_particles(const grains::State& fixed, double bytes) {
   constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 1;
@@ -39,7 +43,7 @@ class Trajectory::Impl {
  public:
   Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, grains::State fixed,
        double most_bytes)
-      : fixed_(std::move(fixed)), bytes_left_(most_bytes) {
+      : fixed_(std::move(fixed)), layout_(layout_of(scene)), bytes_left_(most_bytes) {
     const SceneTables tables(scene, fixed_);
     PartContext context;
     context.stages = scene.stages.size();
@@ -72,6 +76,34 @@ class Trajectory::Impl {
     return state;
   }
 
+  ContactFrame contact_frame(std::size_t frame) {
+    const std::size_t number = part_of(frame);
+    load(number);
+    const KnownPart& part = parts_[number];
+    const std::size_t within = frame - first_frame(part);
+    ContactFrame result;
+    if (layout_.velocities) {
+      result.velocities.resize(part.frames.entered[within], Eigen::Vector2d::Zero());
+      const RowSpan rows = part.frames.particles.rows_of(within);
+      for (std::size_t row = rows.first; row < rows.end; ++row) {
+        result.velocities[rows_.id[row]] = point_at(rows_.velocity, row);
+      }
+    }
+    if (layout_.contacts) {
+      const RowSpan rows = part.frames.contacts.rows_of(within);
+      for (std::size_t row = rows.first; row < rows.end; ++row) {
+        result.forces.push_back({.upper = rows_.upper[row],
+                                 .other = rows_.other[row],
+                                 .place = point_at(rows_.place, row),
+                                 .normal = point_at(rows_.normal, row),
+                                 .branch = point_at(rows_.branch, row),
+                                 .along_normal = rows_.force[2 * row],
+                                 .along_shear = rows_.force[2 * row + 1]});
+      }
+    }
+    return result;
+  }
+
  private:
   /// What is kept of every part: enough to find frames and origins.
   struct KnownPart {
@@ -85,7 +117,7 @@ class Trajectory::Impl {
     }
 
    private:
-    static constexpr double kFrameBytes = 4 * sizeof(std::uint64_t) + 5 * sizeof(std::uint32_t);
+    static constexpr double kFrameBytes = 5 * sizeof(std::uint64_t) + 6 * sizeof(std::uint32_t);
     static constexpr double kOriginBytes = 3 * sizeof(std::uint32_t);
   };
 
@@ -94,11 +126,11 @@ class Trajectory::Impl {
     KnownPart part{.context = context, .frames = {}, .origins = {}};
     SceneTables read;
     std::vector<Hdf5Dataset> datasets = read.datasets();
-    for_each_frames_column(part.frames, add_to(datasets));
+    for_each_frames_column(part.frames, layout_, add_to(datasets));
     for_each_origins_column(part.origins, add_to(datasets));
     read_hdf5(context.path, kTrajectoryKind, datasets, bytes_left_);
     check_scene(context.path, tables, read);
-    check_frames(context, part.frames);
+    check_frames(context, part.frames, layout_);
     check_origins(context, part.frames, part.origins, fixed_.lattice);
     for (std::size_t frame = 0; frame < part.frames.step.size(); ++frame) {
       frames_.push_back({.step = part.frames.step[frame],
@@ -131,9 +163,9 @@ class Trajectory::Impl {
     rows_ = {};
     const KnownPart& known = parts_[part];
     std::vector<Hdf5Dataset> datasets;
-    for_each_rows_column(rows_, fixed_.walls.size(), add_to(datasets));
+    for_each_rows_column(rows_, layout_, add_to(datasets));
     read_hdf5(known.context.path, kTrajectoryKind, datasets, bytes_left_);
-    check_rows(known.context, known.frames, rows_, fixed_);
+    check_rows(known.context, known.frames, rows_, fixed_, layout_);
     loaded_ = part;
   }
 
@@ -202,6 +234,7 @@ class Trajectory::Impl {
   }
 
   grains::State fixed_;
+  Layout layout_;
   double bytes_left_;  // that reading a part may take
   std::vector<KnownPart> parts_;
   std::vector<Frame> frames_;
@@ -221,6 +254,9 @@ const std::vector<Trajectory::Frame>& Trajectory::frames() const {
 }
 grains::State Trajectory::state(std::size_t frame) const {
   return impl_->state(frame);
+}
+ContactFrame Trajectory::contact_frame(std::size_t frame) const {
+  return impl_->contact_frame(frame);
 }
 
 }  // namespace clca::store

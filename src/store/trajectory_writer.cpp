@@ -35,21 +35,23 @@ double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t most_fr
 
 class TrajectoryWriter::Impl {
  public:
-  Impl(OutputFolder run_folder, SceneTables tables, std::size_t walls, const Written& kept)
-      : run_folder_(std::move(run_folder)), tables_(std::move(tables)), walls_(walls) {
+  Impl(OutputFolder run_folder, SceneTables tables, const Layout& layout, const Written& kept)
+      : run_folder_(std::move(run_folder)), tables_(std::move(tables)), layout_(layout) {
     run_folder_.make_folder(kTrajectoryFolder);
     if (kept.parts > 0) {
       take_up(kept);
-      write_index(run_folder_, parts_, walls_);
+      write_index(run_folder_, parts_, layout_);
     }
     remove_parts(run_folder_, kept.parts);
   }
 
-  void add(const grains::State& state, std::size_t stage, bool stage_begins) {
-    if (state.walls.size() != walls_) {
+  void add(const grains::State& state, std::size_t stage, bool stage_begins,
+           const ContactFrame& contact) {
+    const std::size_t velocities = layout_.velocities ? state.particles.size() : 0;
+    if (state.walls.size() != layout_.walls || contact.velocities.size() != velocities) {
       throw std::invalid_argument("a trajectory of another scene");
     }
-    part_.add(state, stage, stage_begins ? 0 : entered_, written_);
+    part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
     entered_ = state.particles.size();
     if (part_.bytes() >= kPartBytes) {
       flush();
@@ -64,7 +66,7 @@ class TrajectoryWriter::Impl {
     const std::string name = part_name(parts_.size());
     const auto add_all = [this](const Hdf5Writer& file) {
       tables_.write(file);
-      for_each_column(part_, walls_,
+      for_each_column(part_, layout_,
                       [&file]<class T>(const Column& column, const std::vector<T>& values) {
                         file.add<T>(column.path, values, column.width());
                       });
@@ -72,7 +74,7 @@ class TrajectoryWriter::Impl {
     folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));
     count(part_.extents());
     part_ = {};
-    write_index(run_folder_, parts_, walls_);
+    write_index(run_folder_, parts_, layout_);
   }
 
   Written written() const { return {.parts = parts_.size(), .frames = written_.frames}; }
@@ -95,7 +97,7 @@ class TrajectoryWriter::Impl {
       SceneTables read;
       PartFrames frames;
       std::vector<Hdf5Dataset> datasets = read.datasets();
-      for_each_frames_column(frames, add_to(datasets));
+      for_each_frames_column(frames, layout_, add_to(datasets));
       read_hdf5(parts[part], kTrajectoryKind, datasets, bytes_to_look_at(parts[part], kept.frames));
       check_scene(parts[part], tables_, read);
       count(frames.extents());
@@ -113,7 +115,7 @@ class TrajectoryWriter::Impl {
 
   OutputFolder run_folder_;
   SceneTables tables_;
-  std::size_t walls_;
+  Layout layout_;
   std::vector<Extents> parts_;
   Extents written_;
   std::size_t entered_ = 0;  // particles that had entered in the last frame
@@ -122,12 +124,13 @@ class TrajectoryWriter::Impl {
 
 TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                                    const grains::State& state, const Written& kept)
-    : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), state.walls.size(),
-                                   kept)) {}
+    : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), layout_of(scene), kept)) {
+}
 TrajectoryWriter::~TrajectoryWriter() = default;
 
-void TrajectoryWriter::add(const grains::State& state, std::size_t stage, bool stage_begins) {
-  impl_->add(state, stage, stage_begins);
+void TrajectoryWriter::add(const grains::State& state, std::size_t stage, bool stage_begins,
+                           const ContactFrame& contact) {
+  impl_->add(state, stage, stage_begins, contact);
 }
 void TrajectoryWriter::flush() {
   impl_->flush();

@@ -113,6 +113,92 @@ TEST_F(ContactCliTest, TimesAreInSecondsWithUnitsAndSayTheirUnitWithoutThem) {
   }
 }
 
+TEST_F(ContactCliTest, RunsSayTheirModel) {
+  const auto kind = [&](const char* folder) -> std::string {
+    return nlohmann::json::parse(std::ifstream(folder_.path() / folder / "run.json"))["kind"];
+  };
+  run({"run", "small.yaml", "-o", "automaton"});
+  EXPECT_EQ(kind("automaton"), "automaton");
+  run({"run", "small.yaml", "--set", "model=contact", "-o", "contact"});
+  EXPECT_EQ(kind("contact"), "contact");
+  EXPECT_EQ(run({"report", "contact"}).code, 0);
+  std::ifstream page(folder_.path() / "contact" / "report.html");
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(page), {}),
+              HasSubstr("Lattice contact dynamics"));
+  const std::string help = run({"--help"}).out;
+  EXPECT_THAT(help, HasSubstr("contact dynamics"));
+}
+
+constexpr const char* kPumped = R"(clca: 1
+model: contact
+seed: 5
+box: {width: 40, height: 60}
+species: {small: {shape: {hexagon: 1}}}
+walls:
+  floor: {box: [0, 0, 40, 3], motion: {shake: {amplitude: 4, period: 2}}}
+stages:
+  - name: packing
+    fill: {region: [0, 4, 40, 60], counts: {small: 60}}
+    until: {steps: 300}
+  - {name: shaking, move: [floor], until: {cycles: 2}, max_steps: 20000}
+output: {series: {every: 1}}
+)";
+
+TEST_F(ContactCliTest, WallsMoveAndCyclesHaveTimes) {
+  std::ofstream(folder_.path() / "pumped.yaml") << kPumped;
+  const auto fast = run({"run", "pumped.yaml", "-o", "fast"});
+  EXPECT_EQ(fast.code, 0) << fast.err;
+  const auto reference = run({"run", "pumped.yaml", "-o", "slow", "--engine", "reference"});
+  EXPECT_EQ(state_line(reference), state_line(fast));
+  const fs::path folder = folder_.path() / "fast";
+  const auto travel = testing::csv_column(folder / "series.csv", "travel.floor");
+  EXPECT_EQ(*std::max_element(travel.begin(), travel.end()), 4);
+  EXPECT_EQ(travel.back(), 0);
+  const auto summary = nlohmann::json::parse(std::ifstream(folder / "run.json"));
+  EXPECT_EQ(summary["stages"][1]["ended"], "cycles");
+  const auto steps = testing::csv_column(folder / "cycles.csv", "step");
+  const auto times = testing::csv_column(folder / "cycles.csv", "time");
+  ASSERT_EQ(times.size(), 3U);
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    EXPECT_EQ(times[row], steps[row] * summary["units"]["time_step"].get<double>());
+  }
+}
+
+TEST_F(ContactCliTest, AShakeWithAWrongPeriodIsWrongInput) {
+  std::ofstream(folder_.path() / "pumped.yaml") << kPumped;
+  for (const char* period : {"0", "-3", "1.5", "fast"}) {
+    const auto result = run(
+        {"run", "pumped.yaml", "--set", std::string("walls.floor.motion.shake.period=") + period});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("walls.floor.motion.shake.period: expected a whole number "
+                                      "from 1 to "));
+    EXPECT_THAT(result.err, HasSubstr(std::string("found '") + period + "'"));
+  }
+}
+
+// Steps that are long for a fall from so high.
+TEST_F(ContactCliTest, EnergyThatGrowsIsWarnedOfAndInTheSummary) {
+  std::ofstream(folder_.path() / "high.yaml") << R"(clca: 1
+model: contact
+seed: 5
+box: {width: 40, height: 300}
+species: {small: {shape: {hexagon: 1}}}
+contact: {resolution: 1, fall_height: 4, rolling: none, friction: 0}
+stages:
+  - name: fall
+    fill: {region: [0, 0, 40, 300], counts: {small: 600}}
+    until: {steps: 600}
+output: {}
+)";
+  const auto result = run({"run", "high.yaml", "-o", "high"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("kinetic and potential energy have grown from "));
+  EXPECT_THAT(result.err, HasSubstr("; choose a smaller contact.resolution\n"));
+  const auto summary = nlohmann::json::parse(std::ifstream(folder_.path() / "high/run.json"));
+  EXPECT_GT(summary["stages"][0]["measures"]["energy_growth"].get<double>(), 0.005);
+}
+
 TEST_F(ContactCliTest, CheckSaysWhatAStepTakes) {
   const std::vector<std::string> check = {"check",         "small.yaml", "--set",
                                           "model=contact", "--set",      "contact.fall_height=80"};

@@ -23,6 +23,7 @@ namespace {
 using namespace clca;
 
 constexpr std::size_t kWalls = 2;
+constexpr store::Layout kLayout = {.walls = kWalls};
 constexpr std::size_t kFramesInFirst = 5;
 constexpr std::uint32_t kMostLimit = 1U << 23U;
 constexpr double kBeside = 3e6;  // names, the state itself, what is checked of it
@@ -63,7 +64,7 @@ Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {
     const auto& [state, stage, begins] = frames[frame];
     before = frame < kFramesInFirst ? store::Extents() : parts.front().extents();
-    parts.at(frame < kFramesInFirst ? 0 : 1).add(state, stage, begins ? 0 : entered, before);
+    parts.at(frame < kFramesInFirst ? 0 : 1).add(state, stage, begins ? 0 : entered, before, {});
     entered = state.particles.size();
   }
   return parts;
@@ -73,7 +74,7 @@ Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
 template <class Change>
 void with_column(store::TrajectoryPart& part, std::size_t number, Change change) {
   std::size_t at = 0;
-  store::for_each_column(part, kWalls, [&](const store::Column& column, auto& values) {
+  store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
     if (at++ == number) {
       change(column, values);
     }
@@ -106,7 +107,7 @@ void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
   follow(part.frames.origins, before.origins);
   follow(part.frames.pushes, before.pushes);
   const store::Extents extents = part.frames.extents();
-  store::for_each_column(part, kWalls, [&](const store::Column& column, auto& values) {
+  store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
     values.resize(column.width() * std::min(extents.along(column.axis), kMostRows));
   });
 }
@@ -134,7 +135,7 @@ std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) 
   return store::hdf5_file("part", store::kTrajectoryKind, [&](const store::Hdf5Writer& file) {
     tables.write(file);
     std::size_t at = 0;
-    store::for_each_column(part, kWalls,
+    store::for_each_column(part, kLayout,
                            [&]<class T>(const store::Column& column, const std::vector<T>& values) {
                              if (at++ != omitted) {
                                file.add<T>(column.path, values, column.width());
@@ -148,7 +149,7 @@ void require_sound(const grains::State& state, const store::TrajectoryPart& part
                    std::size_t frame) {
   automaton::Automaton(state, fuzz::small_scene().rules).step();
   store::TrajectoryPart again;
-  again.add(state, part.frames.stage[frame], 0, {});
+  again.add(state, part.frames.stage[frame], 0, {}, {});
   const auto same = [](const auto& all, store::RowSpan rows, const auto& some, std::size_t width) {
     return std::equal(all.begin() + static_cast<std::ptrdiff_t>(width * rows.first),
                       all.begin() + static_cast<std::ptrdiff_t>(width * rows.end), some.begin(),

@@ -22,6 +22,8 @@ struct Force {
   double along_normal = 0;  ///< not negative in one step
   double along_shear = 0;   ///< on the normal turned anticlockwise
 
+  bool operator==(const Force&) const = default;
+
   /// On the upper grain; the other body has the opposite one.
   Eigen::Vector2d on_upper() const {
     return along_normal * normal + along_shear * Eigen::Vector2d(-normal.y(), normal.x());
@@ -75,6 +77,9 @@ void add(ForceSums& sums, const ForceSums& later);
 /// Mean over the steps, 0 in those in which the bodies did not touch: the mean vector along the
 /// last normal and across it. By ids, the smaller one first. Empty where there are no steps.
 std::vector<Force> means(const ForceSums& sums);
+
+/// Sum of the normal forces on each of so many grains, by id.
+std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces);
 
 /// Mean mass of the grains that are present, in sites; 0 where there are none.
 double mean_mass(const grains::State& state);

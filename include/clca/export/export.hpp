@@ -39,7 +39,7 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   /// Steps must not fall from frame to frame. Throws store::StoreError.
-  virtual void add(const grains::State& state) = 0;
+  virtual void add(const grains::State& state, const store::ContactFrame& contact) = 0;
   /// Puts the file at its place. Nothing can be added afterwards. Throws store::StoreError.
   virtual void finish() = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // The free surface and what is read off it.
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace clca::measure {
 /// Height of the free surface above the floor of the box, one value per column from the left, in
 /// lattice spacings: the top of the highest particle site there, 0 where there is none.
 std::vector<double> surface_profile(const grains::State& state);
+
+/// The same in the frame in which gravity points down: heights above the lowest site, from the
+/// leftmost one on. `down`: of length 1. For boxes that are not periodic; empty where no particle
+/// is.
+std::vector<double> surface_profile(const grains::State& state, const Eigen::Vector2d& down);
 
 /// Mean of the profile over the columns with particles; 0 where there are none.
 double mean_height(const std::vector<double>& profile);

@@ -70,6 +70,7 @@ struct Contacts {
 /// A frame of the trajectory at the begin of each stage, every so many of its steps, at its end.
 struct TrajectoryOutput {
   std::uint64_t every = 10;
+  bool contacts = false;  ///< of Model::contact: with the forces of each contact
 
   bool operator==(const TrajectoryOutput&) const = default;
 };

@@ -31,7 +31,7 @@ struct StageSummary {
 };
 
 struct RunSummary {
-  std::string kind = "automaton";  ///< or boltzmann
+  std::string kind = "automaton";  ///< or contact, boltzmann
   std::string version;
   std::string scene;
   std::uint64_t seed = 0;
@@ -49,8 +49,8 @@ struct RunSummary {
   std::vector<StageSummary> stages;
 };
 
-/// What run.json calls the rate of a kind of run: particle-updates of the automaton, collisions (of
-/// pairs) of the Boltzmann equation, both per second.
+/// What run.json calls the rate of a kind of run: collisions (of pairs) of the Boltzmann equation,
+/// particle-updates of all others, per second.
 const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);

@@ -5,18 +5,28 @@
 // beside it, which shows all of them as one. Parts come one after the other while the run goes on,
 // so that any reader may look at any time. docs/trajectory.md has the layout.
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "clca/contact/force.hpp"
 #include "clca/fields/fields.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 
 namespace clca::store {
+
+/// What a frame of the contact model has beside the state of the grains; empty of the automaton.
+struct ContactFrame {
+  std::vector<Eigen::Vector2d> velocities = {};  ///< by id, lattice spacings a step
+  std::vector<contact::Force> forces = {};       ///< with scene::TrajectoryOutput::contacts
+
+  bool operator==(const ContactFrame&) const = default;
+};
 
 /// Writes the trajectory of a run. Not for several threads at once.
 class TrajectoryWriter {
@@ -42,7 +52,9 @@ class TrajectoryWriter {
 
   /// Takes a frame of the stage `stage` (from 0) into memory; `stage_begins` in the first frame of
   /// a stage, where all origins are marked anew. Writes a part when enough has come together.
-  void add(const grains::State& state, std::size_t stage, bool stage_begins);
+  /// Forces are those between grains that are present, or grains and what else they touch.
+  void add(const grains::State& state, std::size_t stage, bool stage_begins,
+           const ContactFrame& contact = {});
   /// Writes what is in memory, if anything, as a part, and the index anew.
   void flush();
   /// After flush().
@@ -79,6 +91,8 @@ class Trajectory {
   /// they are not present. An Automaton can be made of it. Fast when frames are asked for in order;
   /// not for several threads at once. Throws StoreError, also for what no run can have written.
   grains::State state(std::size_t frame) const;
+  /// Velocities and forces of a frame; a velocity of 0 of grains that have left. Throws as state().
+  ContactFrame contact_frame(std::size_t frame) const;
 
  private:
   class Impl;

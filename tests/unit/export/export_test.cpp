@@ -68,6 +68,18 @@ TEST(Bodies, ArePresentParticlesWithTheirLastMoveAndTheWayFromTheirOrigin) {
   EXPECT_EQ(all[1].force, 0);
 }
 
+TEST(Bodies, OfTheContactModelHaveTheirVelocityAndTheSumOfTheirNormalForces) {
+  const store::ContactFrame contact = {
+      .velocities = {{0.25, -0.5}, {0, 0}, {1, 1}},
+      .forces = {{.upper = 1, .other = 0, .along_normal = 1.5, .along_shear = 9},
+                 {.upper = 0, .other = contact::kFloor, .along_normal = 2.25}}};
+  const std::vector<Body> all = bodies(three_particles(), contact, 4);
+  EXPECT_EQ(all[0].velocity, Eigen::Vector2d(1, -2));
+  EXPECT_EQ(all[0].force, 3.75F);
+  EXPECT_EQ(all[1].velocity.norm(), 0);
+  EXPECT_EQ(all[1].force, 1.5F);
+}
+
 TEST(Bodies, StayInAPeriodicBoxAndCountHowOftenTheyLeftIt) {
   grains::State state = {.lattice = lattice::Lattice(10, 10, true)};
   state.kinds = {{lattice::Shape::hexagon(0), 0}};
@@ -109,7 +121,7 @@ TEST(Xyz, SaysEachParticleInALine) {
   const fs::path file = folder.path() / "a.xyz";
   const grains::State state = three_particles();
   const auto out = writer(Format::xyz, store::named_file(file), two_species(), state.kinds);
-  out->add(state);
+  out->add(state, {});
   EXPECT_FALSE(fs::exists(file));
   out->finish();
   EXPECT_EQ(text_of(file),
@@ -126,8 +138,8 @@ TEST(Vtp, ASecondFrameOfAStepHasAFileAndATimeOfItsOwn) {
   const fs::path file = folder.path() / "a<b&c.pvd";
   const grains::State state = three_particles();
   const auto out = writer(Format::vtp, store::named_file(file), two_species(), state.kinds);
-  out->add(state);
-  out->add(state);
+  out->add(state, {});
+  out->add(state, {});
   out->finish();
   EXPECT_TRUE(fs::exists(folder.path() / "a<b&c-000007.vtp"));
   EXPECT_TRUE(fs::exists(folder.path() / "a<b&c-000007-2.vtp"));
@@ -145,8 +157,8 @@ TEST(Writers, GiveTheTimeThatStepsOfTheContactModelTake) {
   const double step = scene::conversion(scene)->time_step;
   const auto written = [&](Format format, const char* name) {
     const auto out = writer(format, store::named_file(folder.path() / name), scene, state.kinds);
-    out->add(state);
-    out->add(state);
+    out->add(state, {});
+    out->add(state, {});
     out->finish();
     return text_of(folder.path() / name);
   };
@@ -160,7 +172,8 @@ TEST(Writers, LeaveNothingUnlessTheyFinish) {
   const testing::ScratchFolder folder;
   for (const Format format : {Format::gsd, Format::xyz}) {
     const grains::State state = three_particles();
-    writer(format, store::named_file(folder.path() / "a"), two_species(), state.kinds)->add(state);
+    writer(format, store::named_file(folder.path() / "a"), two_species(), state.kinds)
+        ->add(state, {});
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
@@ -170,7 +183,7 @@ TEST(Gsd, BeginsWithTheNumberAndTheVersionsOfTheLayout) {
   const grains::State state = three_particles();
   const auto out =
       writer(Format::gsd, store::named_file(folder.path() / "a.gsd"), two_species(), state.kinds);
-  out->add(state);
+  out->add(state, {});
   out->finish();
   const std::string text = text_of(folder.path() / "a.gsd");
   EXPECT_THAT(text, StartsWith("\xDF\x65\xDF\x65\xDF\x65\xDF\x65"));

@@ -77,6 +77,23 @@ TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
   EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean().has_value());
 }
 
+/// A pile that falls to the right by 40 degrees, in a vessel turned by some degrees anticlockwise.
+TEST(Repose, AgainstGravityIsWhatTheVesselTurnsItBy) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  std::vector<int> heights;
+  for (int column = 0; column < 80; ++column) {
+    heights.push_back(std::max(0, 60 - static_cast<int>(std::tan(40 * kDegree) * kColumnPitch *
+                                                        static_cast<double>(column))));
+  }
+  const State state = stacks(heights);
+  for (const double turned : {-20.0, 0.0, 25.0}) {
+    const Eigen::Vector2d down(-std::sin(turned * kDegree), -std::cos(turned * kDegree));
+    const ReposeAngle angle = repose_angle(surface_profile(state, down));
+    EXPECT_NEAR(angle.right.value(), 40 - turned, 1.5) << turned;
+  }
+  EXPECT_TRUE(surface_profile(stacks({0, 0}), {0, -1}).empty());
+}
+
 TEST(Packing, IsOneForGaplessStacksAndCountsHolesBelowTheSurface) {
   EXPECT_DOUBLE_EQ(packing_fraction(stacks({5, 7, 3})).value(), 1);
   State state = stacks({5, 5});

@@ -12,6 +12,7 @@
 
 #include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
+#include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "run/energy_record.hpp"
 #include "run/stage.hpp"
@@ -75,6 +76,36 @@ TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
     EXPECT_LE(kinetic[step] + potential[step], 1.005 * potential.front());
   }
   EXPECT_GT(discharged.back(), 0);
+}
+
+TEST_F(ContactRunTest, ItsSummaryAndCheckpointsAreOfItsKind) {
+  EXPECT_EQ(run(small(), {.folder = path()}).kind, "contact");
+  EXPECT_EQ(store::read_checkpoint(path(), kMuch)->checkpoint.kind, "contact");
+}
+
+TEST_F(ContactRunTest, ATiltedVesselHasItsAngleAndSlopesAgainstGravity) {
+  const auto summary = run(scene::parse(R"(clca: 1
+model: contact
+seed: 5
+box: {width: 60, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 60, 60], counts: {grain: 150}}
+    until: {steps: 1500}
+  - {name: tilt, vessel: {tilt: 30}, until: {steps: 10}}
+measure: [repose]
+output: {series: {every: 10}}
+)",
+                                        "tilted.yaml"),
+                           {.folder = path()});
+  const auto angles = testing::csv_column(path() / "series.csv", "vessel_angle_deg");
+  EXPECT_EQ(angles.front(), 0);
+  EXPECT_NEAR(angles.back(), 30, 1e-9);
+  EXPECT_EQ(testing::measure_of(summary, "packing", "vessel_angle_deg"), 0);
+  EXPECT_NEAR(testing::measure_of(summary, "tilt", "vessel_angle_deg"), 30, 1e-9);
+  // Level with the floor still.
+  EXPECT_NEAR(testing::measure_of(summary, "tilt", "repose_gravity_left_deg"), 30, 4);
 }
 
 TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
@@ -383,9 +414,10 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
               EndsWith("a contact is not one of two bodies"));
   EXPECT_THAT(refusal(column("state/contacts/size", std::uint64_t{1} << 40U)),
               EndsWith("state/contacts needs more memory than the limit"));
-  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/upper", std::uint32_t{1000})),
-              EndsWith("records/contacts is not of this run"));
-  EXPECT_THAT(refusal(column("records/contacts/picture/block/sums/force_x",
+  EXPECT_THAT(
+      refusal(column("records/contacts/pictures/window/block/sums/upper", std::uint32_t{1000})),
+      EndsWith("records/contacts is not of this run"));
+  EXPECT_THAT(refusal(column("records/contacts/pictures/window/block/sums/force_x",
                              std::numeric_limits<double>::infinity())),
               EndsWith("records/contacts is not of this run"));
   EXPECT_THAT(refusal(column("state/grains/particles/kind", std::uint16_t{9})),

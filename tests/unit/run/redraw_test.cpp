@@ -6,6 +6,7 @@
 #include <set>
 
 #include "clca/render/png.hpp"
+#include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "run/frame_choice.hpp"
@@ -101,6 +102,56 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForces) {
   expect_same_pictures(kPushed, {"output.frames.color_by=force"});
   expect_same_pictures(kPushed, {"output.frames.overlay=forces"});
   expect_same_pictures(kPushed, {"output.frames.overlay=forces", "output.frames.drawing=lookup"});
+}
+
+/// With a wall that is removed and an outlet, so that grains of contacts leave.
+const std::string kContacts = R"(clca: 1
+model: contact
+box: {width: 40, height: 50}
+species: {grain: {shape: {hexagon: 1}}}
+walls: {gate: {box: [20, 0, 21, 50]}}
+outlets: {drain: {region: [22, 0, 41, 8]}}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 20, 50], counts: {grain: 40}}
+    until: {steps: 250}
+  - {name: flow, remove: [gate], until: {steps: 330}}
+output:
+  frames: {every: 50, width: 200, height: 160, supersampling: 1}
+  contacts: {window: 30, every: 2}
+  trajectory: {every: 10, contacts: true}
+)";
+
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForcesOfTheContactModel) {
+  for (const char* key : {"color_by=force", "overlay=forces"}) {
+    const testing::ScratchFolder scratch;
+    const fs::path folder = scratch.path() / "run";
+    const fs::path again = scratch.path() / "again";
+    const scene::Scene scene = parse(kContacts, {std::string("output.frames.") + key});
+    run(scene, {.folder = folder});
+    Redraw(scene, {.run = folder, .folder = store::OutputFolder(again)}).draw();
+    ASSERT_EQ(names(again), names(folder / "frames"));
+    ASSERT_GT(names(again).size(), 10U);
+    for (const std::string& name : names(again)) {
+      EXPECT_EQ(testing::bytes_of(again / name), testing::bytes_of(folder / "frames" / name))
+          << key << ", " << name;
+    }
+  }
+}
+
+TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
+  const scene::Scene scene =
+      parse(kContacts, {"output.trajectory.contacts=false", "output.frames.overlay=forces"});
+  run(scene, {.folder = folder_.path() / "run"});
+  try {
+    const Redraw none(scene, {.run = folder_.path() / "run"});
+    FAIL() << "no error";
+  } catch (const RedrawError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr(": overlay: the trajectory of this run holds no forces; draw with the "
+                          "overlay none, or run the scene again with output.trajectory.contacts: "
+                          "true"));
+  }
 }
 
 TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {

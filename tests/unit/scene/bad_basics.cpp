@@ -126,7 +126,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a checkpoint that is neither a map nor none", "output: {checkpoint: yes}",
      "scene.yaml:12:22: error: output.checkpoint: expected a map or none, found 'yes'"},
     {"a trajectory with a folder", "output: {trajectory: {folder: here}}",
-     "scene.yaml:12:23: error: unknown key 'folder' in output.trajectory (allowed: every)"},
+     "scene.yaml:12:23: error: unknown key 'folder' in output.trajectory (allowed: every, "
+     "contacts)"},
     {"frames that are neither a map nor none", "output: {frames: 10}",
      "scene.yaml:12:18: error: output.frames: expected a map or none, found '10'"},
     {"a picture without width", "output: {frames: {width: 0}}",

@@ -147,6 +147,11 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:10:42: error: stages.vessel: only model contact has it; remove it, or say 'model: "
      "contact'",
      Judge::parser},
+    {"contacts in a trajectory of the automaton",
+     "model: automaton\noutput: {trajectory: {contacts: true}}",
+     "scene.yaml:12:23: error: output.trajectory.contacts: only model contact has it; remove it, "
+     "or say 'model: contact'",
+     Judge::parser},
     {"upright pictures of the automaton", "model: automaton\noutput: {frames: {upright: true}}",
      "scene.yaml:12:19: error: output.frames.upright: only model contact has it; remove it, or say "
      "'model: contact'",

@@ -278,6 +278,7 @@ TEST(Schema, NamesTheDefaultsOfTheParser) {
       "output: {frames: {}, series: {}, fields: {}, contacts: {}, trajectory: {}}";
   nlohmann::json scene = json_of(to_yaml(parse(testing::scene_with(kDefaults), "scene.yaml")));
   scene["output"]["frames"]["upright"] = false;  // the contact model's only
+  scene["output"]["trajectory"]["contacts"] = false;
   const auto contact =
       json_of(to_yaml(parse(testing::contact_with("units: {spacing: 1 m}"), "scene.yaml")));
   scene["contact"] = contact.at("contact");

@@ -6,11 +6,13 @@
 #include <functional>
 #include <limits>
 
+#include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
 #include "support/runs.hpp"
+#include "support/states.hpp"
 #include "support/trajectories.hpp"
 
 namespace clca::store {
@@ -19,7 +21,7 @@ namespace {
 using ::testing::EndsWith;
 
 constexpr double kMuch = 1e8;
-constexpr std::size_t kWalls = 1;
+constexpr Layout kLayout = {.walls = 1};
 
 struct Hostile {
   const char* name;
@@ -45,27 +47,27 @@ void write_plate(const std::filesystem::path& run) {
   writer.flush();
 }
 
-void rewrite(const std::filesystem::path& path,
-             const std::function<void(TrajectoryPart&)>& change) {
+void rewrite(const std::filesystem::path& path, const std::function<void(TrajectoryPart&)>& change,
+             const Layout& layout = kLayout) {
   TrajectoryPart part;
   SceneTables tables;
   std::vector<Hdf5Dataset> datasets = tables.datasets();
-  for_each_column(part, kWalls, add_to(datasets));
+  for_each_column(part, layout, add_to(datasets));
   read_hdf5(path, kTrajectoryKind, datasets, kMuch);
   change(part);
   write_whole(path, hdf5_file(path, kTrajectoryKind, [&](const Hdf5Writer& file) {
                 tables.write(file);
                 for_each_column(
-                    part, kWalls,
+                    part, layout,
                     [&file]<class T>(const Column& column, const std::vector<T>& values) {
                       file.add<T>(column.path, values, column.width());
                     });
               }));
 }
 
-std::string reason(const std::filesystem::path& run) {
+std::string reason(const std::filesystem::path& run,
+                   const scene::Scene& scene = testing::plate_scene()) {
   try {
-    const scene::Scene scene = testing::plate_scene();
     const Trajectory trajectory(run, scene, run::initial_state(scene), kMuch);
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
       trajectory.state(frame);
@@ -74,6 +76,53 @@ std::string reason(const std::filesystem::path& run) {
     return error.what();
   }
   return "";
+}
+
+/// Two grains, the first one on the floor and on the second one.
+void write_contacts(const std::filesystem::path& run, const scene::Scene& scene) {
+  grains::State state = run::initial_state(scene);
+  state.particles = {testing::particle_at(5, 5), testing::particle_at(9, 5)};
+  state.origins = {{5, 5}, {9, 5}};
+  const contact::Force force = {
+      .upper = 0, .other = 1, .place = {5, 5}, .normal = {0, 1}, .branch = {0, 2}};
+  contact::Force on_floor = force;
+  on_floor.other = contact::kFloor;
+  TrajectoryWriter writer(OutputFolder(run), scene, state, {});
+  writer.add(state, 0, true, {.velocities = {{0, 1}, {2, 3}}, .forces = {force, on_floor}});
+  writer.flush();
+}
+
+TEST(HostileTrajectory, ContactsThatCannotBeAreRefused) {
+  const scene::Scene scene = scene::parse(R"(clca: 1
+model: contact
+box: {width: 20, height: 20}
+species: {grain: {shape: {hexagon: 1}}}
+stages: [{name: only, fill: {region: [0, 0, 20, 20], counts: {grain: 2}}}]
+output: {trajectory: {contacts: true}}
+)",
+                                          "two.yaml");
+  const auto reason_of = [&](const std::function<void(TrajectoryPart&)>& change) {
+    const testing::ScratchFolder folder;
+    write_contacts(folder.path(), scene);
+    rewrite(only_part(folder.path()), change, {.velocities = true, .contacts = true});
+    return reason(folder.path(), scene);
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr const char* kCannotBe = "frame of step 0: a contact that cannot be";
+  EXPECT_EQ(reason_of([](TrajectoryPart&) {}), "");
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.upper[0] = 2; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = 2; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = -2; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[1] += 4; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.place[3] = 1e9; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.force[3] = kInfinity; }),
+              EndsWith("a number of a contact that is not finite"));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.velocity[3] = kInfinity; }),
+              EndsWith("velocities and particles do not go together"));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.normal.resize(2); }),
+              EndsWith("contacts and frames do not go together"));
+  EXPECT_THAT(reason_of([](auto& part) { part.frames.contacts.count[0] = 1; }),
+              EndsWith("contacts and frames do not go together"));
 }
 
 TEST(HostileTrajectory, ThePartThatIsChangedIsReadAsLongAsItIsNot) {

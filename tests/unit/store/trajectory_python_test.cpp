@@ -8,8 +8,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "clca/scene/parse.hpp"
 #include "clca/store/trajectory.hpp"
 #include "support/runs.hpp"
+#include "support/states.hpp"
 #include "support/trajectories.hpp"
 
 namespace clca::store {
@@ -100,6 +102,28 @@ TEST_F(TrajectoryInPython, TheExampleGoesAcrossASeam) {
   std::filesystem::create_directories(run());
   write(testing::hourglass_scene());
   EXPECT_EQ(lines_of_example(run()), lines_);
+}
+
+TEST_F(TrajectoryInPython, TheExampleAddsTheForcesOnTheFloor) {
+  std::filesystem::create_directories(run());
+  const scene::Scene scene = scene::parse(R"(clca: 1
+model: contact
+box: {width: 20, height: 20}
+species: {grain: {shape: {hexagon: 1}}}
+stages: [{name: only, fill: {region: [0, 0, 20, 20], counts: {grain: 1}}}]
+output: {trajectory: {contacts: true}}
+)",
+                                          "one.yaml");
+  grains::State state = run::initial_state(scene);
+  state.particles = {testing::particle_at(5, 5)};
+  state.origins = {{5, 5}};
+  contact::Force force = {.other = contact::kFloor, .place = {5, 5}, .along_normal = 2.5};
+  ContactFrame frame = {.velocities = {{0, 0}}, .forces = {force, force}};
+  frame.forces[1].other = contact::kLeftSide;
+  TrajectoryWriter writer(OutputFolder(run()), scene, state, {});
+  writer.add(state, 0, true, frame);
+  writer.flush();
+  EXPECT_EQ(lines_of_example(run()), std::vector<std::string>({"0 only 1 5.5 floor=2.5"}));
 }
 
 TEST_F(TrajectoryInPython, TheIndexShowsAllPartsAsOne) {

@@ -7,6 +7,8 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/store/file.hpp"
+#include "run/model.hpp"
+#include "run/stage.hpp"
 #include "support/runs.hpp"
 #include "support/trajectories.hpp"
 
@@ -97,6 +99,56 @@ TEST_F(TrajectoryTest, StatesOfAnHourglassWithAPeriodicSeamAreReadAsTheyWere) {
     return state.walls.front().travel.offset != 0;
   })) << "nothing was shaken";
   expect_equal(scene, shown);
+}
+
+TEST_F(TrajectoryTest, VelocitiesAndForcesOfTheContactModelAreReadAsTheyWere) {
+  const scene::Scene scene = scene::parse(R"(clca: 1
+model: contact
+box: {width: 30, height: 40}
+species: {grain: {shape: {hexagon: 1}}}
+outlets: {drain: {region: [0, 0, 12, 6]}}
+stages:
+  - name: rain
+    fill: {region: [0, 0, 30, 40], counts: {grain: 30}}
+    until: {steps: 200}
+output: {trajectory: {every: 20, contacts: true}}
+)",
+                                          "rain.yaml");
+  run::Model model(scene, run::first_state(scene), {});
+  TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
+  run::prepare_stage(model, scene, scene.stages.front());
+  std::vector<ContactFrame> shown;
+  for (int step = 0; step <= 200; ++step) {
+    if (step % 20 == 0) {
+      ContactFrame frame = {.velocities = model.velocities(), .forces = *model.forces()};
+      const auto& grains = model.state().particles;
+      std::erase_if(frame.forces, [&](const contact::Force& force) {
+        return !grains[force.upper].present ||
+               (grains::is_particle(force.other) &&
+                !grains[static_cast<std::size_t>(force.other)].present);
+      });
+      writer.add(model.state(), 0, step == 0, frame);
+      for (std::size_t id = 0; id < frame.velocities.size(); ++id) {
+        if (!grains[id].present) {
+          frame.velocities[id].setZero();
+        }
+      }
+      shown.push_back(frame);
+    }
+    if (step % 60 == 0) {
+      writer.flush();
+    }
+    model.step();
+  }
+  writer.flush();
+  ASSERT_LT(present_count(model.state()), 30U) << "nothing has left";
+  ASSERT_GT(shown.back().forces.size(), 10U);
+  const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
+  ASSERT_EQ(trajectory.frames().size(), shown.size());
+  for (std::size_t frame = shown.size(); frame-- > 0;) {
+    EXPECT_EQ(trajectory.contact_frame(frame), shown[frame]) << "frame " << frame;
+  }
+  EXPECT_THROW(writer.add(model.state(), 0, false), std::invalid_argument) << "no velocities";
 }
 
 TEST_F(TrajectoryTest, FramesAreReadInAnyOrder) {
