@@ -106,7 +106,7 @@ std::vector<Eigen::Vector2d> Model::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     for (const auto& velocity : contact->state().velocities) {
-      result.push_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
+      result.emplace_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
     }
   }
   return result;

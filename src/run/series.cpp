@@ -34,7 +34,7 @@ std::vector<std::string> columns(const scene::Scene& scene) {
     names.insert(names.end(), {"kinetic_energy", "potential_energy", "dissipated_energy"});
   }
   if (has_vessel(scene)) {
-    names.push_back("vessel_angle_deg");
+    names.emplace_back("vessel_angle_deg");
   }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {

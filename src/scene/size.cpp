@@ -32,9 +32,9 @@ constexpr double kTrajectoryRowBytes = 6 * 45;
 // Of the contact model: a velocity, and the contacts of a grain.
 constexpr double kVelocityRowBytes = 6 * 16;
 constexpr double kContactRowBytes = 6 * 4 * 72;
-// Sums of forces over a window, by contact: two blocks and what they make together, each sum with
+// Sums of forces over a window, of four contacts a grain: two blocks and their total, each sum with
 // its place in a map.
-constexpr double kForceWindowBytes = 3 * 4 * (sizeof(contact::ForceSums::Sum) + 48);
+constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 48);
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;

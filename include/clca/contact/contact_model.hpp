@@ -35,8 +35,7 @@ struct Options {
   std::vector<std::optional<double>> wall_friction = {};
   /// Steps as the model is defined, not as they are fast. For checks.
   bool reference = false;
-  /// They change nothing but the speed.
-  int threads = 1;
+  int threads = 1;  ///< change nothing but the speed
   /// Grains that are worth a thread.
   std::size_t split_from = 1024;
   /// Where steps are to add what they took; it has to outlive the model.

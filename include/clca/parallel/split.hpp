@@ -8,10 +8,10 @@
 
 namespace clca::parallel {
 
-/// How many threads there are, and what is too little to be worth more than one.
+/// Threads for a loop.
 struct Threads {
   int count = 1;
-  std::size_t least = 1;  ///< numbers in a part
+  std::size_t least = 1;  ///< numbers that are worth a thread
 };
 
 /// Cuts the numbers from 0 to `count` into at most as many parts as there are threads and calls
@@ -20,11 +20,11 @@ struct Threads {
 void split(const Threads& threads, std::size_t count,
            const std::function<void(std::size_t part, std::size_t first, std::size_t last)>& work);
 
-/// What each part of a loop has found.
+/// Lists that the parts of a loop fill, each its own.
 template <class T>
-class Findings {
+class PartLists {
  public:
-  explicit Findings(const Threads& threads) : parts_(static_cast<std::size_t>(threads.count)) {}
+  explicit PartLists(const Threads& threads) : parts_(static_cast<std::size_t>(threads.count)) {}
 
   void clear() {
     for (std::vector<T>& part : parts_) {

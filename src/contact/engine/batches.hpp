@@ -18,8 +18,8 @@ struct LaneContent {
   const Pair* pair = nullptr;
 };
 
-/// Batches that share no grain with the other groups of their round, so that one thread can carry
-/// them out while others carry out those.
+/// Batches that share no grain with the other groups of their round: each group can be solved by
+/// another thread.
 struct Group {
   std::size_t first = 0;
   std::size_t count = 0;
@@ -29,21 +29,21 @@ struct Group {
 /// give: each contact is in a later batch than those before it that it shares a grain with.
 class Batches {
  public:
-  /// `groups`: how many there may be. Each has its own copies of the bodies that are no grains.
+  /// `groups`: how many there may be. Each has its own copies of the bodies that are not grains.
   Batches(std::size_t walls, std::size_t groups)
       : fixed_bodies_(kFirstWallBody + static_cast<std::int32_t>(walls)),
         first_grain_(fixed_bodies_ * static_cast<std::int32_t>(groups)) {}
 
   /// The body of the grain with id 0.
   std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
-  /// The copies of the bodies that are no grains: so many behind each other.
+  /// How many bodies of a group are not grains. Those of all groups come before the grains.
   std::size_t fixed_bodies() const { return static_cast<std::size_t>(fixed_bodies_); }
 
   /// Forgets all contacts and groups.
   void clear(std::size_t grains);
   /// There are more grains.
   void add_grains(std::size_t grains) { next_batch_.resize(grains, 0); }
-  /// What is added next is in another group than what is there; `after`: and comes after it.
+  /// Begins a group; `after`: and a round.
   void begin_group(bool after);
   /// Adds a contact behind the others. Returns its lane, counted through all batches.
   std::int32_t add(const LaneContent& content);
@@ -66,7 +66,7 @@ class Batches {
   Touching<std::int32_t> touching(std::int32_t lane, const std::vector<Body>& bodies) const;
 
   std::vector<Batch>& all() { return batches_; }
-  /// In their order.
+  /// Groups by round, in the order of the rounds.
   const std::vector<std::vector<Group>>& rounds() const { return rounds_; }
 
  private:

@@ -116,7 +116,8 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   return first;
 }
 
-/// What changes more than the numbers of a contact is left for later: several threads are here.
+/// Several threads call this, so it changes nothing but normals. Contacts that end, and those whose
+/// upper grain changes, are collected.
 void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part) {
   const ContactSlots& all = slots;
   all.for_each(id, [&](std::int32_t at) {
@@ -125,7 +126,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::s
     const auto other = static_cast<std::uint32_t>(slot.other);
     const std::uint32_t partner = slot.upper == id ? other : slot.upper;
     if (with_grain && moved_[partner] != 0 && partner < id) {
-      return;  // is seen to from there
+      return;  // checked with the partner
     }
     if (!state_.particles[id].present || (with_grain && !state_.particles[partner].present)) {
       changed_.of(part).push_back(at);

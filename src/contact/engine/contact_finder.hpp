@@ -71,12 +71,12 @@ class ContactFinder {
   int widest_ = 0;                                   // columns of a kind
   std::vector<std::uint32_t> ids_;                   // of those that have moved, once each
   std::vector<std::uint8_t> moved_;                  // by id
-  parallel::Findings<Touch> touches_;                // that are new
-  parallel::Findings<std::int32_t> changed_;         // slots that end, or whose upper grain changes
-  parallel::Findings<std::uint32_t> at_walls_;       // grains
+  parallel::PartLists<Touch> touches_;               // that are new
+  parallel::PartLists<std::int32_t> changed_;        // slots that end, or whose upper grain changes
+  parallel::PartLists<std::uint32_t> at_walls_;      // grains
   std::vector<Touch> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
-  parallel::Findings<Sorted> sorted_;
+  parallel::PartLists<Sorted> sorted_;
 };
 
 }  // namespace clca::contact

@@ -67,7 +67,7 @@ class Engine {
   std::vector<std::int32_t> new_lanes_;  // lanes of contacts that are new in this step
   std::vector<std::uint32_t> moved_;     // in the last step
   std::vector<std::uint32_t> changed_;   // grains that may touch other bodies than they did
-  parallel::Findings<std::uint32_t> may_move_;
+  parallel::PartLists<std::uint32_t> may_move_;
   std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
 };
 

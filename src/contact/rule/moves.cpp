@@ -189,8 +189,8 @@ void Mover::note_beside(const std::vector<std::size_t>& places) {
   }
 }
 
-/// Those that waited for a wall may go now, but for what it has pushed: that may go on in other
-/// directions.
+/// Grains that have waited are tried again, but for those that were pushed: they may go on in the
+/// directions that follow.
 void Mover::follow(std::vector<std::uint32_t> pushed) {
   for (const std::size_t obstacle : obstacles_) {
     end_waiting(obstacle);

@@ -66,8 +66,8 @@ class Mover {
   const grains::WallEdges& edges_;
   parallel::Threads threads_;
   std::vector<std::uint32_t> ids_;
-  parallel::Findings<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
-  std::vector<std::uint32_t> ready_;                                   // to be tried
+  parallel::PartLists<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
+  std::vector<std::uint32_t> ready_;                                    // to be tried
   // Grains that wait until what is in their way moves. Obstacles are grains by id, and one more for
   // all walls and the border.
   std::vector<std::uint32_t> first_waiting_;  // by obstacle
