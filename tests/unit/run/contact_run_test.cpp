@@ -87,11 +87,11 @@ TEST_F(ContactRunTest, ATiltedVesselHasItsAngleAndSlopesAgainstGravity) {
   const auto summary = run(scene::parse(R"(clca: 1
 model: contact
 seed: 5
-box: {width: 60, height: 60}
+box: {width: 240, height: 60}
 species: {grain: {shape: {hexagon: 1}}}
 stages:
   - name: packing
-    fill: {region: [0, 0, 60, 60], counts: {grain: 150}}
+    fill: {region: [0, 0, 240, 60], counts: {grain: 600}}
     until: {steps: 1500}
   - {name: tilt, vessel: {tilt: 30}, until: {steps: 10}}
 measure: [repose]
@@ -104,8 +104,8 @@ output: {series: {every: 10}}
   EXPECT_NEAR(angles.back(), 30, 1e-9);
   EXPECT_EQ(testing::measure_of(summary, "packing", "vessel_angle_deg"), 0);
   EXPECT_NEAR(testing::measure_of(summary, "tilt", "vessel_angle_deg"), 30, 1e-9);
-  // Level with the floor still, as far as so few grains can be.
-  EXPECT_NEAR(testing::measure_of(summary, "tilt", "repose_gravity_left_deg"), 30, 10);
+  // Level with the floor still.
+  EXPECT_NEAR(testing::measure_of(summary, "tilt", "repose_gravity_left_deg"), 30, 2);
 }
 
 TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
