@@ -37,10 +37,6 @@ struct Longs {
   friend Longs operator-(Longs one, Longs other) {
     return {_mm256_sub_epi64(one.even, other.even), _mm256_sub_epi64(one.odd, other.odd)};
   }
-  Longs operator-() const {
-    const __m256i zero = _mm256_setzero_si256();
-    return {_mm256_sub_epi64(zero, even), _mm256_sub_epi64(zero, odd)};
-  }
 };
 
 Ints all(std::int32_t value, Ints /*like*/) {
@@ -52,40 +48,39 @@ Longs product(Ints one, Ints other) {
   return {_mm256_mul_epi32(one.values, other.values), _mm256_mul_epi32(odd(one), odd(other))};
 }
 
-Longs wide(Ints ints) {
-  return product(ints, {_mm256_set1_epi32(1)});
+Longs with_half(Longs longs, int bits) {
+  const __m256i half = _mm256_set1_epi64x(std::int64_t{1} << (bits - 1));
+  return longs + Longs{half, half};
 }
 
-/// AVX2 has no shift of long numbers that keeps the sign: what is shifted is made positive before.
-__m256i scaled(__m256i longs, int bits) {
-  constexpr std::int64_t kOffset = std::int64_t{1} << 62;
-  const __m256i positive =
-      _mm256_add_epi64(longs, _mm256_set1_epi64x(kOffset + (std::int64_t{1} << (bits - 1))));
-  return _mm256_sub_epi64(_mm256_srli_epi64(positive, bits), _mm256_set1_epi64x(kOffset >> bits));
-}
-Longs scaled(Longs longs, int bits) {
-  return {scaled(longs.even, bits), scaled(longs.odd, bits)};
-}
-
-Ints lower(Longs longs) {
+/// The 32 bits of each from `bits` on.
+Ints shifted(Longs longs, int bits) {
   constexpr int kOddLanes = 0b10101010;
-  return {_mm256_blend_epi32(longs.even, _mm256_slli_epi64(longs.odd, 32), kOddLanes)};
+  return {_mm256_blend_epi32(_mm256_srli_epi64(longs.even, bits),
+                             _mm256_slli_epi64(longs.odd, 32 - bits), kOddLanes)};
+}
+
+Ints rounded(Longs longs, int bits) {
+  return shifted(with_half(longs, bits), bits);
 }
 
 Ints clamped(Ints ints, Ints low, Ints high) {
   return {_mm256_min_epi32(_mm256_max_epi32(ints.values, low.values), high.values)};
 }
 Ints clamped(Ints ints, std::int32_t low, std::int32_t high) {
-  return clamped(ints, Ints{_mm256_set1_epi32(low)}, Ints{_mm256_set1_epi32(high)});
+  return clamped(ints, all(low, ints), all(high, ints));
 }
-__m256i clamped(__m256i longs, std::int32_t low, std::int32_t high) {
-  const __m256i lowest = _mm256_set1_epi64x(low);
-  const __m256i highest = _mm256_set1_epi64x(high);
-  longs = _mm256_blendv_epi8(longs, lowest, _mm256_cmpgt_epi64(lowest, longs));
-  return _mm256_blendv_epi8(longs, highest, _mm256_cmpgt_epi64(longs, highest));
-}
-Ints clamped(Longs longs, std::int32_t low, std::int32_t high) {
-  return lower({clamped(longs.even, low, high), clamped(longs.odd, low, high)});
+
+/// The upper halves come first: then the rest fits.
+Ints limited(Longs longs, int bits, std::int32_t most) {
+  const std::int64_t upper = most >> (32 - bits);
+  const __m256i low = _mm256_set1_epi64x((-upper - 1) * (std::int64_t{1} << 32) + 0x80000000);
+  const __m256i high = _mm256_set1_epi64x(upper * (std::int64_t{1} << 32) + 0x7fffffff);
+  const auto kept = [&](__m256i value) {
+    return _mm256_min_epi32(_mm256_max_epi32(value, low), high);
+  };
+  const Longs all = with_half(longs, bits);
+  return clamped(shifted({kept(all.even), kept(all.odd)}, bits), -most, most);
 }
 
 struct EightLanes {

@@ -29,8 +29,8 @@ std::int32_t cosine(Angle angle) {
 }
 
 Vector scaled_by(const UnitVector& unit, std::int32_t size) {
-  return {lower(scaled(product(unit.x, size), kUnitBits)),
-          lower(scaled(product(unit.y, size), kUnitBits))};
+  return {rounded(product(unit.x, size), kUnitBits),
+          rounded(product(unit.y, size), kUnitBits)};
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
   const UnitVector along = gravity_unit(vessel);
   Acceleration result = {.gravity = scaled_by(along, gravity)};
   // What rests in the vessel feels the opposite of its acceleration, which is against its place.
-  const std::int32_t strongest = lower(scaled(product(gravity, vessel.strength), kRatioBits));
-  const std::int32_t shaking = lower(scaled(product(strongest, sine(vessel.phase)), kUnitBits));
+  const std::int32_t strongest = rounded(product(gravity, vessel.strength), kRatioBits);
+  const std::int32_t shaking = rounded(product(strongest, sine(vessel.phase)), kUnitBits);
   const Vector swing = scaled_by(
       vessel.sideways ? UnitVector{-along.y, along.x} : UnitVector{-along.x, -along.y}, shaking);
   result.gravity = {result.gravity.x + swing.x, result.gravity.y + swing.y};

@@ -46,8 +46,8 @@ inline void accelerate(Velocity<std::int32_t>& velocity, lattice::Site site,
   std::int64_t y = by.gravity.y;
   if (by.turns) {
     const std::int32_t from_centre_x =
-        lower(scaled(product(site.column, unit_of(lattice::Direction::up_right).x),
-                     kUnitBits - kCentreBits)) -
+        rounded(product(site.column, unit_of(lattice::Direction::up_right).x),
+                     kUnitBits - kCentreBits) -
         by.centre_x;
     const std::int32_t from_centre_y =
         lattice::doubled_height(site) * (1 << (kCentreBits - 1)) - by.centre_y;

@@ -29,17 +29,17 @@ struct Touching {
 /// Velocity of the upper body away from the other one, along the normal.
 template <class Int>
 [[gnu::always_inline]] inline Int separation_velocity(const Touching<Int>& at) {
-  return lower(scaled(
+  return rounded(
       product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
-      kUnitBits));
+      kUnitBits);
 }
 
 /// The same along the rims of the bodies, across the normal turned anticlockwise.
 template <class Int>
 [[gnu::always_inline]] inline Int slip_velocity(const Touching<Int>& at) {
-  return lower(scaled(product(at.upper.y - at.other.y, at.normal_x) -
-                          product(at.upper.x - at.other.x, at.normal_y),
-                      kUnitBits)) -
+  return rounded(product(at.upper.y - at.other.y, at.normal_x) -
+                     product(at.upper.x - at.other.x, at.normal_y),
+                 kUnitBits) -
          at.upper.spin - at.other.spin;
 }
 
@@ -47,30 +47,31 @@ template <class Int>
 template <class Int>
 [[gnu::always_inline]] inline void apply(Touching<Int>& at, const Impulse<Int>& by, bool turns) {
   const Int x =
-      lower(scaled(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits));
+      rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
   const Int y =
-      lower(scaled(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits));
-  const auto pushed = [](Int velocity, Int impulse, Int inverse_mass) {
-    return clamped(velocity + clamped(scaled(product(impulse, inverse_mass), kInverseMassBits),
-                                      -kFastest, kFastest),
-                   -kFastest, kFastest);
+      rounded(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits);
+  const auto changed = [](Int velocity, const auto& change, int bits) {
+    return clamped(velocity + limited(change, bits, kFastest), -kFastest, kFastest);
+  };
+  const auto pushed = [&](Int velocity, Int impulse, Int inverse_mass) {
+    return changed(velocity, product(impulse, inverse_mass), kInverseMassBits);
   };
   at.upper.x = pushed(at.upper.x, x, at.pair.upper_inverse_mass);
   at.upper.y = pushed(at.upper.y, y, at.pair.upper_inverse_mass);
   at.other.x = pushed(at.other.x, -x, at.pair.other_inverse_mass);
   at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
   if (turns) {
-    // Both turn the same way by a force along the rim, in opposite ways by a moment.
-    const auto turned = [](Int spin, const auto& change) {
-      return clamped(spin + clamped(scaled(change, kInverseMassBits), -kFastest, kFastest),
-                     -kFastest, kFastest);
-    };
-    const auto upper =
-        product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass);
-    const auto other =
-        -product(by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass);
-    at.upper.spin = turned(at.upper.spin, upper + upper);
-    at.other.spin = turned(at.other.spin, other + other);
+    // Both turn the same way by a force along the rim, in opposite ways by a moment. A disc's
+    // moment of inertia is half of its mass times the radius squared.
+    constexpr int kTwice = kInverseMassBits - 1;
+    at.upper.spin = changed(at.upper.spin,
+                            product(by.rolling, at.pair.upper_turning) -
+                                product(by.shear, at.pair.upper_inverse_mass),
+                            kTwice);
+    at.other.spin = changed(at.other.spin,
+                            product(-by.rolling, at.pair.other_turning) -
+                                product(by.shear, at.pair.other_inverse_mass),
+                            kTwice);
   }
 }
 
@@ -80,25 +81,24 @@ template <class Int>
 [[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, Touching<Int>& at, Int bounce,
                                          Int friction, const Turning& turning) {
   const Impulse<Int> before = impulse;
-  impulse.normal =
-      clamped(wide(before.normal) -
-                  scaled(product(separation_velocity(at) - bounce, at.pair.mass), kMassBits),
-              0, kStrongest);
-
-  const auto bound = [&](const auto& wanted, const auto& most) {
-    const Int limit = clamped(scaled(most, kRatioBits), 0, kStrongest);
-    return clamped(clamped(wanted, -kStrongest, kStrongest), -limit, limit);
+  const auto change = [](const auto& stopped) {
+    return limited(stopped, kMassBits, 2 * kStrongest);
   };
-  impulse.shear =
-      bound(wide(before.shear) - scaled(product(slip_velocity(at), at.pair.shear_mass), kMassBits),
-            product(impulse.normal, friction));
+  const auto bound = [](Int wanted, const auto& most) {
+    const Int limit = limited(most, kRatioBits, kStrongest);
+    return clamped(wanted, -limit, limit);
+  };
+  impulse.normal =
+      clamped(before.normal - change(product(separation_velocity(at) - bounce, at.pair.mass)), 0,
+              kStrongest);
+  impulse.shear = bound(before.shear - change(product(slip_velocity(at), at.pair.shear_mass)),
+                        product(impulse.normal, friction));
   if (turning.resists_rolling) {
-    const auto stopped = product(at.upper.spin, at.pair.upper_rolling_mass) -
-                         product(at.other.spin, at.pair.other_rolling_mass);
-    impulse.rolling = bound(wide(before.rolling) - scaled(stopped, kMassBits),
-                            product(impulse.normal, all(turning.rolling_friction, Int())));
+    impulse.rolling =
+        bound(before.rolling - change(product(at.upper.spin, at.pair.upper_rolling_mass) -
+                                      product(at.other.spin, at.pair.other_rolling_mass)),
+              product(impulse.normal, all(turning.rolling_friction, Int())));
   }
-
   apply(at,
         Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
                      impulse.rolling - before.rolling},
@@ -108,7 +108,7 @@ template <class Int>
 /// The velocity with which bodies part that come together with the velocity `closing`.
 inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
   constexpr std::int32_t kLeast = kSpacing / 32;  // below it large beds would not come to rest
-  return closing > kLeast ? lower(scaled(product(closing, restitution), kRatioBits)) : 0;
+  return closing > kLeast ? rounded(product(closing, restitution), kRatioBits) : 0;
 }
 
 }  // namespace clca::contact

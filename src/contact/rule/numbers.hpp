@@ -15,12 +15,9 @@ inline constexpr int kMassBits = 16;         ///< of masses in their unit, see m
 inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
 
-/// Product of two numbers, and what is made of such products.
+/// Product of two numbers; what is made of such products has room for a sign and 62 bits.
 inline std::int64_t product(std::int32_t one, std::int32_t other) {
   return std::int64_t{one} * other;
-}
-inline std::int64_t wide(std::int32_t value) {
-  return value;
 }
 /// A number in every lane.
 inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
@@ -30,9 +27,13 @@ inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
 inline std::int64_t scaled(std::int64_t value, int bits) {
   return (value + (std::int64_t{1} << (bits - 1))) >> bits;
 }
-/// The lower half of a number that has no upper one.
-inline std::int32_t lower(std::int64_t value) {
-  return static_cast<std::int32_t>(value);
+/// The same where it fits.
+inline std::int32_t rounded(std::int64_t value, int bits) {
+  return static_cast<std::int32_t>(scaled(value, bits));
+}
+/// The same, no further from 0 than `most`, which is a power of two.
+inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
 }
 inline std::int32_t clamped(std::int32_t value, std::int32_t low, std::int32_t high) {
   return std::min(std::max(value, low), high);
@@ -62,7 +63,7 @@ inline UnitVector unit_vector(lattice::Axial vector) {
 
 /// Component of a vector along a unit vector.
 inline std::int32_t along(const Vector& vector, const UnitVector& unit) {
-  return lower(scaled(product(vector.x, unit.x) + product(vector.y, unit.y), kUnitBits));
+  return rounded(product(vector.x, unit.x) + product(vector.y, unit.y), kUnitBits);
 }
 
 inline std::int64_t squared(const Vector& vector) {

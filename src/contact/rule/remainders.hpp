@@ -45,8 +45,8 @@ inline bool wants(const Vector& remainder, lattice::Direction direction) {
 /// Takes a distance along a direction from a remainder.
 inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
   const UnitVector& unit = unit_of(direction);
-  remainder.x -= lower(scaled(product(distance, unit.x), kUnitBits));
-  remainder.y -= lower(scaled(product(distance, unit.y), kUnitBits));
+  remainder.x -= rounded(product(distance, unit.x), kUnitBits);
+  remainder.y -= rounded(product(distance, unit.y), kUnitBits);
 }
 
 /// Of a grain that has been pushed by a site: it is at most half a site behind where it stands.

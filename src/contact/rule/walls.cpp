@@ -38,10 +38,10 @@ Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
   const std::int64_t lag = state.wall_remainders[wall];
   constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kSpacing);
   const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
-  const std::int32_t speed = kUnit * (own + lower(haste(lag, own)));
+  const std::int32_t speed = kUnit * (own + static_cast<std::int32_t>(haste(lag, own)));
   const UnitVector& unit = unit_of(one.motion->direction);
-  return {.x = lower(scaled(product(speed, unit.x), kUnitBits)),
-          .y = lower(scaled(product(speed, unit.y), kUnitBits))};
+  return {.x = rounded(product(speed, unit.x), kUnitBits),
+          .y = rounded(product(speed, unit.y), kUnitBits)};
 }
 
 std::vector<WallMove> advance_walls(State& state) {
