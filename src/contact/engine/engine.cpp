@@ -111,11 +111,11 @@ void Engine::accelerate_all() {
   const Acceleration by =
       acceleration(state_.vessel, rule_.gravity, state_.grains.lattice.periodic());
   parallel::split(threads_, state_.grains.particles.size(),
-                  [&](std::size_t /*part*/, std::size_t first, std::size_t last) {
+                  [&, particles = std::span(state_.grains.particles), motions = grain_bodies()](
+                      std::size_t /*part*/, std::size_t first, std::size_t last) {
                     for (std::size_t id = first; id < last; ++id) {
-                      const grains::Particle& grain = state_.grains.particles[id];
-                      if (grain.present) {
-                        accelerate(velocity(id), grain.site(), by);
+                      if (particles[id].present) {
+                        accelerate(motions[id].velocity, particles[id].site(), by);
                       }
                     }
                   });
@@ -161,20 +161,23 @@ void Engine::advance_and_move() {
   std::atomic<bool> quiet = true;
   may_move_.clear();
   parallel::split(threads_, state_.grains.particles.size(),
-                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                  [&, particles = std::span(state_.grains.particles), motions = grain_bodies(),
+                   remainders = std::span(state_.remainders)](std::size_t part, std::size_t first,
+                                                              std::size_t last) {
                     bool at_rest = true;
+                    std::vector<std::uint32_t>& near = may_move_.of(part);
+                    near.resize(last - first);
+                    std::size_t count = 0;
                     for (std::size_t id = first; id < last; ++id) {
-                      if (!state_.grains.particles[id].present) {
+                      if (!particles[id].present) {
                         continue;
                       }
-                      at_rest =
-                          advance(state_.remainders[id], velocity(id),
-                                  slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) &&
-                          at_rest;
-                      if (squared(state_.remainders[id]) > kNear * kNear) {
-                        may_move_.of(part).push_back(static_cast<std::uint32_t>(id));
-                      }
+                      at_rest = advance(remainders[id], motions[id].velocity,
+                                        slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) && at_rest;
+                      near[count] = static_cast<std::uint32_t>(id);  // kept where it counts
+                      count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
                     }
+                    near.resize(count);
                     if (!at_rest) {
                       quiet = false;
                     }

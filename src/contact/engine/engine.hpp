@@ -41,6 +41,7 @@ class Engine {
 
  private:
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
+  std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
   void update_contacts();
   void set_walls();
   void bounce_new();

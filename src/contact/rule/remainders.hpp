@@ -27,14 +27,12 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
 inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, bool touches,
                     std::int32_t slow) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
-  if (touches && squared({velocity.x, velocity.y}) <= product(slow, slow)) {
-    remainder.x -= remainder.x / kForgotten;
-    remainder.y -= remainder.y / kForgotten;
-    return true;
-  }
-  remainder.x = clamped(remainder.x + velocity.x, -kFarthest, kFarthest);
-  remainder.y = clamped(remainder.y + velocity.y, -kFarthest, kFarthest);
-  return false;
+  const bool rests = touches && squared({velocity.x, velocity.y}) <= product(slow, slow);
+  const auto next = [&](std::int32_t place, std::int32_t by) {
+    return rests ? place - place / kForgotten : clamped(place + by, -kFarthest, kFarthest);
+  };
+  remainder = {next(remainder.x, velocity.x), next(remainder.y, velocity.y)};
+  return rests;
 }
 
 /// Whether a grain with this remainder is to move by a site.
