@@ -7,16 +7,22 @@ namespace clca::contact {
 namespace {
 
 /// Calls `visit` with each list of a batch and the number of the content that goes there.
-template <class ABatch, class Visit>
-void for_each_coefficient(ABatch& batch, const Pair& pair, Visit visit) {
-  visit(batch.pair.mass, pair.mass);
-  visit(batch.pair.shear_mass, pair.shear_mass);
-  visit(batch.pair.upper_inverse_mass, pair.upper_inverse_mass);
-  visit(batch.pair.other_inverse_mass, pair.other_inverse_mass);
-  visit(batch.pair.upper_rolling_mass, pair.upper_rolling_mass);
-  visit(batch.pair.other_rolling_mass, pair.other_rolling_mass);
-  visit(batch.pair.upper_turning, pair.upper_turning);
-  visit(batch.pair.other_turning, pair.other_turning);
+template <class ABatch, class Content, class Visit>
+void for_each_number(ABatch& batch, Content& content, Visit visit) {
+  visit(batch.normal_x, content.normal.x);
+  visit(batch.normal_y, content.normal.y);
+  visit(batch.impulse.normal, content.impulse.normal);
+  visit(batch.impulse.shear, content.impulse.shear);
+  visit(batch.impulse.rolling, content.impulse.rolling);
+  visit(batch.friction, content.friction);
+  visit(batch.pair.mass, content.pair.mass);
+  visit(batch.pair.shear_mass, content.pair.shear_mass);
+  visit(batch.pair.upper_inverse_mass, content.pair.upper_inverse_mass);
+  visit(batch.pair.other_inverse_mass, content.pair.other_inverse_mass);
+  visit(batch.pair.upper_rolling_mass, content.pair.upper_rolling_mass);
+  visit(batch.pair.other_rolling_mass, content.pair.other_rolling_mass);
+  visit(batch.pair.upper_turning, content.pair.upper_turning);
+  visit(batch.pair.other_turning, content.pair.other_turning);
 }
 
 /// Number of a wall or side among the bodies that are no grains.
@@ -80,29 +86,22 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
   batch.other[i] = grains::is_particle(content.other)
                        ? first_grain_ + content.other
                        : batch.other[i] / fixed_bodies_ * fixed_bodies_ + fixed_body(content.other);
-  batch.normal_x[i] = content.normal.x;
-  batch.normal_y[i] = content.normal.y;
-  batch.impulse.normal[i] = content.impulse.normal;
-  batch.impulse.shear[i] = content.impulse.shear;
-  batch.impulse.rolling[i] = content.impulse.rolling;
-  batch.friction[i] = content.friction;
-  for_each_coefficient(batch, *content.pair,
-                       [i](auto& all, std::int32_t value) { all[i] = value; });
+  for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 
 void Batches::remove(std::int32_t lane) {
-  constexpr Pair kNone = {};
   Batch& batch = this->batch(lane);
   const std::int32_t grain = batch.upper[in_batch(lane)];  // of no other lane of the batch
-  set(lane, {.pair = &kNone});
+  set(lane, {});
   batch.upper[in_batch(lane)] = grain;
   batch.other[in_batch(lane)] = grain;
 }
 
-Impulse<std::int32_t> Batches::impulse(std::int32_t lane) const {
-  const auto& impulse = batch(lane).impulse;
-  const std::size_t i = in_batch(lane);
-  return {impulse.normal[i], impulse.shear[i], impulse.rolling[i]};
+LaneContent Batches::content(std::int32_t lane) const {
+  LaneContent result;
+  for_each_number(batch(lane), result,
+                  [i = in_batch(lane)](const auto& all, std::int32_t& value) { value = all[i]; });
+  return result;
 }
 
 Touching<std::int32_t> Batches::touching(std::int32_t lane, const std::vector<Body>& bodies) const {

@@ -8,14 +8,14 @@
 
 namespace clca::contact {
 
-/// All that a lane holds of a contact.
+/// What a lane holds of a contact that has not just begun.
 struct LaneContent {
   std::uint32_t upper = 0;
   grains::Owner other = 0;
   UnitVector normal = {};
   Impulse<std::int32_t> impulse = {};
   std::int32_t friction = 0;
-  const Pair* pair = nullptr;
+  Pair pair = {};
 };
 
 /// Batches that share no grain with the other groups of their round: each group can be solved by
@@ -51,14 +51,12 @@ class Batches {
   void set(std::int32_t lane, const LaneContent& content);
   /// Empties a lane.
   void remove(std::int32_t lane);
+  /// The numbers of a lane, without its bodies.
+  LaneContent content(std::int32_t lane) const;
 
-  Impulse<std::int32_t> impulse(std::int32_t lane) const;
   void set_normal(std::int32_t lane, UnitVector normal) {
     batch(lane).normal_x[in_batch(lane)] = normal.x;
     batch(lane).normal_y[in_batch(lane)] = normal.y;
-  }
-  UnitVector normal(std::int32_t lane) const {
-    return {batch(lane).normal_x[in_batch(lane)], batch(lane).normal_y[in_batch(lane)]};
   }
   /// Velocity with which the contact is to part.
   std::int32_t& bounce(std::int32_t lane) { return batch(lane).bounce[in_batch(lane)]; }

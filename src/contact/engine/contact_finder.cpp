@@ -46,7 +46,7 @@ ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy
       touches_(threads),
       changed_(threads),
       at_walls_(threads),
-      sorted_(threads) {
+      sorted_(state.walls.size(), most_groups(state.lattice, threads)) {
   for (const grains::Kind& kind : state.kinds) {
     widest_ = std::max(widest_, columns_of(kind.shape));
     for (const bool odd : {false, true}) {
@@ -72,7 +72,7 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
     LaneContent loaded =
         content({.upper = contact.upper, .other = contact.other, .normal = contact.normal});
     loaded.impulse = contact.impulse;
-    slots.add(loaded);
+    slots.add(loaded, {});  // all grains count as moved
   }
 }
 
@@ -110,7 +110,7 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   const std::size_t first = slots.all().size();
   for (std::size_t i = 0; i < found_.size(); ++i) {
     if (i == 0 || found_[i].key(state_, down_) != found_[i - 1].key(state_, down_)) {
-      slots.add(content(found_[i]));
+      slots.add(content(found_[i]), found_[i].apart);
     }
   }
   return first;
@@ -135,7 +135,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::s
       if (now.normal == UnitVector() || now.upper != slot.upper) {
         changed_.of(part).push_back(at);
       } else {
-        slots.batches().set_normal(slot.lane, now.normal);
+        slots.set_apart(at, now.apart, now.normal);
       }
     }
   });
@@ -182,9 +182,9 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
     return;
   }
   LaneContent changed = content(now);
-  changed.impulse = slots.batches().impulse(slot.lane);
+  changed.impulse = slots.content(at).impulse;
   changed.impulse.rolling *= -1;
-  slots.set(at, changed);
+  slots.set(at, changed, now.apart);
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
@@ -200,17 +200,16 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
       slots.remove(at);
     } else {
       LaneContent changed = content(*touch);
-      changed.impulse = slots.batches().impulse(slot.lane);
-      slots.set(at, changed);
+      changed.impulse = slots.content(at).impulse;
+      slots.set(at, changed, {});
       walls.erase(touch);
     }
   });
   found_.insert(found_.end(), walls.begin(), walls.end());
 }
 
-void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) {
-  std::sort(lanes.begin(), lanes.end());
-  // The grains first, then the contacts of each.
+void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
+                         std::vector<std::int32_t>& lanes) {
   order_.clear();
   for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
     if (state_.particles[id].present) {
@@ -218,30 +217,37 @@ void ContactFinder::sort(ContactSlots& slots, std::vector<std::int32_t>& lanes) 
     }
   }
   std::sort(order_.begin(), order_.end());
-  sorted_.clear();
-  parallel::split(threads_, order_.size(),
-                  [&](std::size_t part, std::size_t first, std::size_t last) {
-                    for (std::size_t i = first; i < last; ++i) {
-                      sort_contacts(order_[i].second, slots, lanes, sorted_.of(part));
-                    }
-                  });
-  slots.clear(state_.particles.size());
-  lanes.clear();
+  sorted_.clear(state_.particles.size());
   const bool grouped = threads_.count > 1 &&
                        order_.size() / threads_.least >= static_cast<std::size_t>(threads_.count);
   std::vector<int> round;  // its strips
-  sorted_.for_each([&](const Sorted& one) {
-    if (grouped && (round.empty() || round.back() != one.strip)) {
-      begin_strip(one.strip, round, slots.batches());
+  const auto key = [&](std::int32_t at) {
+    return std::tie(slots.at(at).apart, slots.at(at).other);
+  };
+  for (const auto& [place, id] : order_) {
+    if (const int strip = strip_of(state_.lattice, state_.particles[id].column);
+        grouped && (round.empty() || round.back() != strip)) {
+      begin_strip(strip, round, sorted_.batches());
     }
-    slots.add(one.content);
-    if (one.marked) {
-      lanes.push_back(slots.all().back().lane);
+    of_one_.clear();
+    slots.for_each(id, [&, upper = id](std::int32_t at) {
+      if (slots.at(at).upper == upper) {
+        of_one_.push_back(at);
+      }
+    });
+    std::sort(of_one_.begin(), of_one_.end(),
+              [&](std::int32_t one, std::int32_t other) { return key(one) < key(other); });
+    for (const std::int32_t at : of_one_) {
+      sorted_.add(slots.content(at), slots.at(at).apart);
+      if (static_cast<std::size_t>(at) >= first_new) {
+        lanes.push_back(sorted_.all().back().lane);
+      }
     }
-  });
-  if (grouped) {
-    slots.batches().begin_group(true);  // of contacts that appear later
   }
+  if (grouped) {
+    sorted_.batches().begin_group(true);  // of contacts that appear later
+  }
+  std::swap(slots, sorted_);
 }
 
 /// Contacts of a strip are a group of their own, in the same round as those before it where they
@@ -256,32 +262,6 @@ void ContactFinder::begin_strip(int strip, std::vector<int>& round, Batches& bat
     round.clear();
   }
   round.push_back(strip);
-}
-
-/// The contacts of which a grain is the upper one.
-void ContactFinder::sort_contacts(std::uint32_t id, const ContactSlots& slots,
-                                  const std::vector<std::int32_t>& lanes,
-                                  std::vector<Sorted>& sorted) const {
-  const auto first = static_cast<std::ptrdiff_t>(sorted.size());
-  const int strip = strip_of(state_.lattice, state_.particles[id].column);
-  slots.for_each(id, [&](std::int32_t at) {
-    const Slot& slot = slots.at(at);
-    if (slot.upper == id) {
-      const lattice::Axial apart = grains::is_particle(slot.other)
-                                       ? this->apart(id, static_cast<std::uint32_t>(slot.other))
-                                       : lattice::Axial();
-      Sorted& one = sorted.emplace_back();
-      one = {.content = content(
-                 {.upper = id, .other = slot.other, .normal = slots.batches().normal(slot.lane)}),
-             .apart = apart,
-             .strip = strip,
-             .marked = std::binary_search(lanes.begin(), lanes.end(), slot.lane)};
-      one.content.impulse = slots.batches().impulse(slot.lane);
-    }
-  });
-  std::sort(sorted.begin() + first, sorted.end(), [](const Sorted& one, const Sorted& other) {
-    return std::tie(one.apart, one.content.other) < std::tie(other.apart, other.content.other);
-  });
 }
 
 /// Whether contacts of two strips may have a grain in common.
@@ -306,8 +286,8 @@ LaneContent ContactFinder::content(const Touch& touch) const {
           .normal = touch.normal,
           .impulse = {},
           .friction = rule_.friction_with(touch.other),
-          .pair = &rule_.bodies.pair(kind(touch.upper),
-                                     on_wall ? std::nullopt : std::optional(kind(other)))};
+          .pair = rule_.bodies.pair(kind(touch.upper),
+                                    on_wall ? std::nullopt : std::optional(kind(other)))};
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_t part) {

@@ -35,25 +35,15 @@ class ContactFinder {
   /// Brings contacts of `moved` grains in line; the new ones are behind the
   /// others. Returns the number of the first of them.
   std::size_t update(std::span<const std::uint32_t> moved, ContactSlots& slots);
-  /// Puts all in order anew and forgets the empty ones. `lanes`: of some contacts, which are moved
-  /// to others.
-  void sort(ContactSlots& slots, std::vector<std::int32_t>& lanes);
+  /// Puts all in order anew and forgets the empty ones. Adds to `lanes` those of contacts whose
+  /// slots were `first_new` and behind it.
+  void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& lanes);
 
  private:
-  /// A contact, the strip it is in, and whether its lane was one of those asked for.
-  struct Sorted {
-    LaneContent content;
-    lattice::Axial apart;  ///< see Touch
-    int strip = 0;
-    bool marked = false;
-  };
-
   void check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part);
   void look_around(std::uint32_t id, const ContactSlots& slots, std::size_t part);
   void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
-  void sort_contacts(std::uint32_t id, const ContactSlots& slots,
-                     const std::vector<std::int32_t>& lanes, std::vector<Sorted>& sorted) const;
   LaneContent content(const Touch& touch) const;
   Touch touch(std::uint32_t first, std::uint32_t second, std::size_t part);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
@@ -76,7 +66,8 @@ class ContactFinder {
   parallel::PartLists<std::uint32_t> at_walls_;      // grains
   std::vector<Touch> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
-  parallel::PartLists<Sorted> sorted_;
+  std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one
+  ContactSlots sorted_;
 };
 
 }  // namespace clca::contact

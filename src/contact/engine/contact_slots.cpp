@@ -10,9 +10,12 @@ void ContactSlots::clear(std::size_t grains) {
   batches_.clear(grains);
 }
 
-void ContactSlots::add(const LaneContent& content) {
+void ContactSlots::add(const LaneContent& content, lattice::Axial apart) {
   const auto at = static_cast<std::int32_t>(slots_.size());
-  Slot slot = {.upper = content.upper, .other = content.other, .lane = batches_.add(content)};
+  Slot slot = {.upper = content.upper,
+               .other = content.other,
+               .lane = batches_.add(content),
+               .apart = apart};
   slot.next_upper = std::exchange(first_[slot.upper], at);
   if (grains::is_particle(slot.other)) {
     slot.next_other = std::exchange(first_[static_cast<std::size_t>(slot.other)], at);
@@ -29,14 +32,23 @@ void ContactSlots::remove(std::int32_t at) {
   batches_.remove(std::exchange(slot.lane, -1));
 }
 
-void ContactSlots::set(std::int32_t at, const LaneContent& content) {
+void ContactSlots::set(std::int32_t at, const LaneContent& content, lattice::Axial apart) {
   Slot& slot = slots_[static_cast<std::size_t>(at)];
   if (slot.upper != content.upper) {
     std::swap(slot.next_upper, slot.next_other);
   }
   slot.upper = content.upper;
   slot.other = content.other;
+  slot.apart = apart;
   batches_.set(slot.lane, content);
+}
+
+LaneContent ContactSlots::content(std::int32_t at) const {
+  const Slot& slot = this->at(at);
+  LaneContent result = batches_.content(slot.lane);
+  result.upper = slot.upper;
+  result.other = slot.other;
+  return result;
 }
 
 void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {

@@ -16,6 +16,7 @@ struct Slot {
   std::int32_t lane = -1;        ///< -1: the contact has ended, the slot is empty
   std::int32_t next_upper = -1;  ///< the next slot of the upper grain, -1 none
   std::int32_t next_other = -1;
+  lattice::Axial apart = {};  ///< see Touch
 };
 
 /// Slots in order, linked by grain. Their numbers are in batches.
@@ -29,11 +30,17 @@ class ContactSlots {
     first_.resize(grains, -1);
     batches_.add_grains(grains);
   }
-  void add(const LaneContent& content);
+  void add(const LaneContent& content, lattice::Axial apart);
   /// Empties a slot. It keeps its place in the order.
   void remove(std::int32_t at);
   /// Changes the numbers of a contact. The other grain may have become the upper one.
-  void set(std::int32_t at, const LaneContent& content);
+  void set(std::int32_t at, const LaneContent& content, lattice::Axial apart);
+  /// The grains have moved, and the upper one still is.
+  void set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal) {
+    slots_[static_cast<std::size_t>(at)].apart = apart;
+    batches_.set_normal(this->at(at).lane, normal);
+  }
+  LaneContent content(std::int32_t at) const;
 
   std::span<const Slot> all() const { return slots_; }
   const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }

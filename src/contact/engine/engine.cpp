@@ -76,13 +76,14 @@ void Engine::update_contacts() {
     look_at_all();  // which one of two is the upper one may have changed
   }
   const std::size_t first_new = finder_.update(changed_, slots_);
-  new_lanes_.clear();
-  for (const Slot& slot : slots_.all().subspan(first_new)) {
-    new_lanes_.push_back(slot.lane);
-  }
   clock_.end(&Profile::contacts);
+  new_lanes_.clear();
   if (sorts_contacts(state_)) {
-    finder_.sort(slots_, new_lanes_);
+    finder_.sort(slots_, first_new, new_lanes_);
+  } else {
+    for (const Slot& slot : slots_.all().subspan(first_new)) {
+      new_lanes_.push_back(slot.lane);
+    }
   }
   state_.changed = false;
   for (const std::uint32_t id : changed_) {
@@ -200,12 +201,13 @@ void Engine::write_back() {
   std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
                  state_.velocities.begin(), [](const Body& body) { return body.velocity; });
   state_.contacts.clear();
-  for (const Slot& slot : slots_.all()) {
-    if (slot.lane >= 0) {
-      state_.contacts.push_back({.upper = slot.upper,
-                                 .other = slot.other,
-                                 .normal = slots_.batches().normal(slot.lane),
-                                 .impulse = slots_.batches().impulse(slot.lane)});
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
+    if (slots_.at(at).lane >= 0) {
+      const LaneContent content = slots_.content(at);
+      state_.contacts.push_back({.upper = content.upper,
+                                 .other = content.other,
+                                 .normal = content.normal,
+                                 .impulse = content.impulse});
     }
   }
 }
