@@ -66,6 +66,7 @@ class ContactFinder {
   parallel::PartLists<std::uint32_t> at_walls_;      // grains
   std::vector<Touch> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
+  std::uint32_t listed_ = 0;
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one
   ContactSlots sorted_;
 };
