@@ -108,14 +108,16 @@ void Mover::for_each_place(const grains::Particle& grain,
 /// One of those in the way of a move, kFree where there are none.
 grains::Owner Mover::in_the_way(std::uint32_t id, Direction direction) const {
   const grains::Particle& grain = state_.grains.particles[id];
-  grains::Owner owner = grains::kFree;
-  for_each_place(grain, footprints_.of(grain).lead[lattice::index_of(direction)],
-                 [&](std::size_t place) {
-                   if (owner == grains::kFree) {
-                     owner = occupancy_.owner(place);
-                   }
-                 });
-  return owner;
+  const lattice::Lattice& lattice = state_.grains.lattice;
+  const std::size_t place = lattice.index(grain.site());
+  const int column = lattice.wrapped(grain.column);
+  for (const lattice::Offset offset : footprints_.of(grain).lead[lattice::index_of(direction)]) {
+    const grains::Owner owner = occupancy_.owner(lattice.at(place, column, offset));
+    if (owner != grains::kFree) {
+      return owner;
+    }
+  }
+  return grains::kFree;
 }
 
 // The two halves of a move.
