@@ -44,7 +44,9 @@ Ints all(std::int32_t value, Ints /*like*/) {
 }
 
 Longs product(Ints one, Ints other) {
-  const auto odd = [](Ints ints) { return _mm256_srli_epi64(ints.values, 32); };
+  const auto odd = [](Ints ints) {
+    return _mm256_castps_si256(_mm256_movehdup_ps(_mm256_castsi256_ps(ints.values)));
+  };
   return {_mm256_mul_epi32(one.values, other.values), _mm256_mul_epi32(odd(one), odd(other))};
 }
 
@@ -71,7 +73,7 @@ Ints clamped(Ints ints, std::int32_t low, std::int32_t high) {
   return clamped(ints, all(low, ints), all(high, ints));
 }
 
-/// The upper halves come first: then the rest fits.
+/// By the upper halves alone.
 Ints limited(Longs longs, int bits, std::int32_t most) {
   const std::int64_t upper = most >> (32 - bits);
   const __m256i low = _mm256_set1_epi64x((-upper - 1) * (std::int64_t{1} << 32) + 0x80000000);
@@ -80,7 +82,7 @@ Ints limited(Longs longs, int bits, std::int32_t most) {
     return _mm256_min_epi32(_mm256_max_epi32(value, low), high);
   };
   const Longs all = with_half(longs, bits);
-  return clamped(shifted({kept(all.even), kept(all.odd)}, bits), -most, most);
+  return shifted({kept(all.even), kept(all.odd)}, bits);
 }
 
 struct EightLanes {

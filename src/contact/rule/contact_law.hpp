@@ -51,7 +51,7 @@ template <class Int>
   const Int y =
       rounded(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits);
   const auto changed = [](Int velocity, const auto& change, int bits) {
-    return clamped(velocity + limited(change, bits, kFastest), -kFastest, kFastest);
+    return clamped(velocity + limited(change, bits, 2 * kFastest), -kFastest, kFastest);
   };
   const auto pushed = [&](Int velocity, Int impulse, Int inverse_mass) {
     return changed(velocity, product(impulse, inverse_mass), kInverseMassBits);
@@ -85,7 +85,7 @@ template <class Int>
     return limited(stopped, kMassBits, 2 * kStrongest);
   };
   const auto bound = [](Int wanted, const auto& most) {
-    const Int limit = limited(most, kRatioBits, kStrongest);
+    const Int limit = clamped(limited(most, kRatioBits, kStrongest), 0, kStrongest);
     return clamped(wanted, -limit, limit);
   };
   impulse.normal =

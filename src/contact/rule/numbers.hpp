@@ -31,7 +31,8 @@ inline std::int64_t scaled(std::int64_t value, int bits) {
 inline std::int32_t rounded(std::int64_t value, int bits) {
   return static_cast<std::int32_t>(scaled(value, bits));
 }
-/// The same, no further from 0 than `most`, which is a power of two.
+/// The same where it fits or not: beyond `most`, a power of two, it may be any number further from
+/// 0 than that.
 inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
 }
