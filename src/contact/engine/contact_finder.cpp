@@ -46,6 +46,7 @@ ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy
       touches_(threads),
       changed_(threads),
       at_walls_(threads),
+      partners_(threads),
       sorted_(state.walls.size(), most_groups(state.lattice, threads)) {
   for (const grains::Kind& kind : state.kinds) {
     widest_ = std::max(widest_, columns_of(kind.shape));
@@ -100,20 +101,20 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
     moved_[id] = 0;
   }
   found_.clear();
-  touches_.for_each([&](const Touch& touch) { found_.push_back(touch); });
+  touches_.for_each([&](const Touch& touch) { add_found(touch); });
   changed_.for_each([&](std::int32_t at) { change_contact(at, slots); });
   at_walls_.for_each([&](std::uint32_t id) { check_walls(id, slots); });
-  // Two grains that have both moved have found each other.
-  std::sort(found_.begin(), found_.end(), [this](const Touch& one, const Touch& other) {
-    return one.key(state_, down_) < other.key(state_, down_);
-  });
+  std::sort(found_.begin(), found_.end(),
+            [](const Found& one, const Found& other) { return one.key < other.key; });
   const std::size_t first = slots.all().size();
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    if (i == 0 || found_[i].key(state_, down_) != found_[i - 1].key(state_, down_)) {
-      slots.add(content(found_[i]), found_[i].apart);
-    }
+  for (const Found& one : found_) {
+    slots.add(content(one.touch), one.touch.apart);
   }
   return first;
+}
+
+void ContactFinder::add_found(const Touch& touch) {
+  found_.push_back({touch.key(state_, down_), touch});
 }
 
 /// Several threads call this, so it changes nothing but normals. Contacts that end, and those whose
@@ -125,8 +126,8 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::s
     const bool with_grain = grains::is_particle(slot.other);
     const auto other = static_cast<std::uint32_t>(slot.other);
     const std::uint32_t partner = slot.upper == id ? other : slot.upper;
-    if (with_grain && moved_[partner] != 0 && partner < id) {
-      return;  // checked with the partner
+    if (with_grain && checked_with(partner, id)) {
+      return;
     }
     if (!state_.particles[id].present || (with_grain && !state_.particles[partner].present)) {
       changed_.of(part).push_back(at);
@@ -146,7 +147,13 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots, std
   const lattice::Lattice& lattice = state_.lattice;
   const std::size_t place = lattice.index(grain.site());
   const int column = lattice.wrapped(grain.column);
-  bool at_wall = false;
+  std::vector<grains::Owner>& partners = partners_.of(part);
+  partners.clear();
+  slots.for_each(id, [&](std::int32_t at) {
+    const Slot& slot = slots.at(at);
+    partners.push_back(slot.upper == id ? slot.other : static_cast<grains::Owner>(slot.upper));
+  });
+  bool at_wall = std::any_of(partners.begin(), partners.end(), is_wall_or_side);
   grains::Owner before = grains::kFree;
   for (const lattice::Offset offset :
        rings_[2U * grain.kind + (lattice::is_odd(grain.column) ? 1U : 0U)]) {
@@ -156,15 +163,16 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots, std
     }
     before = owner;
     at_wall = at_wall || is_wall_or_side(owner);
-    if (grains::is_particle(owner) && !slots.touch(id, static_cast<std::uint32_t>(owner))) {
-      const Touch found = touch(id, static_cast<std::uint32_t>(owner), part);
+    const auto other = static_cast<std::uint32_t>(owner);
+    if (grains::is_particle(owner) && !checked_with(other, id) &&
+        std::find(partners.begin(), partners.end(), owner) == partners.end()) {
+      partners.push_back(owner);
+      const Touch found = touch(id, other, part);
       if (found.normal != UnitVector()) {
         touches_.of(part).push_back(found);
       }
     }
   }
-  slots.for_each(
-      id, [&](std::int32_t at) { at_wall = at_wall || is_wall_or_side(slots.at(at).other); });
   if (at_wall) {
     at_walls_.of(part).push_back(id);
   }
@@ -205,7 +213,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
       walls.erase(touch);
     }
   });
-  found_.insert(found_.end(), walls.begin(), walls.end());
+  std::for_each(walls.begin(), walls.end(), [&](const Touch& touch) { add_found(touch); });
 }
 
 void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,

@@ -40,8 +40,18 @@ class ContactFinder {
   void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& lanes);
 
  private:
+  struct Found {
+    Touch::Key key;
+    Touch touch;
+  };
+
+  /// Of two grains that have both moved one is checked for both.
+  bool checked_with(std::uint32_t partner, std::uint32_t id) const {
+    return moved_[partner] != 0 && partner < id;
+  }
   void check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part);
   void look_around(std::uint32_t id, const ContactSlots& slots, std::size_t part);
+  void add_found(const Touch& touch);
   void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
   LaneContent content(const Touch& touch) const;
@@ -64,7 +74,8 @@ class ContactFinder {
   parallel::PartLists<Touch> touches_;               // that are new
   parallel::PartLists<std::int32_t> changed_;        // slots that end, or whose upper grain changes
   parallel::PartLists<std::uint32_t> at_walls_;      // grains
-  std::vector<Touch> found_;
+  parallel::PartLists<grains::Owner> partners_;      // of the grain that is looked at
+  std::vector<Found> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
   std::uint32_t listed_ = 0;
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one

@@ -64,16 +64,6 @@ class ContactSlots {
     }
   }
   bool touches_anything(std::uint32_t grain) const { return first_[grain] >= 0; }
-  /// Whether a grain touches another one.
-  bool touch(std::uint32_t grain, std::uint32_t other) const {
-    for (std::int32_t at = first_[grain]; at >= 0; at = next(at, grain)) {
-      const Slot& slot = this->at(at);
-      if (slot.upper == other || slot.other == static_cast<grains::Owner>(other)) {
-        return true;
-      }
-    }
-    return false;
-  }
 
  private:
   std::int32_t next(std::int32_t at, std::uint32_t grain) const {

@@ -19,10 +19,11 @@ struct Touch {
   UnitVector normal = {};     ///< towards the upper grain
 
   /// Contacts are swept from the top down, those of one height from the left.
-  auto key(const grains::State& state, lattice::Direction down) const {
+  using Key = std::tuple<int, int, lattice::Axial, grains::Owner>;
+  Key key(const grains::State& state, lattice::Direction down) const {
     const grains::Particle& grain = state.particles[upper];
     const int column = state.lattice.wrapped(grain.column);
-    return std::tuple(place_along(down, {column, grain.row}), column, apart, other);
+    return {place_along(down, {column, grain.row}), column, apart, other};
   }
 };
 
