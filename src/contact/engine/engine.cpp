@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "contact/rule/acceleration.hpp"
-#include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
 
 namespace clca::contact {
@@ -42,6 +41,7 @@ void Engine::add_grains() {
 void Engine::remove_grain(std::uint32_t id) {
   velocity(id) = {};
   changed_.push_back(id);
+  mover_.remove_grain(id);
 }
 
 void Engine::reload() {
@@ -50,6 +50,7 @@ void Engine::reload() {
     bodies_.push_back({velocity});
   }
   finder_.load(state_.contacts, slots_);
+  mover_.clear();
   look_at_all();
 }
 
@@ -187,13 +188,14 @@ void Engine::advance_and_move() {
   may_move_.for_each([&](std::uint32_t id) { candidates_.push_back(id); });
   clock_.end(&Profile::motion);
   std::vector<WallMove> walls = advance_walls(state_);
-  const Moves& moves = mover_.move_all(finder_.down(), candidates_, walls);
-  moved_ = moves.moved;
+  mover_.move_all(finder_.down(), candidates_, walls);
+  const SiteMoves& moves = mover_.moves();
+  moved_ = moves.moved();
   for (const std::uint32_t id : mover_.ids()) {
     cut(state_.remainders[id]);
   }
   changed_ = moved_;
-  changed_.insert(changed_.end(), moves.beside_walls.begin(), moves.beside_walls.end());
+  changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, quiet && moved_.empty());
 }
 

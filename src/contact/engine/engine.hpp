@@ -9,7 +9,7 @@
 #include "clca/grains/phase_clock.hpp"
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
-#include "contact/rule/moves.hpp"
+#include "contact/engine/mover.hpp"
 #include "contact/rule/step.hpp"
 
 namespace clca::contact {

@@ -119,22 +119,18 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   }
   const std::int32_t slow = slow_speed(rule);
   bool quiet = true;
-  std::vector<std::uint32_t> present;
   for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
     state.grains.particles[id].previous = grains::kRest;
     if (state.grains.particles[id].present) {
       quiet = advance(state.remainders[id], state.velocities[id], touching[id], slow) && quiet;
-      present.push_back(id);
     }
   }
   std::vector<WallMove> walls = advance_walls(state);
-  std::vector<std::uint32_t> moved =
-      Mover(state, occupancy, footprints, edges).move_all(down, present, walls).moved;
-  for (const std::uint32_t id : present) {
-    cut(state.remainders[id]);
-  }
-  end_step(state, walls, quiet && moved.empty());
-  return moved;
+  SiteMoves moves(state, occupancy, footprints, edges);
+  move_all(moves, state, down, walls);
+  std::for_each(state.remainders.begin(), state.remainders.end(), cut);
+  end_step(state, walls, quiet && moves.moved().empty());
+  return moves.moved();
 }
 
 }  // namespace clca::contact

@@ -1,0 +1,155 @@
+#include "contact/engine/mover.hpp"
+
+#include <algorithm>
+
+#include "contact/rule/order.hpp"
+#include "contact/rule/remainders.hpp"
+
+namespace clca::contact {
+
+using lattice::Direction;
+
+Mover::Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
+             const grains::WallEdges& edges, const parallel::Threads& threads)
+    : state_(state),
+      threads_(threads),
+      moves_(state, occupancy, footprints, edges),
+      tries_(threads) {}
+
+void Mover::clear() {
+  waiting_.clear();
+  first_.clear();
+  next_.clear();
+  previous_.clear();
+}
+
+void Mover::remove_grain(std::uint32_t id) {
+  if (id < waiting_.size()) {
+    stop_waiting_at_all(id);
+    while (first_[obstacle(id)] != kNone) {
+      stop_waiting(first_[obstacle(id)]);
+    }
+  }
+}
+
+void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
+                     std::span<WallMove> walls) {
+  ids_.assign(ids.begin(), ids.end());
+  moves_.begin();
+  const std::size_t grains = state_.grains.particles.size();
+  waiting_.resize(grains, 0);
+  first_.resize(grains + 1, kNone);
+  next_.resize(lattice::kDirectionCount * grains, kNone);
+  previous_.resize(lattice::kDirectionCount * grains, kNone);
+  for (const Direction direction : order_of_directions(state_.grains, down)) {
+    move(direction, walls);
+  }
+}
+
+void Mover::move(Direction direction, std::span<WallMove> walls) {
+  tries_.clear();
+  parallel::split(
+      threads_, ids_.size(), [&](std::size_t part, std::size_t first, std::size_t last) {
+        for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
+          if (!waits(id, direction) && wants(state_.remainders[id], direction)) {
+            tries_.of(part).emplace_back(id, moves_.in_the_way(id, direction));
+          }
+        }
+      });
+  for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
+    tries_.for_each([&](const auto& one) {
+      if ((one.second == grains::kFree) == is_free) {
+        try_move(one.first, one.second, direction);
+      }
+    });
+  }
+  do {
+    move_ready(direction);
+  } while (move_walls(direction, walls));
+}
+
+void Mover::try_move(std::uint32_t id, grains::Owner in_the_way, Direction direction) {
+  if (in_the_way != grains::kFree) {
+    wait(id, direction,
+         grains::is_particle(in_the_way) ? obstacle(static_cast<std::uint32_t>(in_the_way))
+                                         : kWalls);
+    return;
+  }
+  moves_.move(id, direction);
+  stop_waiting_at_all(id);
+  wake(obstacle(id), direction);
+}
+
+void Mover::move_ready(Direction direction) {
+  while (!ready_.empty()) {
+    const std::uint32_t id = ready_.back();
+    ready_.pop_back();
+    try_move(id, moves_.in_the_way(id, direction), direction);
+  }
+}
+
+/// What has been pushed does not move by itself in the same direction.
+bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
+  pushed_.clear();
+  if (!moves_.move_walls(direction, walls, pushed_)) {
+    return false;
+  }
+  for (const std::uint32_t id : pushed_) {
+    stop_waiting_at_all(id);
+  }
+  for (const std::uint32_t id : pushed_) {
+    wake(obstacle(id), direction);
+  }
+  wake(kWalls, direction);
+  ids_.insert(ids_.end(), pushed_.begin(), pushed_.end());
+  std::sort(ids_.begin(), ids_.end());
+  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  return true;
+}
+
+void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
+  const auto one = static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction));
+  const auto at = static_cast<std::size_t>(one);
+  waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
+  next_[at] = std::exchange(first_[obstacle], one);
+  previous_[at] = -1 - static_cast<Waiting>(obstacle);
+  if (next_[at] != kNone) {
+    previous_[static_cast<std::size_t>(next_[at])] = one;
+  }
+}
+
+void Mover::stop_waiting(Waiting one) {
+  const auto at = static_cast<std::size_t>(one);
+  const Waiting previous = previous_[at];
+  (previous < 0 ? first_[static_cast<std::size_t>(-1 - previous)]
+                : next_[static_cast<std::size_t>(previous)]) = next_[at];
+  if (next_[at] != kNone) {
+    previous_[static_cast<std::size_t>(next_[at])] = previous;
+  }
+  std::uint8_t& directions = waiting_[at / lattice::kDirectionCount];
+  directions = static_cast<std::uint8_t>(directions & ~(1U << at % lattice::kDirectionCount));
+}
+
+void Mover::stop_waiting_at_all(std::uint32_t id) {
+  for (const Direction direction : lattice::kDirections) {
+    if (waits(id, direction)) {
+      stop_waiting(
+          static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction)));
+    }
+  }
+}
+
+/// Those that wait for this obstacle in the direction of the moves and still want it are tried.
+void Mover::wake(std::size_t obstacle, Direction direction) {
+  while (first_[obstacle] != kNone) {
+    const auto at = static_cast<std::size_t>(first_[obstacle]);
+    const auto id = static_cast<std::uint32_t>(at / lattice::kDirectionCount);
+    stop_waiting(first_[obstacle]);
+    if (at % lattice::kDirectionCount == lattice::index_of(direction) &&
+        wants(state_.remainders[id], direction)) {
+      ready_.push_back(id);
+    }
+  }
+}
+
+}  // namespace clca::contact
