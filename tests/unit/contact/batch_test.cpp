@@ -109,7 +109,7 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
 
 LaneContent between(std::uint32_t upper, grains::Owner other) {
   static const Pair pair = pair_of(1, 1, Rolling::none);
-  return {.upper = upper, .other = other, .impulse = {}, .pair = &pair};
+  return {.upper = upper, .other = other, .impulse = {}, .pair = pair};
 }
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
@@ -170,8 +170,8 @@ TEST(Batches, HaveNothingInALaneThatIsEmptied) {
   content.impulse = {100, 20, 3};
   content.normal = {0, 1 << kUnitBits};
   const std::int32_t lane = batches.add(content);
-  EXPECT_EQ(batches.impulse(lane), content.impulse);
-  EXPECT_EQ(batches.normal(lane), content.normal);
+  EXPECT_EQ(batches.content(lane).impulse, content.impulse);
+  EXPECT_EQ(batches.content(lane).normal, content.normal);
   batches.remove(lane);
   std::vector<Body> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "contact/engine/mover.hpp"
 #include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
 #include "support/states.hpp"
@@ -29,20 +30,28 @@ struct Bench {
     state.particles.push_back(particle_at(column, row));
     remainders.push_back(remainder);
   }
+  /// By the rule and by the engine, which is given the grains in this order.
   std::vector<std::uint32_t> move(std::vector<std::uint32_t> ids = {}) {
     for (std::uint32_t id = 0; ids.size() < state.particles.size(); ++id) {
       ids.push_back(id);
     }
     grains::Occupancy occupancy(state);
+    grains::Occupancy occupancy_of_engine(state);
     const grains::FootprintTable footprints(state, {});
     const grains::WallEdges edges(state);
     State all{.grains = state, .remainders = remainders};
-    Mover mover(all, occupancy, footprints, edges);
-    const Moves moves = mover.move_all(Direction::down, ids, {});
+    State all_of_engine = all;
+    SiteMoves moves(all, occupancy, footprints, edges);
+    move_all(moves, all, Direction::down, {});
+    Mover mover(all_of_engine, occupancy_of_engine, footprints, edges, {});
+    mover.move_all(Direction::down, ids, {});
+    EXPECT_EQ(all, all_of_engine);
+    EXPECT_THAT(mover.moves().moved(), ::testing::UnorderedElementsAreArray(moves.moved()));
     state = all.grains;
     remainders = all.remainders;
     EXPECT_EQ(occupancy, grains::Occupancy(state));
-    return moves.moved;
+    EXPECT_EQ(occupancy_of_engine, occupancy);
+    return moves.moved();
   }
 };
 
@@ -72,6 +81,39 @@ TEST(AColumn, OnTheFloorStaysAndKeepsItsRemainders) {
   }
   EXPECT_THAT(bench.move(), ::testing::IsEmpty());
   EXPECT_THAT(bench.remainders, ::testing::Each(kDown));
+}
+
+TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
+  Bench bench;
+  bench.add(10, 5, {});
+  bench.add(10, 8, kDown);
+  bench.add(10, 11, kDown);
+  grains::Occupancy occupancy(bench.state);
+  const grains::FootprintTable footprints(bench.state, {});
+  const grains::WallEdges edges(bench.state);
+  State all{.grains = bench.state, .remainders = bench.remainders};
+  Mover mover(all, occupancy, footprints, edges, {});
+  const auto step = [&](const std::vector<std::uint32_t>& ids) {
+    for (grains::Particle& grain : all.grains.particles) {
+      grain.previous = grains::kRest;
+    }
+    mover.move_all(Direction::down, ids, {});
+    return mover.moves().moved();
+  };
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
+  }
+  all.remainders[0] = kDown;
+  EXPECT_THAT(step({0, 1, 2}), ::testing::UnorderedElementsAre(0U, 1U, 2U));
+  all.remainders[1] = kDown;
+  EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
+  const grains::Particle& lowest = all.grains.particles[0];
+  for (const lattice::Offset site : footprints.of(lowest).body) {
+    occupancy.release(all.grains.lattice.at(all.grains.lattice.index(lowest.site()),
+                                            lowest.column, site));
+  }
+  mover.remove_grain(0);
+  EXPECT_THAT(step({1, 2}), ::testing::ElementsAre(1U));
 }
 
 TEST(AGrain, MovesAsSoonAsItIsMoreThanHalfASiteAhead) {
