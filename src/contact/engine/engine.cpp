@@ -174,8 +174,10 @@ void Engine::advance_and_move() {
                       if (!particles[id].present) {
                         continue;
                       }
-                      at_rest = advance(remainders[id], motions[id].velocity,
-                                        slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) && at_rest;
+                      at_rest =
+                          advance(remainders[id], motions[id].velocity,
+                                  slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) &&
+                          at_rest;
                       near[count] = static_cast<std::uint32_t>(id);  // kept where it counts
                       count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
                     }

@@ -48,14 +48,14 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
   tries_.clear();
-  parallel::split(
-      threads_, ids_.size(), [&](std::size_t part, std::size_t first, std::size_t last) {
-        for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
-          if (!waits(id, direction) && wants(state_.remainders[id], direction)) {
-            tries_.of(part).emplace_back(id, moves_.in_the_way(id, direction));
-          }
-        }
-      });
+  parallel::split(threads_, ids_.size(),
+                  [&](std::size_t part, std::size_t first, std::size_t last) {
+                    for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
+                      if (!waits(id, direction) && wants(state_.remainders[id], direction)) {
+                        tries_.of(part).emplace_back(id, moves_.in_the_way(id, direction));
+                      }
+                    }
+                  });
   for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
     tries_.for_each([&](const auto& one) {
       if ((one.second == grains::kFree) == is_free) {
@@ -108,7 +108,8 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
 }
 
 void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
-  const auto one = static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction));
+  const auto one =
+      static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction));
   const auto at = static_cast<std::size_t>(one);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
   next_[at] = std::exchange(first_[obstacle], one);

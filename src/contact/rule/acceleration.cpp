@@ -29,8 +29,7 @@ std::int32_t cosine(Angle angle) {
 }
 
 Vector scaled_by(const UnitVector& unit, std::int32_t size) {
-  return {rounded(product(unit.x, size), kUnitBits),
-          rounded(product(unit.y, size), kUnitBits)};
+  return {rounded(product(unit.x, size), kUnitBits), rounded(product(unit.y, size), kUnitBits)};
 }
 
 }  // namespace

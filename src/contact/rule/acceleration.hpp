@@ -47,7 +47,7 @@ inline void accelerate(Velocity<std::int32_t>& velocity, lattice::Site site,
   if (by.turns) {
     const std::int32_t from_centre_x =
         rounded(product(site.column, unit_of(lattice::Direction::up_right).x),
-                     kUnitBits - kCentreBits) -
+                kUnitBits - kCentreBits) -
         by.centre_x;
     const std::int32_t from_centre_y =
         lattice::doubled_height(site) * (1 << (kCentreBits - 1)) - by.centre_y;

@@ -64,14 +64,14 @@ template <class Int>
     // Both turn the same way by a force along the rim, in opposite ways by a moment. A disc's
     // moment of inertia is half of its mass times the radius squared.
     constexpr int kTwice = kInverseMassBits - 1;
-    at.upper.spin = changed(at.upper.spin,
-                            product(by.rolling, at.pair.upper_turning) -
-                                product(by.shear, at.pair.upper_inverse_mass),
-                            kTwice);
-    at.other.spin = changed(at.other.spin,
-                            product(-by.rolling, at.pair.other_turning) -
-                                product(by.shear, at.pair.other_inverse_mass),
-                            kTwice);
+    at.upper.spin = changed(
+        at.upper.spin,
+        product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass),
+        kTwice);
+    at.other.spin = changed(
+        at.other.spin,
+        product(-by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass),
+        kTwice);
   }
 }
 

@@ -109,8 +109,8 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
   const grains::Particle& lowest = all.grains.particles[0];
   for (const lattice::Offset site : footprints.of(lowest).body) {
-    occupancy.release(all.grains.lattice.at(all.grains.lattice.index(lowest.site()),
-                                            lowest.column, site));
+    occupancy.release(
+        all.grains.lattice.at(all.grains.lattice.index(lowest.site()), lowest.column, site));
   }
   mover.remove_grain(0);
   EXPECT_THAT(step({1, 2}), ::testing::ElementsAre(1U));
