@@ -108,8 +108,7 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
 }
 
 void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
-  const auto one =
-      static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction));
+  const Waiting one = waiting(id, direction);
   const auto at = static_cast<std::size_t>(one);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
   next_[at] = std::exchange(first_[obstacle], one);
@@ -134,8 +133,7 @@ void Mover::stop_waiting(Waiting one) {
 void Mover::stop_waiting_at_all(std::uint32_t id) {
   for (const Direction direction : lattice::kDirections) {
     if (waits(id, direction)) {
-      stop_waiting(
-          static_cast<Waiting>(lattice::kDirectionCount * id + lattice::index_of(direction)));
+      stop_waiting(waiting(id, direction));
     }
   }
 }

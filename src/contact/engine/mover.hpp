@@ -37,6 +37,10 @@ class Mover {
   // A grain and a direction in which it may wait are a number: kDirectionCount x id + direction.
   using Waiting = std::int32_t;
   static constexpr Waiting kNone = -1;
+  static Waiting waiting(std::uint32_t id, lattice::Direction direction) {
+    return static_cast<Waiting>(std::size_t{id} * lattice::kDirectionCount +
+                                lattice::index_of(direction));
+  }
   // What others wait for: walls and the border, and each grain.
   static constexpr std::size_t kWalls = 0;
   static std::size_t obstacle(std::uint32_t id) { return id + 1; }

@@ -84,8 +84,8 @@ template <class Int>
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kStrongest);
   };
-  const auto bound = [](Int wanted, const auto& most) {
-    const Int limit = clamped(limited(most, kRatioBits, kStrongest), 0, kStrongest);
+  const auto bound = [](Int wanted, const auto& friction_force) {
+    const Int limit = clamped(limited(friction_force, kRatioBits, kStrongest), 0, kStrongest);
     return clamped(wanted, -limit, limit);
   };
   impulse.normal =
