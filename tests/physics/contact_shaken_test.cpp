@@ -38,7 +38,8 @@ double centre_minus_wall(double friction) {
 }
 
 // Six seeds gave 0.09 with a standard deviation of 0.09, and 0.42 with 0.08; these numbers count
-// the surface, too, and so are smaller than those of discrete elements. 3.7 standard errors and more.
+// the surface, too, and so are smaller than those of discrete elements. 3.7 standard errors or
+// more.
 TEST(ContactShaken, FrictionOfTheSideWallsDrivesConvection) {
   testing::expect_within("smooth", centre_minus_wall(0), -0.16, 0.27);
   testing::expect_within("rough", centre_minus_wall(0.8), 0.3, 0.55);
