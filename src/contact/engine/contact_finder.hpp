@@ -18,7 +18,8 @@ namespace clca::contact {
 /// grains that have moved.
 class ContactFinder {
  public:
-  ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
+  /// All outlive the finder.
+  ContactFinder(const State& state, const grains::Occupancy& occupancy,
                 const grains::FootprintTable& footprints, const Rule& rule,
                 const parallel::Threads& threads);
 
@@ -61,6 +62,7 @@ class ContactFinder {
   void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
+  const Sleep& sleep_;
   const grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;

@@ -8,6 +8,7 @@
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
+#include "contact/rule/sleep.hpp"
 
 namespace clca::contact {
 
@@ -22,7 +23,7 @@ Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::Footpri
       profile_(profile),
       clock_(profile),
       batch_(fastest_functions()),
-      finder_(state.grains, occupancy, footprints, rule, threads),
+      finder_(state, occupancy, footprints, rule, threads),
       slots_(state.grains.walls.size(), ContactFinder::most_groups(state.grains.lattice, threads)),
       mover_(state, occupancy, footprints, edges, threads),
       first_grain_(slots_.batches().first_grain()),
@@ -44,11 +45,15 @@ void Engine::remove_grain(std::uint32_t id) {
   changed_.push_back(id);
 }
 
-void Engine::reload() {
-  bodies_.assign(first_grain_, {});
+void Engine::load_bodies() {
+  bodies_.resize(first_grain_);
   for (const Velocity<std::int32_t>& velocity : state_.velocities) {
     bodies_.push_back({velocity});
   }
+}
+
+void Engine::reload() {
+  load_bodies();
   finder_.load(state_.contacts, slots_);
   look_at_all();
 }
@@ -71,6 +76,12 @@ void Engine::step() {
 }
 
 void Engine::update_contacts() {
+  if (rule_.sleeping && sorts_contacts(state_)) {
+    write_back();
+    check_sleep(state_, rule_);
+    load_bodies();
+    finder_.load(state_.contacts, slots_);
+  }
   if (const lattice::Direction down = contact::down(state_.vessel); down != finder_.down()) {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
@@ -79,6 +90,8 @@ void Engine::update_contacts() {
   new_lanes_.clear();
   for (const Slot& slot : slots_.all().subspan(first_new)) {
     new_lanes_.push_back(slot.lane);
+    disturb(state_.sleep, static_cast<grains::Owner>(slot.upper));
+    disturb(state_.sleep, slot.other);
   }
   clock_.end(&Profile::contacts);
   if (sorts_contacts(state_)) {
@@ -114,7 +127,7 @@ void Engine::accelerate_all() {
                   [&](std::size_t /*part*/, std::size_t first, std::size_t last) {
                     for (std::size_t id = first; id < last; ++id) {
                       const grains::Particle& grain = state_.grains.particles[id];
-                      if (grain.present) {
+                      if (grain.present && !is_asleep(state_.sleep, id)) {
                         accelerate(velocity(id), grain.site(), by);
                       }
                     }
@@ -164,7 +177,7 @@ void Engine::advance_and_move() {
                   [&](std::size_t part, std::size_t first, std::size_t last) {
                     bool at_rest = true;
                     for (std::size_t id = first; id < last; ++id) {
-                      if (!state_.grains.particles[id].present) {
+                      if (is_asleep(state_.sleep, id) || !state_.grains.particles[id].present) {
                         continue;
                       }
                       at_rest =
@@ -190,7 +203,21 @@ void Engine::advance_and_move() {
   }
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls.begin(), moves.beside_walls.end());
+  if (rule_.sleeping) {
+    disturb_sleepers();
+  }
   end_step(state_, walls, quiet && moved_.empty());
+}
+
+/// Those that touch a grain that has moved.
+void Engine::disturb_sleepers() {
+  for (const std::uint32_t id : moved_) {
+    state_.sleep.rests[id] = 0;
+    slots_.for_each(id, [&](std::int32_t at) {
+      disturb(state_.sleep, static_cast<grains::Owner>(slots_.at(at).upper));
+      disturb(state_.sleep, slots_.at(at).other);
+    });
+  }
 }
 
 void Engine::write_back() {

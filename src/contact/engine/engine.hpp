@@ -41,7 +41,9 @@ class Engine {
 
  private:
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
+  void load_bodies();
   void update_contacts();
+  void disturb_sleepers();
   void set_walls();
   void bounce_new();
   void accelerate_all();
