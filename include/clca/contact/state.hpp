@@ -132,12 +132,12 @@ struct State {
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
     using fields::field;
-    return std::make_tuple(
-        field("grains", &State::grains), field("velocities", &State::velocities),
-        field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
-        field("contacts", &State::contacts), field("changed", &State::changed),
-        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel),
-        field("sleep", &State::sleep));
+    return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
+                           field("remainders", &State::remainders),
+                           field("wall_remainders", &State::wall_remainders),
+                           field("contacts", &State::contacts), field("changed", &State::changed),
+                           field("quiet_steps", &State::quiet_steps),
+                           field("vessel", &State::vessel), field("sleep", &State::sleep));
   }
 };
 

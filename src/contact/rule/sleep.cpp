@@ -30,7 +30,8 @@ void add(std::vector<Load>& loads, const Contact& contact) {
   }
 }
 
-bool is_out_of_balance(const Load& load, std::int32_t mass, const Rule& rule, const Vector& gravity) {
+bool is_out_of_balance(const Load& load, std::int32_t mass, const Rule& rule,
+                       const Vector& gravity) {
   const auto weight = [&](std::int32_t component) {
     return scaled(product(mass, component), kMassBits);
   };

@@ -1,8 +1,8 @@
 #pragma once
 // Sleep: steps leave out grains that have come to rest, until something disturbs them.
 //
-// A sleeper has no velocity and is a body of infinite mass to those that are awake. Contacts between
-// sleepers, and of sleepers with walls, keep their impulses and are not solved.
+// A sleeper has no velocity and is a body of infinite mass to those that are awake. Contacts
+// between sleepers, and of sleepers with walls, keep their impulses and are not solved.
 
 #include <cstdint>
 

@@ -38,8 +38,8 @@ class Contacts {
         .other = other_velocity,
         .normal_x = contact.normal.x,
         .normal_y = contact.normal.y,
-        .pair = coefficients(state_.grains, state_.sleep, rule_.bodies, contact.upper,
-                             contact.other)};
+        .pair =
+            coefficients(state_.grains, state_.sleep, rule_.bodies, contact.upper, contact.other)};
     visit(touching);
     upper_velocity = touching.upper;
     other_velocity = touching.other;
