@@ -68,33 +68,6 @@ void check_rolling(const Scene& scene, const Value& species) {
   }
 }
 
-/// Forces between sleepers stay as they were when these fell asleep.
-void check_forces_are_not_asked_for(const Scene& scene, const Value& root) {
-  const auto refuse = [](const Value& value, std::string_view path) {
-    fail(value.place, fmt::format("{}: forces are not known where grains sleep; remove it, or "
-                                  "'contact.sleeping: true'",
-                                  path));
-  };
-  if (const Value* measures = root.find("measure");
-      measures != nullptr && std::find(scene.measures.begin(), scene.measures.end(),
-                                       Measure::force) != scene.measures.end()) {
-    refuse(*measures, "measure: force");
-  }
-  const Output& output = scene.output;
-  if (output.frames && output.frames->overlay == Overlay::forces) {
-    refuse(*value_at(root, {"output", "frames", "overlay"}), "output.frames.overlay: forces");
-  }
-  if (output.frames && output.frames->color_by == ColorBy::force) {
-    refuse(*value_at(root, {"output", "frames", "color_by"}), "output.frames.color_by: force");
-  }
-  if (output.contacts) {
-    refuse(*value_at(root, {"output", "contacts"}), "output.contacts");
-  }
-  if (output.trajectory && output.trajectory->contacts) {
-    refuse(*value_at(root, {"output", "trajectory", "contacts"}), "output.trajectory.contacts");
-  }
-}
-
 /// Of the stages of a scene whose time step is known.
 void check_vessels(const Scene& scene, const Value& stages) {
   contact::Vessel vessel;
@@ -154,9 +127,6 @@ void check_model(const Scene& scene, const Value& root) {
   }
   refuse_foreign(root, "", "rules", Model::automaton);
   check_able(root);
-  if (scene.contact.sleeping) {
-    check_forces_are_not_asked_for(scene, root);
-  }
   if (scene.contact.rolling != contact::Rolling::none) {
     check_rolling(scene, *root.find("species"));
   }
@@ -180,6 +150,35 @@ void check_time_step(const Scene& scene, const Value& root) {
              contact::kLeastGravity, contact::kMostGravity));
   }
   check_vessels(scene, *root.find("stages"));
+}
+
+void check_sleeping(const Scene& scene, const Value& root) {
+  if (!scene.contact.sleeping) {
+    return;
+  }
+  const auto refuse = [](const Value& value, std::string_view path) {
+    fail(value.place, fmt::format("{}: forces are not known where grains sleep; remove it, or "
+                                  "'contact.sleeping: true'",
+                                  path));
+  };
+  if (const Value* measures = root.find("measure");
+      measures != nullptr && std::find(scene.measures.begin(), scene.measures.end(),
+                                       Measure::force) != scene.measures.end()) {
+    refuse(*measures, "measure: force");
+  }
+  const Output& output = scene.output;
+  if (output.frames && output.frames->overlay == Overlay::forces) {
+    refuse(*value_at(root, {"output", "frames", "overlay"}), "output.frames.overlay: forces");
+  }
+  if (output.frames && output.frames->color_by == ColorBy::force) {
+    refuse(*value_at(root, {"output", "frames", "color_by"}), "output.frames.color_by: force");
+  }
+  if (output.contacts) {
+    refuse(*value_at(root, {"output", "contacts"}), "output.contacts");
+  }
+  if (output.trajectory && output.trajectory->contacts) {
+    refuse(*value_at(root, {"output", "trajectory", "contacts"}), "output.trajectory.contacts");
+  }
 }
 
 }  // namespace clca::scene

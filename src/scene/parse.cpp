@@ -98,6 +98,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   scene.output.checkpoint = kDefaultCheckpoints;
   read_into(scene.output, fields, "output", read_output, scene);
   check_use(scene, root);
+  check_sleeping(scene, root);
   return scene;
 }
 
