@@ -148,7 +148,7 @@ TEST(Sleep, ADeepBedIsTheSameByReferenceAndEngine) {
   ContactModel reference = model(true);
   ContactModel engine = model(false);
   std::size_t most = 0;
-  for (int step = 0; step < 2500; ++step) {
+  for (int step = 0; step < 6000; ++step) {
     reference.step();
     engine.step();
     ASSERT_EQ(engine.state(), reference.state()) << step;
