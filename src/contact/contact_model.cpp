@@ -13,6 +13,7 @@
 #include "clca/random/draw.hpp"
 #include "contact/engine/engine.hpp"
 #include "contact/rule/acceleration.hpp"
+#include "contact/rule/sleep.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/walls.hpp"
 #include "grains/wall_step.hpp"
@@ -33,6 +34,7 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
                .turning = {.turns = parameters.rolling != Rolling::none,
                            .resists_rolling = parameters.rolling == Rolling::resistance,
                            .rolling_friction = friction(parameters.rolling_friction)},
+               .sleeping = parameters.sleeping,
                .bodies = Bodies(state.grains.kinds, parameters.rolling)};
   for (std::size_t wall = 0; wall < options.wall_friction.size(); ++wall) {
     if (options.wall_friction[wall]) {
@@ -45,6 +47,12 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
 State valid(State state, const Parameters& parameters, const Options& options) {
   if (state.grains.step == 0 && state.wall_remainders.empty()) {
     state.wall_remainders.resize(state.grains.walls.size());
+  }
+  if (parameters.sleeping) {
+    state.sleep.rests.resize(state.grains.particles.size());
+  } else {
+    wake_all(state);
+    state.sleep = {};
   }
   check_valid(state);
   const bool walls_sane =
@@ -147,7 +155,12 @@ void check_valid(const State& state) {
     }
   }
   std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
-  for (const Contact& contact : state.contacts) {
+  if (!state.sleep.rests.empty() && state.sleep.rests.size() != grains) {
+    fail("there is not one count of rests for each grain");
+  }
+  std::vector<Contact> contacts = state.contacts;
+  contacts.insert(contacts.end(), state.sleep.contacts.begin(), state.sleep.contacts.end());
+  for (const Contact& contact : contacts) {
     const bool with_grain = grains::is_particle(contact.other);
     const bool there =
         contact.upper < grains &&
@@ -256,6 +269,7 @@ class ContactModel::Impl {
   auto change(Change change) {
     return whole([&] {
       state();
+      wake_all(state_);
       auto result = change(state_.grains, occupancy_);
       add_motions();
       if (engine_) {
@@ -277,6 +291,7 @@ class ContactModel::Impl {
     }
     moving.travel.active = active;
     state_.quiet_steps = 0;
+    wake();
   }
   void set_source(std::size_t source, bool open) { state_.grains.sources.at(source).open = open; }
   void set_vessel(const Vessel& vessel) {
@@ -284,6 +299,7 @@ class ContactModel::Impl {
     state_.changed = state_.changed || down(vessel) != down(state_.vessel);
     state_.vessel = vessel;
     state_.quiet_steps = 0;
+    wake();
   }
   void mark_origins() {
     grains::State& grains = state_.grains;
@@ -292,6 +308,17 @@ class ContactModel::Impl {
   }
 
  private:
+  /// Something outside has changed.
+  void wake() {
+    if (rule_.sleeping) {
+      state();
+      wake_all(state_);
+      if (engine_) {
+        engine_->reload();
+      }
+    }
+  }
+
   /// Grains from a source begin anywhere within a spacing, or those of one site would stand one on
   /// the other.
   void scatter(std::size_t first) {
@@ -308,6 +335,9 @@ class ContactModel::Impl {
   void add_motions() {
     state_.velocities.resize(state_.grains.particles.size());
     state_.remainders.resize(state_.grains.particles.size());
+    if (rule_.sleeping) {
+      state_.sleep.rests.resize(state_.grains.particles.size());
+    }
   }
 
   /// Those that moved, once each.

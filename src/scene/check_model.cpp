@@ -152,4 +152,33 @@ void check_time_step(const Scene& scene, const Value& root) {
   check_vessels(scene, *root.find("stages"));
 }
 
+void check_sleeping(const Scene& scene, const Value& root) {
+  if (!scene.contact.sleeping) {
+    return;
+  }
+  const auto refuse = [](const Value& value, std::string_view path) {
+    fail(value.place, fmt::format("{}: forces are not known where grains sleep; remove it, or "
+                                  "'contact.sleeping: true'",
+                                  path));
+  };
+  if (const Value* measures = root.find("measure");
+      measures != nullptr && std::find(scene.measures.begin(), scene.measures.end(),
+                                       Measure::force) != scene.measures.end()) {
+    refuse(*measures, "measure: force");
+  }
+  const Output& output = scene.output;
+  if (output.frames && output.frames->overlay == Overlay::forces) {
+    refuse(*value_at(root, {"output", "frames", "overlay"}), "output.frames.overlay: forces");
+  }
+  if (output.frames && output.frames->color_by == ColorBy::force) {
+    refuse(*value_at(root, {"output", "frames", "color_by"}), "output.frames.color_by: force");
+  }
+  if (output.contacts) {
+    refuse(*value_at(root, {"output", "contacts"}), "output.contacts");
+  }
+  if (output.trajectory && output.trajectory->contacts) {
+    refuse(*value_at(root, {"output", "trajectory", "contacts"}), "output.trajectory.contacts");
+  }
+}
+
 }  // namespace clca::scene

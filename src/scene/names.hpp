@@ -19,9 +19,9 @@ inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites
 inline constexpr std::array<std::string_view, 2> kRodKeys = {"radius", "length"};
 inline constexpr std::array<std::string_view, 6> kRulesKeys = {
     "inertia", "scatter", "candidates", "gravity", "update_priority", "ties"};
-inline constexpr std::array<std::string_view, 8> kContactModelKeys = {
-    "friction",    "wall_friction", "rolling",    "rolling_friction",
-    "restitution", "sweeps",        "resolution", "fall_height"};
+inline constexpr std::array<std::string_view, 9> kContactModelKeys = {
+    "friction", "wall_friction", "rolling",     "rolling_friction", "restitution",
+    "sweeps",   "resolution",    "fall_height", "sleeping"};
 inline constexpr std::array<std::string_view, 9> kWallKeys = {
     "box", "line", "disc", "ring", "arc", "parts", "motion", "passive", "friction"};
 inline constexpr std::array<std::string_view, 5> kPartKeys = {"box", "line", "disc", "ring", "arc"};

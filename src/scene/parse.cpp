@@ -91,10 +91,14 @@ Scene read_scene(const Value& root, const std::string& file) {
   check_history(scene, fields.at("stages"));
   check_time_step(scene, root);
   count_steps(scene, fields.at("stages"));
+  if (scene.contact.sleeping) {
+    std::erase(scene.measures, Measure::force);
+  }
   read_into(scene.measures, fields, "measure", read_measures);
   scene.output.checkpoint = kDefaultCheckpoints;
   read_into(scene.output, fields, "output", read_output, scene);
   check_use(scene, root);
+  check_sleeping(scene, root);
   return scene;
 }
 

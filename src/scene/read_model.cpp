@@ -86,6 +86,7 @@ contact::Parameters read_contact(const Value& value) {
   if (const Value* height = fields.find("fall_height")) {
     contact.fall_height = read_fall_height(*height, fields.path("fall_height"));
   }
+  contact.sleeping = fields.boolean("sleeping", contact.sleeping);
   return contact;
 }
 

@@ -75,6 +75,8 @@ void check_model(const Scene& scene, const Value& root);
 /// Of the contact model: resolution and fall height, which may follow from the stages, and the
 /// vessels of these.
 void check_time_step(const Scene& scene, const Value& root);
+/// Forces between sleepers stay as they were when these fell asleep: a scene must not ask for them.
+void check_sleeping(const Scene& scene, const Value& root);
 /// What concerns the scene as a whole: every species, source and motion is used, there are
 /// particles.
 void check_use(const Scene& scene, const Value& root);

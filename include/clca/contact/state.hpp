@@ -99,28 +99,45 @@ struct Contact {
   }
 };
 
+/// Grains that steps leave out (rule/sleep.hpp). Nothing in it where none may sleep.
+struct Sleep {
+  static constexpr bool kHashedOnlyIfSet = true;
+
+  /// By id: for how many checks in a row a grain has been at rest, at most kAsleep; or kDisturbed.
+  std::vector<std::uint8_t> rests = {};
+  std::vector<Contact> contacts = {};  ///< of sleepers with each other, with walls and sides
+
+  bool operator==(const Sleep&) const = default;
+  static constexpr auto fields() {
+    using fields::field;
+    return std::make_tuple(field("rests", &Sleep::rests), field("contacts", &Sleep::contacts));
+  }
+};
+
 struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
   /// By wall: how far its motion is ahead of it, in 2^-20 lattice spacings along its direction.
   std::vector<std::int64_t> wall_remainders = {};
-  /// Of the last step, in the order in which they are swept.
+  /// Of the last step, in the order in which they are swept; others are in `sleep`.
   std::vector<Contact> contacts = {};
   /// Something other than the step itself has changed walls or grains: contacts are put in order
   /// anew.
   bool changed = true;
   std::uint64_t quiet_steps = 0;  ///< in a row: without a move, and with hardly any velocity
   Vessel vessel = {};
+  Sleep sleep = {};
 
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
     using fields::field;
-    return std::make_tuple(
-        field("grains", &State::grains), field("velocities", &State::velocities),
-        field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
-        field("contacts", &State::contacts), field("changed", &State::changed),
-        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
+    return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
+                           field("remainders", &State::remainders),
+                           field("wall_remainders", &State::wall_remainders),
+                           field("contacts", &State::contacts), field("changed", &State::changed),
+                           field("quiet_steps", &State::quiet_steps),
+                           field("vessel", &State::vessel), field("sleep", &State::sleep));
   }
 };
 

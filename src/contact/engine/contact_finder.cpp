@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "clca/grains/separation.hpp"
+#include "contact/rule/sleep.hpp"
 
 namespace clca::contact {
 
@@ -34,26 +35,27 @@ bool is_wall_or_side(grains::Owner owner) {
 
 }  // namespace
 
-ContactFinder::ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
+ContactFinder::ContactFinder(const State& state, const grains::Occupancy& occupancy,
                              const grains::FootprintTable& footprints, const Rule& rule,
                              const parallel::Threads& threads)
-    : state_(state),
+    : state_(state.grains),
+      sleep_(state.sleep),
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
       threads_(threads),
-      normals_(static_cast<std::size_t>(threads.count), NormalTable(state.kinds)),
+      normals_(static_cast<std::size_t>(threads.count), NormalTable(state_.kinds)),
       touches_(threads),
       changed_(threads),
       at_walls_(threads),
       partners_(threads),
-      sorted_(state.walls.size(), most_groups(state.lattice, threads)) {
-  for (const grains::Kind& kind : state.kinds) {
+      sorted_(state_.walls.size(), most_groups(state_.lattice, threads)) {
+  for (const grains::Kind& kind : state_.kinds) {
     widest_ = std::max(widest_, columns_of(kind.shape));
     for (const bool odd : {false, true}) {
       std::vector<lattice::Offset>& offsets = rings_.emplace_back();
       for (const lattice::Axial site : ring(kind.shape)) {
-        offsets.push_back(state.lattice.offset(site, odd));
+        offsets.push_back(state_.lattice.offset(site, odd));
       }
     }
   }
@@ -73,7 +75,9 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
     LaneContent loaded =
         content({.upper = contact.upper, .other = contact.other, .normal = contact.normal});
     loaded.impulse = contact.impulse;
-    slots.add(loaded, {});  // all grains count as moved
+    slots.add(loaded, grains::is_particle(contact.other)
+                          ? apart(contact.upper, static_cast<std::uint32_t>(contact.other))
+                          : lattice::Axial());
   }
 }
 
@@ -81,7 +85,7 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   moved_.resize(state_.particles.size());
   ids_.clear();
   for (const std::uint32_t id : moved) {
-    if (std::exchange(moved_[id], 1) == 0) {
+    if (!is_asleep(sleep_, id) && std::exchange(moved_[id], 1) == 0) {
       ids_.push_back(id);
     }
   }
@@ -219,9 +223,16 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
 void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
                          std::vector<std::int32_t>& lanes) {
   // From the order of the last time, which is nearly right.
-  std::erase_if(order_, [&](const auto& one) { return !state_.particles[one.second].present; });
-  for (; listed_ < state_.particles.size(); ++listed_) {
-    order_.emplace_back(0, listed_);
+  listed_.resize(state_.particles.size());
+  std::erase_if(order_, [&](const auto& one) {
+    listed_[one.second] = slots.touches_anything(one.second) ? 1 : 0;
+    return listed_[one.second] == 0;
+  });
+  for (std::uint32_t id = 0; id < listed_.size(); ++id) {
+    if (listed_[id] == 0 && slots.touches_anything(id)) {
+      listed_[id] = 1;
+      order_.emplace_back(0, id);
+    }
   }
   for (auto& [key, id] : order_) {
     key = order_key(state_, down_, id);
@@ -288,16 +299,12 @@ bool ContactFinder::may_share_grains(int strip, int other) const {
 }
 
 LaneContent ContactFinder::content(const Touch& touch) const {
-  const auto kind = [&](std::size_t id) { return state_.particles[id].kind; };
-  const bool on_wall = !grains::is_particle(touch.other);
-  const auto other = static_cast<std::size_t>(touch.other);
   return {.upper = touch.upper,
           .other = touch.other,
           .normal = touch.normal,
           .impulse = {},
           .friction = rule_.friction_with(touch.other),
-          .pair = rule_.bodies.pair(kind(touch.upper),
-                                    on_wall ? std::nullopt : std::optional(kind(other)))};
+          .pair = coefficients(state_, sleep_, rule_.bodies, touch.upper, touch.other)};
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_t part) {

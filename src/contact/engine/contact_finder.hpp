@@ -18,7 +18,8 @@ namespace clca::contact {
 /// grains that have moved.
 class ContactFinder {
  public:
-  ContactFinder(const grains::State& state, const grains::Occupancy& occupancy,
+  /// All outlive the finder.
+  ContactFinder(const State& state, const grains::Occupancy& occupancy,
                 const grains::FootprintTable& footprints, const Rule& rule,
                 const parallel::Threads& threads);
 
@@ -61,6 +62,7 @@ class ContactFinder {
   void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
+  const Sleep& sleep_;
   const grains::Occupancy& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
@@ -77,7 +79,7 @@ class ContactFinder {
   parallel::PartLists<grains::Owner> partners_;      // of the grain that is looked at
   std::vector<Found> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
-  std::uint32_t listed_ = 0;
+  std::vector<std::uint8_t> listed_;  // by id: whether it is in order_
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one
   ContactSlots sorted_;
 };

@@ -42,7 +42,9 @@ class Engine {
  private:
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
+  void load_bodies();
   void update_contacts();
+  void disturb_sleepers();
   void set_walls();
   void bounce_new();
   void accelerate_all();

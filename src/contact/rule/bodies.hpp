@@ -36,14 +36,23 @@ class Bodies {
  public:
   Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling);
 
+  /// Which grain of a pair counts as a body of infinite mass.
+  enum class Fixed : std::uint8_t { none, upper, other };
+
   /// No second kind: a wall.
-  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
-    return pairs_[kind * (kinds_ + 1) + (other ? *other : kinds_)];
+  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other,
+                   Fixed fixed = Fixed::none) const {
+    const std::size_t among = static_cast<std::size_t>(fixed) * kinds_ + kind;
+    return pairs_[among * (kinds_ + 1) + (other ? *other : kinds_)];
   }
+  /// Of a kind, in 2^-16 of the unit.
+  std::int32_t mass(std::uint16_t kind) const { return masses_[kind]; }
 
  private:
   std::size_t kinds_;
-  std::vector<Pair> pairs_;  // by kind, then by the other kind, the last of them walls
+  // By `Fixed`, then by kind, then by the other kind, the last of them walls.
+  std::vector<Pair> pairs_;
+  std::vector<std::int32_t> masses_;  // by kind
 };
 
 /// Whether it is one, with its reference site in the middle.

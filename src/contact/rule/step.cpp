@@ -6,6 +6,7 @@
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
+#include "contact/rule/sleep.hpp"
 #include "contact/rule/touching.hpp"
 
 namespace clca::contact {
@@ -26,7 +27,6 @@ class Contacts {
     const Contact& contact = active.contact;
     const bool on_wall = !grains::is_particle(contact.other);
     const auto other = static_cast<std::size_t>(contact.other);
-    const auto& grains = state_.grains.particles;
     Velocity<std::int32_t> side;
     Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
     Velocity<std::int32_t>& other_velocity = !on_wall ? state_.velocities[other]
@@ -38,8 +38,8 @@ class Contacts {
         .other = other_velocity,
         .normal_x = contact.normal.x,
         .normal_y = contact.normal.y,
-        .pair = rule_.bodies.pair(grains[contact.upper].kind,
-                                  on_wall ? std::nullopt : std::optional(grains[other].kind))};
+        .pair =
+            coefficients(state_.grains, state_.sleep, rule_.bodies, contact.upper, contact.other)};
     visit(touching);
     upper_velocity = touching.upper;
     other_velocity = touching.other;
@@ -80,23 +80,45 @@ void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
   }
 }
 
+/// Sleepers that touch what has come or moved.
+void disturb_sleepers(State& state, const std::vector<ActiveContact>& contacts) {
+  const auto has_moved = [&](grains::Owner body) {
+    return grains::is_particle(body) &&
+           state.grains.particles[static_cast<std::size_t>(body)].previous != grains::kRest;
+  };
+  for (const ActiveContact& active : contacts) {
+    const auto upper = static_cast<grains::Owner>(active.contact.upper);
+    if (active.is_new || has_moved(upper) || has_moved(active.contact.other)) {
+      disturb(state.sleep, upper);
+      disturb(state.sleep, active.contact.other);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
                                           const grains::FootprintTable& footprints,
                                           const grains::WallEdges& edges, const Rule& rule,
                                           NormalTable& normals) {
+  if (rule.sleeping && sorts_contacts(state)) {
+    check_sleep(state, rule);
+  }
   const lattice::Direction down = contact::down(state.vessel);
-  std::vector<ActiveContact> contacts = next_contacts(
-      state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
-      down, sorts_contacts(state));
+  std::vector<Touch> touches = contact::touches(state.grains, occupancy, footprints, down, normals);
+  std::erase_if(touches, [&](const Touch& touch) {
+    return both_asleep(state.sleep, touch.upper, touch.other);
+  });
+  std::vector<ActiveContact> contacts =
+      next_contacts(state.grains, state.contacts, touches, down, sorts_contacts(state));
   state.changed = false;
 
   Contacts all(state, rule);
   const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
   const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+    if (const grains::Particle& grain = state.grains.particles[id];
+        grain.present && !is_asleep(state.sleep, id)) {
       accelerate(state.velocities[id], grain.site(), by);
     }
   }
@@ -121,7 +143,7 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   bool quiet = true;
   for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
     state.grains.particles[id].previous = grains::kRest;
-    if (state.grains.particles[id].present) {
+    if (state.grains.particles[id].present && !is_asleep(state.sleep, id)) {
       quiet = advance(state.remainders[id], state.velocities[id], touching[id], slow) && quiet;
     }
   }
@@ -129,6 +151,12 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
   SiteMoves moves(state, occupancy, footprints, edges);
   move_all(moves, state, down, walls);
   std::for_each(state.remainders.begin(), state.remainders.end(), cut);
+  if (rule.sleeping) {
+    for (const std::uint32_t id : moves.moved()) {
+      state.sleep.rests[id] = 0;
+    }
+    disturb_sleepers(state, contacts);
+  }
   end_step(state, walls, quiet && moves.moved().empty());
   return moves.moved();
 }

@@ -35,6 +35,9 @@ std::vector<WallMove> advance_walls(State& state);
 /// but perhaps walls, and no grain has more than the velocity that counts as rest.
 void end_step(State& state, std::span<const WallMove> walls, bool quiet);
 
+/// Whether a wall is on its way, be it held up.
+bool walls_move(const State& state);
+
 /// Whether no wall will ever move while no grain does: each has come to its end, or has been held
 /// up for as long as a state takes to settle, and pushes as hard as it ever will.
 bool walls_rest(const State& state);

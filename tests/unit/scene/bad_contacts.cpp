@@ -29,8 +29,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:13:10: error: contact: expected a map, found 'default'"},
     {"a misspelt key", "contact: {frictoin: 0.2}",
      "scene.yaml:13:11: error: unknown key 'frictoin' in contact (allowed: friction, "
-     "wall_friction, rolling, rolling_friction, restitution, sweeps, resolution, fall_height); did "
-     "you mean 'friction'?"},
+     "wall_friction, rolling, rolling_friction, restitution, sweeps, resolution, fall_height, "
+     "sleeping); did you mean 'friction'?"},
     {"a negative friction", "contact: {friction: -0.1}",
      "scene.yaml:13:21: error: contact.friction: expected a number from 0 to 1000000000, found "
      "'-0.1'"},

@@ -35,7 +35,8 @@ std::string refusal(std::string_view part, const std::vector<Override>& override
 constexpr std::string_view kEverything =
     "species: {bar: {shape: {rod: {radius: 0, length: 3}}}}\n"
     "contact: {friction: 1e9, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
-    " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5}\n"
+    " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5,"
+    " sleeping: true}\n"
     "walls: {left: {box: [0, 0, 1, 50], friction: 0.25}, right: {box: [50, 0, 51, 50]}}\n"
     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {bar: 5}}, sources: [spout]}]\n"
     "output: {contacts: none}\n";
@@ -66,7 +67,8 @@ TEST(ParseContact, ReadsEveryKey) {
                                        .restitution = 0.99,
                                        .sweeps = 64,
                                        .resolution = 0.5,
-                                       .fall_height = 1e5}));
+                                       .fall_height = 1e5,
+                                       .sleeping = true}));
   EXPECT_EQ(scene.walls[0].friction, 0.25);
   EXPECT_FALSE(scene.walls[1].friction.has_value());
 }
@@ -159,6 +161,7 @@ TEST(ParseContact, ToYamlShowsEveryDefaultAndNoRules) {
                               "  sweeps: 2\n"
                               "  resolution: 0.4\n"
                               "  fall_height: auto\n"
+                              "  sleeping: false\n"
                               "\n"
                               "walls:\n"
                               "  left: {box: [0, 0, 1, 50]}\n"));
@@ -173,9 +176,36 @@ TEST(ParseContact, ScenesDifferWhenAPartOfTheModelDiffers) {
        {"model: automaton", "contact: {friction: 0.5}", "contact: {wall_friction: 0.5}",
         "contact: {rolling: free}", "contact: {rolling_friction: 0.4}", "contact: {restitution: 0}",
         "contact: {sweeps: 4}", "contact: {resolution: 1}", "contact: {fall_height: 50}",
+        "contact: {sleeping: true}",
         "walls: {left: {box: [0, 0, 1, 50], friction: 0.4}, right: {box: [50, 0, 51, 50]}}"}) {
     EXPECT_NE(contact_with(part), scene) << part;
   }
+}
+
+TEST(ParseContact, LeavesOutForcesWhereGrainsSleep) {
+  EXPECT_THAT(contact_with("").measures, ::testing::Contains(Measure::force));
+  EXPECT_THAT(contact_with("contact: {sleeping: true}").measures,
+              Not(::testing::Contains(Measure::force)));
+}
+
+TEST(ParseContact, RefusesForcesWhereGrainsSleep) {
+  const auto message = [](std::string_view key, std::string_view path) {
+    return "--set " + std::string(key) + ": error: " + std::string(path) +
+           ": forces are not known where grains sleep; remove it, or 'contact.sleeping: true'";
+  };
+  const auto refused = [](const std::string& key) {
+    return refusal("contact: {sleeping: true}", {"output.frames={}", "output.trajectory={}", key});
+  };
+  EXPECT_EQ(refused("measure=[moved, force]"), message("measure=[moved, force]", "measure: force"));
+  for (const std::string_view frames : {"overlay: forces", "color_by: force"}) {
+    const std::string key(frames.substr(0, frames.find(':')));
+    const std::string setting =
+        "output.frames." + key + "=" + std::string(frames.substr(frames.find(' ') + 1));
+    EXPECT_EQ(refused(setting), message(setting, "output.frames." + std::string(frames)));
+  }
+  EXPECT_EQ(refused("output.contacts={}"), message("output.contacts={}", "output.contacts"));
+  EXPECT_EQ(refused("output.trajectory.contacts=true"),
+            message("output.trajectory.contacts=true", "output.trajectory.contacts"));
 }
 
 TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {
