@@ -23,8 +23,9 @@ constexpr double kAwakeBytes = 150;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
 // waits for it. All are looked at once, though.
 constexpr double kAwakeOfDeposited = 1.0 / 8;
-// Of the contact model: velocities, spin and impulses of a grain, and about four contacts of 40.
-constexpr double kContactGrainBytes = 100 + 4 * 40;
+// Of the contact model: what is by grain, and for each of its two contacts, in lists that double,
+// 32 in the state and twice 96 where they are put in order.
+constexpr double kContactGrainBytes = 200 + 2 * 2 * (32 + 2 * 96);
 constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;

@@ -79,7 +79,7 @@ class ContactFinder {
   parallel::PartLists<grains::Owner> partners_;      // of the grain that is looked at
   std::vector<Found> found_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
-  std::vector<std::uint8_t> listed_;  // by id: whether it is in order_
+  std::vector<std::uint8_t> listed_;                            // by id: whether it is in order_
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one
   ContactSlots sorted_;
 };
