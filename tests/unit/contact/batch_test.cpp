@@ -2,6 +2,7 @@
 
 #include "contact/engine/batch.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Workload {
 
 /// Some lanes are empty; up to `fastest` and `strongest`.
 Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest) {
-  static const std::vector<Pair> pairs = [] {
+  static const std::vector<Pair> kPairs = [] {
     std::vector<Pair> all;
     for (const int radius : {0, 1, 3, 60}) {
       for (const std::optional<int> other :
@@ -49,7 +50,7 @@ Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest)
         continue;
       }
       const UnitVector normal = any_normal(random);
-      const Pair& pair = pairs[random() % pairs.size()];
+      const Pair& pair = kPairs[random() % kPairs.size()];
       batch.upper[lane] = ids[2 * lane];
       batch.other[lane] = pair.other_inverse_mass == 0 ? kRestingBody : ids[2 * lane + 1];
       batch.normal_x[lane] = normal.x;
@@ -94,7 +95,7 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
     const Turning turning = {.turns = turns,
                              .resists_rolling = turns && random() % 2 == 0,
                              .rolling_friction = ratio(0.5)};
-    for (auto& [functions, load] :
+    for (const auto& [functions, load] :
          {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
       functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), turns);
       for (const bool backwards : {false, true}) {
@@ -108,8 +109,8 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
 }
 
 LaneContent between(std::uint32_t upper, grains::Owner other) {
-  static const Pair pair = pair_of(1, 1, Rolling::none);
-  return {.upper = upper, .other = other, .impulse = {}, .pair = pair};
+  static const Pair kPair = pair_of(1, 1, Rolling::none);
+  return {.upper = upper, .other = other, .impulse = {}, .pair = kPair};
 }
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {

@@ -21,7 +21,7 @@ constexpr Parameters kParameters = {.fall_height = 40, .sleeping = true};
 class SleepTest : public ::testing::TestWithParam<bool> {
  protected:
   /// Grains dropped into a box, with a wall across it at half its height.
-  ContactModel bed(std::size_t count, const Parameters& parameters = kParameters) const {
+  static ContactModel bed(std::size_t count, const Parameters& parameters = kParameters) {
     grains::State grains = empty_state(40, 80);
     grains.kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
     grains.seed = 5;

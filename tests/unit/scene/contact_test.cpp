@@ -223,7 +223,7 @@ TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {
   };
   const double bytes = size({}).bytes;
   const auto grains = static_cast<double>(size({}).particles);
-  EXPECT_EQ(bytes, size({"model=automaton"}).bytes + 260 * grains);
+  EXPECT_EQ(bytes, size({"model=automaton"}).bytes + 1096 * grains);
   const double window = size({"measure=[force]"}).bytes - bytes;
   EXPECT_GT(window, 4 * 120 * grains) << "a sum and its place for each of four contacts";
   const double frames = size({"output.trajectory={}"}).bytes;
