@@ -30,8 +30,8 @@ struct Force {
   }
 };
 
-/// All of them, in the order of the contacts. `gravity` in lattice spacings per step squared. In a
-/// periodic box places are near the upper grain.
+/// All but those of State::sleep, in the order of the contacts. `gravity` in lattice spacings per
+/// step squared. In a periodic box places are near the upper grain.
 std::vector<Force> forces(const State& state, double gravity);
 
 /// Sums of the forces of several steps, by contact.
