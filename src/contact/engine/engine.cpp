@@ -193,7 +193,7 @@ void Engine::advance_and_move() {
                           advance(remainders[id], motions[id].velocity,
                                   slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) &&
                           at_rest;
-                      near[count] = static_cast<std::uint32_t>(id);  // kept where it counts
+                      near[count] = static_cast<std::uint32_t>(id);  // overwritten unless counted
                       count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
                     }
                     near.resize(count);
