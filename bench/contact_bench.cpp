@@ -13,7 +13,7 @@ namespace contact = clca::contact;
 namespace grains = clca::grains;
 namespace lattice = clca::lattice;
 
-constexpr std::uint64_t kLongestRun = 1'000'000;
+constexpr std::uint64_t kMaxRunSteps = 1'000'000;
 
 /// Resolution and restitution: the defaults, or for a quick look.
 struct Setting {
@@ -59,7 +59,7 @@ class Steps {
 
   void run(contact::ContactModel& model) {
     const auto grains = static_cast<double>(model.grains().particles.size());
-    for (std::uint64_t step = 0; step < kLongestRun && !model.step().settled; ++step) {
+    for (std::uint64_t step = 0; step < kMaxRunSteps && !model.step().settled; ++step) {
       updates_ += grains;
       ++steps_;
     }
@@ -86,7 +86,7 @@ void collapse(benchmark::State& bench, contact::Rolling rolling, Setting setting
   for (auto _ : bench) {
     bench.PauseTiming();
     auto model = rain(static_cast<std::size_t>(bench.range(0)), rolling, setting, reference);
-    for (std::uint64_t step = 0; step < kLongestRun && !model.step().settled; ++step) {
+    for (std::uint64_t step = 0; step < kMaxRunSteps && !model.step().settled; ++step) {
     }
     model.remove_wall(0);
     bench.ResumeTiming();

@@ -48,8 +48,8 @@ struct Subject {
                  .threads = threads},
                 subject.state().lattice, subject.state().kinds) {}
 
-  render::Exposure expose(const render::Coloring& coloring) {
-    return painter.expose(subject.state(), subject.occupancy(), coloring);
+  render::Capture capture(const render::Coloring& coloring) {
+    return painter.capture(subject.state(), subject.occupancy(), coloring);
   }
 };
 
@@ -59,54 +59,54 @@ Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
           static_cast<int>(bench.range(2)), drawing};
 }
 
-void expose(benchmark::State& bench, render::Drawing drawing, const render::Coloring& coloring) {
+void capture(benchmark::State& bench, render::Drawing drawing, const render::Coloring& coloring) {
   Subject subject = subject_of(bench, drawing);
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.expose(coloring));
+    benchmark::DoNotOptimize(subject.capture(coloring));
   }
 }
 
-void develop(benchmark::State& bench, render::Drawing drawing) {
+void rasterize(benchmark::State& bench, render::Drawing drawing) {
   Subject subject = subject_of(bench, drawing);
-  const render::Exposure exposure = subject.expose(render::color_by_id());
-  subject.painter.develop(exposure, {});  // compiles the shaders
+  const render::Capture exposure = subject.capture(render::color_by_id());
+  subject.painter.rasterize(exposure, {});  // compiles the shaders
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.painter.develop(exposure, {}));
+    benchmark::DoNotOptimize(subject.painter.rasterize(exposure, {}));
   }
 }
 
 void expose_polygons(benchmark::State& bench) {
-  expose(bench, render::Drawing::polygons, render::color_by_id());
+  capture(bench, render::Drawing::polygons, render::color_by_id());
 }
 void expose_lookup(benchmark::State& bench) {
-  expose(bench, render::Drawing::lookup, render::color_by_id());
+  capture(bench, render::Drawing::lookup, render::color_by_id());
 }
 /// A picture of which four fifths are empty, as of a bed with room to flow.
 void expose_bed(benchmark::State& bench) {
   Subject subject(static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
                   static_cast<int>(bench.range(2)), render::Drawing::lookup, 0.2);
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.expose(render::color_by_id()));
+    benchmark::DoNotOptimize(subject.capture(render::color_by_id()));
   }
 }
 void expose_displacement(benchmark::State& bench) {
-  expose(bench, render::Drawing::lookup, render::color_by_displacement(100));
+  capture(bench, render::Drawing::lookup, render::color_by_displacement(100));
 }
 void expose_layers(benchmark::State& bench) {
   const std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
                                            {lattice::Shape::hexagon(2), 1}};
-  expose(bench, render::Drawing::lookup, render::color_by_layer(kinds, 8, {0, 2000}));
+  capture(bench, render::Drawing::lookup, render::color_by_layer(kinds, 8, {0, 2000}));
 }
 void develop_polygons(benchmark::State& bench) {
-  develop(bench, render::Drawing::polygons);
+  rasterize(bench, render::Drawing::polygons);
 }
 void develop_lookup(benchmark::State& bench) {
-  develop(bench, render::Drawing::lookup);
+  rasterize(bench, render::Drawing::lookup);
 }
 
 void png(benchmark::State& bench) {
   Subject subject = subject_of(bench, render::Drawing::automatic);
-  const render::Image image = subject.painter.develop(subject.expose(render::color_by_id()), {});
+  const render::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {
     bytes = render::encode_png(image, {}).size();

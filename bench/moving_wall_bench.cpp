@@ -14,7 +14,7 @@ namespace automaton = clca::automaton;
 namespace grains = clca::grains;
 namespace lattice = clca::lattice;
 
-constexpr std::uint64_t kMostSteps = 1'000'000;
+constexpr std::uint64_t kMaxSteps = 1'000'000;
 
 /// What was done in the time that is measured.
 class Work {
@@ -34,7 +34,7 @@ class Work {
   void run(automaton::Automaton& automaton, Done done) {
     const auto particles = static_cast<double>(automaton.state().particles.size());
     automaton::StepReport report;
-    for (std::uint64_t step = 0; step < kMostSteps && !report.settled && !done(); ++step) {
+    for (std::uint64_t step = 0; step < kMaxSteps && !report.settled && !done(); ++step) {
       report = automaton.step();
       moves_ += static_cast<double>(report.moved);
       updates_ += particles;
@@ -60,10 +60,10 @@ automaton::Automaton bed_to_shake(std::size_t particles) {
   state.kinds = {{lattice::Shape::hexagon(1), 0}};
   state.walls = {
       {.sites = lattice::sites_in(state.lattice, {0, 0, width, 1}),
-       .motion = grains::Motion{lattice::Direction::up, grains::Shake{10, std::nullopt}}}};
+       .motion = grains::WallMotion{lattice::Direction::up, grains::Shake{10, std::nullopt}}}};
   automaton::Automaton bed(std::move(state), {.scatter = 1});
   bed.fill({0, 1, width, height}, std::vector<std::size_t>{particles});
-  clca::bench::run_steps(bed, kMostSteps);
+  clca::bench::run_steps(bed, kMaxSteps);
   return bed;
 }
 
@@ -97,11 +97,11 @@ automaton::Automaton bed_to_push(std::size_t particles) {
   state.walls[plate] = {
       .sites = sites({66.5 * scale, 110 * scale, 73.5 * scale, height}),
       .present = false,
-      .motion = grains::Motion{lattice::Direction::down, grains::Drive{4, distance}},
+      .motion = grains::WallMotion{lattice::Direction::down, grains::Drive{4, distance}},
       .passive = grains::Passive::overlap};
   automaton::Automaton bed(std::move(state));
   bed.fill({0, 0, width, height}, std::vector<std::size_t>{particles / 2, particles / 2});
-  clca::bench::run_steps(bed, kMostSteps);
+  clca::bench::run_steps(bed, kMaxSteps);
   return bed;
 }
 

@@ -30,9 +30,9 @@ struct Wishes {
   std::vector<std::string> models = {"automaton", "contact"};
   bench::Effort effort = {.threads = omp_get_num_procs(),
                           .seconds = 1,
-                          .most_updates = 20'000'000'000,
-                          .most_unsleeping = 60'000};
-  std::uint64_t most_contact_updates = 500'000'000;
+                          .max_updates = 20'000'000'000,
+                          .max_unsleeping = 60'000};
+  std::uint64_t max_contact_updates = 500'000'000;
   std::size_t memory = 1024;  ///< MiB
   std::filesystem::path folder = "bench/results";
 };
@@ -56,9 +56,9 @@ void add_options(CLI::App& app, Wishes& wishes) {
   app.add_option("--seconds", wishes.effort.seconds,
                  "Seconds for each row, unless two runs take longer")
       ->check(CLI::PositiveNumber);
-  app.add_option("--most-updates", wishes.effort.most_updates,
+  app.add_option("--most-updates", wishes.effort.max_updates,
                  "Ends runs after so many particles x steps");
-  app.add_option("--most-contact-updates", wishes.most_contact_updates,
+  app.add_option("--most-contact-updates", wishes.max_contact_updates,
                  "The same for the contact model");
   app.add_option("--memory", wishes.memory,
                  "Largest working set for the limits of the machine, MiB")
@@ -85,7 +85,7 @@ void measure(const Wishes& wishes, bench::Case a_case, std::size_t particles, Me
   const bool comes_to_rest = a_case == bench::Case::settling || a_case == bench::Case::collapse;
   if (contains(wishes.models, "contact") && comes_to_rest) {
     auto some =
-        bench::measure_contact(a_case, state, wishes.effort.seconds, wishes.most_contact_updates);
+        bench::measure_contact(a_case, state, wishes.effort.seconds, wishes.max_contact_updates);
     std::move(some.begin(), some.end(), std::back_inserter(all.contact));
   }
 }

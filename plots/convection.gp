@@ -11,10 +11,9 @@ seen(x) = (cell = pitch(x), before = x)
 stats files[1] using (drift(0)):(seen(column('x'))) nooutput
 longest = STATS_max_x
 mean = STATS_mean_x
-length(d) = d / mean < 1.3 / 0.7 ? 0.7 * cell / mean : 1.3 * cell / d  # spacings per drift
-dx(x) = length(drift(0)) * column('dx')
-dy(x) = length(drift(0)) * column('dy')
-set title scene . ', ' . labels[1] . sprintf(' (longest: %.2g spacings per cycle)', longest)
+dx(x) = arrow(drift(0) / mean) / mean * column('dx')
+dy(x) = arrow(drift(0) / mean) / mean * column('dy')
+set title titled(labels[1] . sprintf(' (longest: %.2g spacings per cycle)', longest))
 unset key
 set xlabel 'x, lattice spacings'
 set ylabel 'y, lattice spacings'
@@ -26,4 +25,4 @@ if (STATS_max < 150) {
   set xtics 20
 }
 plot files[1] using (column('x') - dx(0) / 2):(column('y') - dy(0) / 2):(dx(0)):(dy(0)) \
-         with vectors filled head size graph 0.012, 20 linewidth 1.5 linecolor rgb color(1, 1)
+         @arrow_style linecolor rgb color(1, 1)

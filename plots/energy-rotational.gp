@@ -17,7 +17,7 @@ bars = has('histogram-*.csv:share_se') ? |files| : 0
 stats files[1] using (column('upper')) nooutput
 set xlabel 'X = |ω|² / ω_0²(t)'
 set ylabel 'probability density of X'
-set title scene . (groups[1] eq '' ? '' : ', ε = ' . groups[1])
+set title titled(groups[1] eq '' ? '' : 'ε = ' . groups[1])
 is_logarithmic = 1
 set logscale y
 set format y '10^{%T}'

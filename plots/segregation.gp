@@ -2,7 +2,8 @@
 #
 # needs: cycles.csv: cycle, segregation_index
 # groups: stage
+quantity = 'segregation_index'
+across = 'cycle'
 set xlabel 'cycle'
 set ylabel 'segregation index'
-plot for [g = 1:|groups|] 'cycles.csv' using (of_group(g, column('cycle'))):(column('segregation_index')) \
-         with lines linewidth 2 linecolor rgb color(g, |groups|) title groups[g]
+plot @stages

@@ -4,5 +4,5 @@
 # groups: stage
 set xlabel 'cycle'
 set ylabel 'slope, degrees'
-plot for [g = 1:|groups|] 'cycles.csv' using (of_group(g, column('cycle'))):(column('repose_angle_deg')) \
+plot for [g = 1:|groups|] files[1] using (of_group(g, column('cycle'))):(column('repose_angle_deg')) \
          with points pointtype 7 pointsize 0.5 linecolor rgb color(g, |groups|) title groups[g]

@@ -1,13 +1,20 @@
-# What all figures share; run before each template. Set before it: width and height in pixels, and
-# what docs/plots.md lists. For gnuplot 5.4 and later.
+# What all figures share; run before each template. Set before it is what docs/plots.md lists. For
+# gnuplot 5.4 and later.
 set encoding utf8
 scale = (width + 1.6 * height) / 1920.0
-if (strstrt(GPVAL_TERMINALS, ' pngcairo ') > 0) {
+if (format eq 'svg') {
+  # Scales with the page that shows it. After a click it shows the coordinates under the pointer.
+  set terminal svg size width, height dynamic mouse standalone name name \
+      font 'DejaVu Sans,Helvetica,sans-serif,13' fontscale 1 linewidth 1 background '#ffffff'
+} else { if (format eq 'pdf') {
+  set terminal pdfcairo size width / 96.0, height / 96.0 font 'DejaVu Sans,10' fontscale scale \
+      linewidth scale background '#ffffff'
+} else { if (strstrt(GPVAL_TERMINALS, ' pngcairo ') > 0) {
   set terminal pngcairo size width, height font 'DejaVu Sans,13' fontscale scale \
       linewidth scale background '#ffffff'
 } else {
   set terminal png size width, height background '#ffffff'
-}
+}}}
 set output
 
 set datafile separator ','
@@ -19,7 +26,12 @@ set tics out nomirror
 set grid linetype 1 linecolor '#dcdcdc' linewidth 1
 set autoscale xfix
 set key outside right top vertical Left reverse noenhanced samplen 2.5 spacing 1.25 width 1
-set title scene noenhanced offset 0, -0.3
+if (format eq 'svg') {
+  set key outside top left horizontal maxcols 3  # narrow pages
+}
+# A title above a label, either of which may be empty.
+titled(label) = title eq '' || label eq '' ? title . label : title . ', ' . label
+set title titled('') noenhanced offset 0, -0.3
 
 # Okabe & Ito 2008: told apart by colour-blind people too. Where there are more curves, they have
 # an order and take steps from dark to light.
@@ -32,11 +44,23 @@ step_at(x) = between(step_colors[int(x) + 1], step_colors[int(x) + 2], x - int(x
 color(i, count) = count <= 7 ? palette_colors[i] : step_at(3.9999 * (i - 1) / (count - 1.0))
 theory_color = '#404040'
 
+# Distance of tics that leaves few of them, for a short axis.
+decade(x) = 10 ** floor(log10(x))
+few(x) = decade(x) * (x > 5 * decade(x) ? 5 : x > 2 * decade(x) ? 2 : 1)
+
 # Whether a table has a column with something in it.
 has(name) = strstrt(known_columns, '|' . name . '|') > 0
 
 # x in rows of a group, nothing in others.
 of_group(g, x) = groups[g] eq '' ? x : (strcol(group_column) eq groups[g] ? x : NaN)
+
+# Part of plot commands: a `quantity` against the column `across`, with a curve for each stage.
+across = time_column
+stages = "for [g = 1:|groups|] files[1] using (of_group(g, column(across))):(column(quantity)) \
+    with lines linewidth 2 linecolor rgb color(g, |groups|) title groups[g]"
+# The same with a curve for each of the `columns` of the template.
+walls = "for [i = 1:|columns|] files[1] using (column(time_column)):(column(columns[i])) \
+    with lines linewidth 2 linecolor rgb color(i, |columns|) title column_labels[i]"
 
 # Parts of plot commands, for figures of a `quantity` over time with a curve for each restitution.
 restitution_title(g) = groups[g] eq '' ? 'simulation' : 'ε = ' . groups[g]
@@ -67,3 +91,8 @@ theory = "for [g = 1:theory_groups(quantity)] 'closure.csv' \
     with lines linewidth 1.5 dashtype 2 linecolor rgb color(g, |groups|) notitle, \
   for [i = 1:(theory_groups(quantity) > 0)] NaN \
     with lines linewidth 1.5 dashtype 2 linecolor rgb theory_color title 'closed form'"
+
+# Arrows in cells of width `cell`: of mean length 0.7 cells, and none longer than 1.3, so that the
+# fast ones do not hide the others. `d`: in units of the mean.
+arrow(d) = d < 1.3 / 0.7 ? 0.7 * cell : 1.3 * cell / d
+arrow_style = "with vectors filled head size graph 0.012, 20 linewidth 1.5"

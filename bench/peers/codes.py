@@ -83,7 +83,7 @@ def export_rain(clca, geometry, seed, folder):
         "output": "{trajectory: {every: 1000000}}", "measure": "[]",
         "stages.packing.until.steps": 1, "stages.flow.until.steps": 1}
     timed(clca_command(clca, folder / "rain", overrides))
-    timed([clca, "export", folder / "rain", "--to", "xyz", "-o", folder / "rain.xyz", "--until", "0"])
+    timed([clca, "export", folder / "rain", "--format", "xyz", "-o", folder / "rain.xyz", "--to", "0"])
     lines = (folder / "rain.xyz").read_text().splitlines()
     count = int(lines[0])
     top = 2 * 460 * geometry.scale

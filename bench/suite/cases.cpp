@@ -22,7 +22,7 @@ constexpr std::uint64_t kIdleSteps = 16;  // between looks at the clock
 void add(Work& work, const StepReport& report, double seconds) {
   ++work.steps;
   work.moved += report.moved;
-  work.looked_at += report.looked_at;
+  work.looked_at += report.examined;
   work.seconds += seconds;
 }
 

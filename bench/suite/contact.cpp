@@ -16,8 +16,8 @@ namespace {
 
 using contact::ContactModel;
 
-constexpr std::size_t kLeastContactRuns = 2;
-constexpr std::uint64_t kLeastContactSteps = 100;
+constexpr std::size_t kMinContactRuns = 2;
+constexpr std::uint64_t kMinContactSteps = 100;
 constexpr std::array kContactSettings = {ContactSetting::defaults, ContactSetting::preview};
 
 std::string name(ContactSetting setting) {
@@ -108,15 +108,14 @@ double sum(const std::array<Share, 6>& shares) {
 }  // namespace
 
 std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State& start,
-                                                double seconds, std::uint64_t most_updates) {
-  const std::uint64_t most_steps =
-      std::max(kLeastContactSteps, most_updates / start.particles.size());
+                                                double seconds, std::uint64_t max_updates) {
+  const std::uint64_t most_steps = std::max(kMinContactSteps, max_updates / start.particles.size());
   std::vector<ContactMeasurement> all;
   for (const ContactSetting setting : kContactSettings) {
     ContactMeasurement one = {
         .a_case = a_case, .setting = setting, .particles = start.particles.size()};
     const double begin = processor_seconds();
-    while (one.seconds.size() < kLeastContactRuns || processor_seconds() - begin < seconds) {
+    while (one.seconds.size() < kMinContactRuns || processor_seconds() - begin < seconds) {
       run(start, most_steps, nullptr, one);
     }
     std::sort(one.seconds.begin(), one.seconds.end());

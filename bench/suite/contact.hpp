@@ -27,10 +27,10 @@ struct ContactMeasurement {
 };
 
 /// Both settings, on one thread: settling and collapse only. At least two runs each, and more
-/// until they have taken `seconds`; each ends after `most_updates` (particles x steps), at least
+/// until they have taken `seconds`; each ends after `max_updates` (particles x steps), at least
 /// 100 steps.
 std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State& start,
-                                                double seconds, std::uint64_t most_updates);
+                                                double seconds, std::uint64_t max_updates);
 
 /// A row for each measurement.
 store::Table contact_table(const std::vector<ContactMeasurement>& measurements);

@@ -7,15 +7,15 @@
 #include <numeric>
 #include <utility>
 
-#include "clca/grains/lazy_array.hpp"
 #include "clca/random/draw.hpp"
+#include "grains/internal/lazy_array.hpp"
 #include "stopwatch.hpp"
 
 namespace clca::bench {
 
 namespace {
 
-constexpr std::size_t kSmallestSet = std::size_t{16} << 10U;
+constexpr std::size_t kMinWorkingSet = std::size_t{16} << 10U;
 constexpr std::size_t kCopiedInARound = std::size_t{32} << 20U;
 constexpr std::size_t kHopsInARound = std::size_t{1} << 15U;
 
@@ -108,11 +108,11 @@ Latency measured_latency(std::size_t bytes, double seconds) {
 
 Machine::Machine(std::size_t largest, int threads, double seconds) {
   for (int team = 1; team <= threads; ++team) {
-    for (std::size_t bytes = kSmallestSet; bytes <= largest; bytes *= 4) {
+    for (std::size_t bytes = kMinWorkingSet; bytes <= largest; bytes *= 4) {
       copies_.push_back(measured_copy(bytes, team, seconds));
     }
   }
-  for (std::size_t bytes = kSmallestSet; bytes <= largest; bytes *= 4) {
+  for (std::size_t bytes = kMinWorkingSet; bytes <= largest; bytes *= 4) {
     latencies_.push_back(measured_latency(bytes, seconds));
   }
 }

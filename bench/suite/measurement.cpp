@@ -11,9 +11,9 @@ namespace {
 
 using automaton::Ties;
 
-constexpr std::size_t kLeastRuns = 2;
-constexpr std::size_t kMostRuns = 100;
-constexpr std::uint64_t kLeastSteps = 100;
+constexpr std::size_t kMinRuns = 2;
+constexpr std::size_t kMaxRuns = 100;
+constexpr std::uint64_t kMinSteps = 100;
 
 /// The first is what the others are compared with.
 std::vector<Measurement> variants(Case a_case, std::size_t particles, Ties ties,
@@ -25,7 +25,7 @@ std::vector<Measurement> variants(Case a_case, std::size_t particles, Ties ties,
   for (int threads = 1; threads <= effort.threads; ++threads) {
     add(threads, true);
   }
-  if (particles <= effort.most_unsleeping) {
+  if (particles <= effort.max_unsleeping) {
     add(1, false);
   }
   return all;
@@ -68,14 +68,14 @@ const Work& Measurement::work() const {
 
 std::vector<Measurement> measure(Case a_case, const grains::State& start, const Effort& effort) {
   const std::size_t particles = start.particles.size();
-  const std::uint64_t most_steps = std::max(kLeastSteps, effort.most_updates / particles);
+  const std::uint64_t most_steps = std::max(kMinSteps, effort.max_updates / particles);
   std::vector<Measurement> result;
   for (const Ties ties : {Ties::particle, Ties::direction}) {
     std::vector<Measurement> group = variants(a_case, particles, ties, effort);
     const Stopwatch clock;
     const double enough = effort.seconds * static_cast<double>(group.size());
-    for (std::size_t turn = 0; turn < kMostRuns; ++turn) {
-      if (turn >= kLeastRuns && clock.seconds() >= enough) {
+    for (std::size_t turn = 0; turn < kMaxRuns; ++turn) {
+      if (turn >= kMinRuns && clock.seconds() >= enough) {
         break;
       }
       for (Measurement& one : group) {

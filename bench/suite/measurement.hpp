@@ -9,10 +9,10 @@
 namespace clca::bench {
 
 struct Effort {
-  int threads = 1;                  ///< 1 to so many
-  double seconds = 1;               ///< for each variant; there are at least two runs
-  std::uint64_t most_updates = 0;   ///< of a run: particles x steps
-  std::size_t most_unsleeping = 0;  ///< particles, with which sleeping is turned off, too
+  int threads = 1;                 ///< 1 to so many
+  double seconds = 1;              ///< for each variant; there are at least two runs
+  std::uint64_t max_updates = 0;   ///< of a run: particles x steps
+  std::size_t max_unsleeping = 0;  ///< particles, with which sleeping is turned off, too
 };
 
 /// All runs of one variant.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clca/grains/site_bits.hpp"
+#include "grains/internal/bitboard.hpp"
 #include "machine.hpp"
 
 namespace clca::bench {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/grains/footprint.hpp"
 #include "clca/grains/state.hpp"
+#include "grains/internal/footprint.hpp"
 
 namespace clca::bench {
 
@@ -16,7 +16,7 @@ class Traffic {
   explicit Traffic(const grains::State& state);
 
   /// Of the step that has led to `state`: lines of the particles that moved, of the bits (see
-  /// SiteBits) of the sites that they entered or left, and of the owners of those they entered.
+  /// Bitboard) of the sites that they entered or left, and of the owners of those they entered.
   std::size_t lines(const grains::State& state);
 
  private:

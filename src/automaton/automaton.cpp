@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
-#include "automaton/stepper.hpp"
-#include "automaton/wall_mover.hpp"
-#include "automaton/wall_presence.hpp"
-#include "clca/grains/deposit.hpp"
-#include "clca/grains/outlet.hpp"
-#include "clca/grains/source.hpp"
+#include "automaton/engine/engine.hpp"
+#include "automaton/rule/moving_walls.hpp"
+#include "automaton/rule/step.hpp"
+#include "grains/internal/filling.hpp"
 
 namespace clca::automaton {
 
@@ -28,10 +27,12 @@ grains::State valid(grains::State state, const Rules& rules, const Options& opti
 
 class Automaton::Impl {
  public:
-  Impl(grains::State initial, const Rules& rules, Options options)
-      : world(valid(std::move(initial), rules, options), rules),
-        stepper(world, options),
-        walls(world.state) {}
+  Impl(grains::State initial, const Rules& rules, const Options& options)
+      : world(valid(std::move(initial), rules, options), rules), walls_(world.state) {
+    if (!options.reference) {
+      particles_.emplace<Engine>(world, options);
+    }
+  }
 
   /// Carries out a change; nothing more is changed after one that has failed halfway.
   template <class Change>
@@ -46,30 +47,8 @@ class Automaton::Impl {
   }
 
   StepReport step() {
-    StepReport report;
-    grains::State& state = world.state;
-    walls.advance(world, report);
-    const std::size_t before = state.particles.size();
-    const grains::SourceReport sources = run_sources(state, world.occupancy);
-    report.emitted = state.particles.size() - before;
-    world.welcome_from(before);
-    report.moved = stepper.advance();
-    report.looked_at = stepper.looked_at();
-    if (!state.outlets.empty()) {
-      std::size_t& removed = report.removed;
-      stepper.for_each_moved([&](std::uint32_t id) { removed += discharge(id) ? 1U : 0U; });
-      for (const std::uint32_t id : world.carried) {
-        removed += discharge(id) ? 1U : 0U;
-      }
-      for (std::size_t id = before; id < state.particles.size(); ++id) {
-        removed += discharge(static_cast<std::uint32_t>(id)) ? 1U : 0U;
-      }
-    }
-    report.settled = report.moved == 0 && report.emitted == 0 && !sources.waiting &&
-                     report.walls_moved == 0 && stepper.was_quiet() && walls.is_still(world);
-    WallMover::end_step(world, report.moved > 0);
-    ++state.step;
-    return report;
+    return std::visit([&](auto& particles) { return one_step(world, walls_, particles); },
+                      particles_);
   }
 
   /// `place` puts the particles into a region: fill_region or deposit_in.
@@ -78,29 +57,24 @@ class Automaton::Impl {
                           std::span<const std::size_t> counts) {
     const std::size_t before = world.state.particles.size();
     grains::FillResult result = place(world.state, world.occupancy, region, counts);
-    world.welcome_from(before);
+    world.include_new(before);
     for (std::size_t id = before; id < world.state.particles.size(); ++id) {
-      discharge(static_cast<std::uint32_t>(id));
+      remove_at_outlet(world, static_cast<std::uint32_t>(id));
     }
     return result;
   }
 
   World world;
-  Stepper stepper;
-  WallMover walls;
 
  private:
+  MovingWalls walls_;
+  std::variant<ReferenceStep, Engine> particles_{std::in_place_type<ReferenceStep>, world};
   bool half_changed_ = false;
-
-  /// Removes the particle if it lies wholly inside an outlet.
-  bool discharge(std::uint32_t id) {
-    if (!count_at_outlet(world.state, id)) {
-      return false;
-    }
-    world.take_away(id);
-    return true;
-  }
 };
+
+double step_bytes(double places) {
+  return SiteReservations::bytes_for(places);
+}
 
 Automaton::Automaton(grains::State state, Rules rules, Options options)
     : impl_(std::make_unique<Impl>(std::move(state), rules, options)) {}
@@ -114,7 +88,7 @@ const grains::State& Automaton::state() const {
 const Rules& Automaton::rules() const {
   return impl_->world.rules;
 }
-const grains::Occupancy& Automaton::occupancy() const {
+grains::Occupancy Automaton::occupancy() const {
   return impl_->world.occupancy;
 }
 StepReport Automaton::step() {

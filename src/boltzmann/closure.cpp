@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kSolidInertia = 0.4;  // I / (m a^2)
 
-/// Means over collisions of what friction does, B = 1 - R.
-struct Braking {
+/// Means of B = 1 - R over collisions.
+struct FrictionMeans {
   double linear = 0;     ///< <B V_t^2>
   double quadratic = 0;  ///< <B^2 V_t^2>
 };
 
 /// V n and |V_t| are independent, Rayleigh distributed with 2 T and s^2 = 2 (T + W), and
 /// B = min(c, A (V n) / |V_t|) with c = 1 + beta. There are T and friction.
-Braking braking(const Law& law, const Temperatures& temperatures) {
+FrictionMeans friction_means(const Law& law, const Temperatures& temperatures) {
   const double cap = 1 + law.roughness;
   const double square = 2 * (temperatures.translational + temperatures.rotational);
   const double ratio = std::sqrt(square / (2 * temperatures.translational)) /
@@ -56,13 +56,14 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
   if (t <= 0) {
     return {.translational = 0, .rotational = 0};
   }
-  // The part of V_t that is of the velocities, in the mean at a given V_t.
+  // Mean share of the velocities in V_t, at a given V_t.
   const double of_velocity = t / (t + temperatures.rotational);
-  const Braking friction = law.friction > 0 ? braking(law, temperatures) : Braking{};
+  const FrictionMeans friction =
+      law.friction > 0 ? friction_means(law, temperatures) : FrictionMeans{};
   const double compliance = Pair{}.compliance();
   const double linear = friction.linear / compliance;
   const double quadratic = friction.quadratic / (compliance * compliance);
-  // What a collision adds to the energies of the pair.
+  // Energy that a collision adds to the pair.
   const double velocities =
       -(1 - law.restitution * law.restitution) * t - linear * of_velocity + quadratic;
   const double spins = -linear * (1 - of_velocity) + quadratic / kSolidInertia;

@@ -1,14 +1,14 @@
 #pragma once
-// Some collisions that are computed at once, one to a lane.
+// Collisions computed together, one per SIMD lane.
 
 #include <Eigen/Core>
 
-#include "boltzmann/encounter.hpp"
+#include "boltzmann/colliding_pair.hpp"
 
 namespace clca::boltzmann {
 
-/// Lanes are rows, so that each component of all collisions is one piece. With a width of 1 this is
-/// one collision, in the same arithmetic.
+/// Lanes are rows, so that each component is contiguous. Width 1 is one collision with the same
+/// arithmetic.
 template <int kWidth>
 struct Collisions {
   using Lanes = Eigen::Array<double, kWidth, 1>;
@@ -21,14 +21,14 @@ struct Collisions {
   Lanes height;  // of the line of centres, see there
   Lanes turn;
 
-  /// From the motions before to those after, and their speeds.
+  /// Replaces the motions by those after the collisions, and sets the speeds.
   void compute(const Law& law) {
-    Encounter<Lanes> pair = {.velocity1 = triple(first, 0),
-                             .velocity2 = triple(second, 0),
-                             .spin1 = triple(first, 3),
-                             .spin2 = triple(second, 3),
-                             .height = height,
-                             .turn = turn};
+    CollidingPair<Lanes> pair = {.velocity1 = vector3(first, 0),
+                                 .velocity2 = vector3(second, 0),
+                                 .spin1 = vector3(first, 3),
+                                 .spin2 = vector3(second, 3),
+                                 .height = height,
+                                 .turn = turn};
     collide(law, pair);
     first << pair.velocity1.x, pair.velocity1.y, pair.velocity1.z, pair.spin1.x, pair.spin1.y,
         pair.spin1.z;
@@ -39,7 +39,7 @@ struct Collisions {
   }
 
  private:
-  static Triple<Lanes> triple(const Motions& motions, int column) {
+  static Vector3<Lanes> vector3(const Motions& motions, int column) {
     return {motions.col(column), motions.col(column + 1), motions.col(column + 2)};
   }
 };

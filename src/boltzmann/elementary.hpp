@@ -1,6 +1,6 @@
 #pragma once
-// Logarithm, sine and cosine from basic operations of IEEE arithmetic only: those of the system
-// differ in the last bit from machine to machine, and a run may not.
+// Logarithm, sine and cosine from basic IEEE operations only: library versions differ in the last
+// bit between machines.
 
 #include <array>
 #include <bit>

@@ -1,12 +1,12 @@
 #include "clca/boltzmann/gas.hpp"
 
-#include "clca/fields/hash.hpp"
 #include "clca/random/draw.hpp"
+#include "clca/reflection/hash.hpp"
 
 namespace clca::boltzmann {
 
 std::uint64_t hash(const Gas& gas) {
-  return fields::hash(gas);
+  return reflection::hash(gas);
 }
 
 std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member) {

@@ -36,7 +36,7 @@ void Group::draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t co
     const random::Words words =
         random::words(key.seed, {key.step, key.group, item}, random::Purpose::candidate);
     for (std::size_t k = 0; k < kWords; ++k) {
-      // The whole part says which particle, what is left over is its chance.
+      // The integer part selects the particle; the fraction is its acceptance draw.
       const std::uint64_t product = words[k] * size;
       candidates_[i + k].first = static_cast<std::uint32_t>(product >> 32U);
       candidates_[i + k].chance = static_cast<std::uint32_t>(product);
@@ -52,11 +52,11 @@ void Group::draw_second(const GroupKey& key, std::uint32_t batch, std::size_t nu
   candidate.second += candidate.second >= candidate.first ? 1 : 0;
 }
 
-bool Group::goes_on(const Candidate& candidate) const {
+bool Group::passes_speed_test(const Candidate& candidate) const {
   return open_unit32(candidate.chance) * fastest_ < speeds_[candidate.first];
 }
 
-bool Group::meets(const Candidate& candidate) const {
+bool Group::collides(const Candidate& candidate) const {
   const double speeds = speeds_[candidate.first] + speeds_[candidate.second];
   const double square =
       (motions_.col(candidate.first).head<3>() - motions_.col(candidate.second).head<3>())
@@ -91,7 +91,7 @@ bool Group::share_particles() {
     repeated += touched_[candidates_[pair].second];
     touched_[candidates_[pair].second] = 1;
   }
-  // Each pair meets itself once among the firsts and once among the seconds.
+  // Every pair finds itself once among the first and once among the second particles.
   std::size_t met = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     met += touched_[candidates_[i].first];
@@ -130,11 +130,11 @@ bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t ba
   seconds_.count = 0;
   pairs_.count = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    seconds_.push(i, goes_on(candidates_[i]));
+    seconds_.push(i, passes_speed_test(candidates_[i]));
   }
   for (const std::size_t number : seconds_) {
     draw_second(key, batch, number);
-    pairs_.push(number, meets(candidates_[number]));
+    pairs_.push(number, collides(candidates_[number]));
   }
   return !share_particles() && collide_at_once(law);
 }
@@ -142,11 +142,11 @@ bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t ba
 std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch) {
   for (std::size_t i = 0; i < count_; ++i) {
     const Candidate& candidate = candidates_[i];
-    if (!goes_on(candidate)) {
+    if (!passes_speed_test(candidate)) {
       continue;
     }
     draw_second(key, batch, i);
-    if (!meets(candidate)) {
+    if (!collides(candidate)) {
       continue;
     }
     Collisions<1> collision;
@@ -163,7 +163,7 @@ std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::u
 std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duration) {
   collisions_ = 0;
   measure_speeds();
-  // What is left at the end, less than a candidate, counts as one as often as it is large.
+  // The remaining fraction of a candidate becomes a whole one with that probability.
   const double share = open_unit32(
       random::words(key.seed, {key.step, key.group, 0}, random::Purpose::last_candidate)[0]);
   double left = duration;

@@ -8,28 +8,28 @@
 
 #include "boltzmann/collisions.hpp"
 #include "clca/boltzmann/law.hpp"
-#include "random/words.hpp"
+#include "clca/random/words.hpp"
 
 namespace clca::boltzmann {
 
-/// Says which draws a group makes in a step: they are a pure function of it.
+/// Key of the draws of a group in a step.
 struct GroupKey {
   std::uint64_t seed = 0;
   std::uint32_t step = 0;
   std::uint32_t group = 0;
 };
 
-/// Pairs in continuous time. With s the speeds of M particles and s_max the greatest, candidates
-/// (i, j) come at the rate M s_max: i is any particle and goes on with s_i / s_max, j is any other,
-/// and the two collide with |v_i - v_j| / (s_i + s_j), which cannot exceed 1. So each pair collides
-/// at the rate |v_i - v_j| / (M - 1). The clock counts candidates, each for its mean waiting time:
-/// drawing the times would add noise and nothing else.
-///
-/// Candidates are decided many at a time, as if each saw what those before it have done: where two
-/// of them share a particle, or a speed passes s_max, they are decided again one by one.
+/// Candidate pairs (i, j) of M particles come at the rate M s_max, s_max being the largest speed: i
+/// is any particle, accepted with s_i
+/// s_max, j any other. They collide with probability |v_i - v_j|
+/// (s_i + s_j) <= 1, so every pair collides at the rate |v_i - v_j|
+/// (M - 1).
+/// The clock adds the mean waiting time per candidate: random waiting times would only add noise.
+/// Candidates are decided in batches. If two of a batch share a particle, or a speed exceeds s_max,
+/// the batch is decided one by one.
 class Group {
  public:
-  /// Makes room for particles, to be set one by one; two at least.
+  /// Allocates at least two particles, to be set one by one.
   void resize(Eigen::Index particles);
   Eigen::Index particles() const { return speeds_.size(); }
   /// Velocity and spin of a particle.
@@ -42,14 +42,14 @@ class Group {
   static constexpr std::size_t kBatch = 32;  // candidates
   static constexpr std::size_t kLanes = 8;   // collisions that are computed at once
 
-  /// One of a batch.
+  /// A candidate pair of a batch.
   struct Candidate {
     std::uint32_t first = 0;
-    std::uint32_t chance = 0;  // of the first to go on, of 2^32
+    std::uint32_t chance = 0;  // acceptance draw of the first, in units of 2^-32
     std::uint32_t second = 0;
-    random::Words words = {};  // which second, its chance, line of centres
+    random::Words words = {};  // second particle, acceptance draw, line of centres
   };
-  /// Some of a batch, by number.
+  /// Selected candidates of a batch, by number.
   struct Selection {
     std::array<std::uint8_t, kBatch> numbers = {};
     std::size_t count = 0;
@@ -65,14 +65,15 @@ class Group {
   void measure_speeds();
   void draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count);
   void draw_second(const GroupKey& key, std::uint32_t batch, std::size_t number);
-  bool goes_on(const Candidate& candidate) const;
-  bool meets(const Candidate& candidate) const;
+  bool passes_speed_test(const Candidate& candidate) const;
+  bool collides(const Candidate& candidate) const;
 
-  /// Decides all candidates of a batch, or none and says false.
+  /// Decides all candidates of a batch; returns false and changes nothing if they depend on each
+  /// other.
   bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch);
-  /// Decides them until a speed passes s_max; returns how many.
+  /// Decides candidates in order until a speed exceeds s_max; returns how many.
   std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch);
-  /// Whether a particle of a pair is that of another candidate, too.
+  /// Whether two pairs share a particle.
   bool share_particles();
 
   template <int kWidth>
@@ -85,13 +86,13 @@ class Group {
   Eigen::ArrayXd speeds_;
   double fastest_ = 0;
   std::uint64_t collisions_ = 0;
-  // The batch at hand: its candidates, those that go on, and those that collide.
+  // The current batch: its candidates, those accepted so far, and those that collide.
   std::array<Candidate, kBatch> candidates_;
   std::size_t count_ = 0;
   Selection seconds_;
   Selection pairs_;
   std::array<Collisions<kLanes>, kBatch / kLanes> chunks_;
-  std::vector<std::uint8_t> touched_;  // by a pair; all 0 between batches
+  std::vector<std::uint8_t> touched_;  // 1 for particles of a pair; all 0 between batches
 };
 
 }  // namespace clca::boltzmann

@@ -30,9 +30,10 @@ std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item) {
 
 }  // namespace
 
-Walk::Walk(std::uint64_t count) : count_(count), modulus_(prime_from(count)) {}
+StridedPermutation::StridedPermutation(std::uint64_t count)
+    : count_(count), modulus_(prime_from(count)) {}
 
-void Walk::shuffle(std::uint64_t bits, std::uint64_t more_bits) {
+void StridedPermutation::shuffle(std::uint64_t bits, std::uint64_t more_bits) {
   start_ = random::below(bits, modulus_);
   stride_ = 1 + random::below(more_bits, modulus_ - 1);
 }
@@ -48,21 +49,21 @@ void Grouping::shuffle(std::uint64_t seed, std::uint64_t step) {
   runs_.shuffle(draw(seed, step, 0), draw(seed, step, 1));
 }
 
-void Grouping::members(Eigen::Index group, std::vector<Eigen::Index>& now,
-                       std::vector<Eigen::Index>& then) const {
-  now.clear();
+void Grouping::members(Eigen::Index group, std::vector<Eigen::Index>& sources,
+                       std::vector<Eigen::Index>& targets) const {
+  sources.clear();
   runs_.part(static_cast<std::uint64_t>(group), static_cast<std::uint64_t>(groups_),
              [&](std::uint64_t run) {
                const auto begin = static_cast<Eigen::Index>(run) * kRun;
                for (Eigen::Index i = begin; i < std::min(begin + kRun, particles_); ++i) {
-                 now.push_back(i);
+                 sources.push_back(i);
                }
              });
-  Walk places(now.size());
+  StridedPermutation places(sources.size());
   const auto item = 2 * static_cast<std::uint32_t>(group) + 2;
   places.shuffle(draw(seed_, step_, item), draw(seed_, step_, item + 1));
-  then.clear();
-  places.part(0, 1, [&](std::uint64_t place) { then.push_back(now[place]); });
+  targets.clear();
+  places.part(0, 1, [&](std::uint64_t place) { targets.push_back(sources[place]); });
 }
 
 }  // namespace clca::boltzmann

@@ -1,5 +1,6 @@
 #pragma once
-// Who meets whom in a step: the particles in groups that can be worked on one beside the other.
+// Groups of particles that collide among themselves in a step; groups are independent of each
+// other.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -7,15 +8,15 @@
 
 namespace clca::boltzmann {
 
-/// 0 to count - 1, each once, with one stride modulo the least prime that is not smaller than
-/// `count`; start and stride come from 2 x 64 uniform bits. Over these, any two numbers are as far
-/// apart as any other two. Not stored, but reckoned where it is needed.
-class Walk {
+/// A random permutation of 0 to count - 1: multiples of a random stride modulo the smallest prime
+/// >= `count`, from a random start.
+/// Any two numbers are equally likely to be any distance apart. Computed on the fly, not stored.
+class StridedPermutation {
  public:
-  explicit Walk(std::uint64_t count);
+  explicit StridedPermutation(std::uint64_t count);
 
   void shuffle(std::uint64_t bits, std::uint64_t more_bits);
-  /// Calls `visit` with the numbers at places from `part` / `parts` of the walk to the next such.
+  /// Calls `visit` for the numbers of part `part` of `parts` equal parts of the permutation.
   template <class Visit>
   void part(std::uint64_t part, std::uint64_t parts, Visit visit) const {
     const std::uint64_t end = modulus_ * (part + 1) / parts;
@@ -37,28 +38,27 @@ class Walk {
   std::uint64_t stride_ = 1;
 };
 
-/// All particles in runs of a few neighbours, the runs along a walk drawn anew in each step, and
-/// the walk cut into groups. Within a group the particles change places in each step, so that
-/// neighbours do not stay together.
+/// Blocks of neighbouring particles in an order drawn anew in each step, cut into groups.
+/// Within a group the particles are permuted in each step, so that neighbours do not stay together.
 class Grouping {
  public:
-  /// Particles of a run.
+  /// Particles per block.
   static constexpr Eigen::Index kRun = 32;
 
   /// Groups of about `group_size` particles.
   Grouping(Eigen::Index particles, Eigen::Index group_size);
 
   Eigen::Index groups() const { return groups_; }
-  /// Those of a step are a function of seed and step.
+  /// The groups of a step depend on seed and step only.
   void shuffle(std::uint64_t seed, std::uint64_t step);
-  /// The particles of a group as they lie, and where each is to lie after the step.
-  void members(Eigen::Index group, std::vector<Eigen::Index>& now,
-               std::vector<Eigen::Index>& then) const;
+  /// Where the particles of a group are now, and where they go after the step.
+  void members(Eigen::Index group, std::vector<Eigen::Index>& sources,
+               std::vector<Eigen::Index>& targets) const;
 
  private:
   Eigen::Index particles_;
   Eigen::Index groups_;
-  Walk runs_;
+  StridedPermutation runs_;
   std::uint64_t seed_ = 0;
   std::uint64_t step_ = 0;
 };

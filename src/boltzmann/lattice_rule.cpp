@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "boltzmann/elementary.hpp"
-#include "random/words.hpp"
+#include "clca/random/words.hpp"
 
 namespace clca::boltzmann {
 namespace {
@@ -35,11 +35,11 @@ LatticeRule::LatticeRule(std::uint64_t points)
   }
 }
 
-void LatticeRule::shift(std::uint64_t seed, const ShiftPlace& place) {
+void LatticeRule::shift(std::uint64_t seed, const ShiftKey& key) {
   std::uint32_t item = 0;
   for (std::uint64_t& component : shift_) {
     const random::Words words =
-        random::words(seed, {.step = place.step, .group = place.group, .item = item++},
+        random::words(seed, {.step = key.step, .group = key.group, .item = item++},
                       random::Purpose::lattice_shift);
     component = random::join(words[0], words[1]);
   }

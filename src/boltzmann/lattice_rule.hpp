@@ -1,5 +1,5 @@
 #pragma once
-// Points that fill the unit cube more evenly than independent ones.
+// Quasi-random points: they fill the unit cube more evenly than independent ones.
 
 #include <array>
 #include <cstdint>
@@ -7,20 +7,16 @@
 
 namespace clca::boltzmann {
 
-/// Where the shift of a rule comes from: each pair of numbers gives another one.
-struct ShiftPlace {
+/// Key of the random shift of a rule.
+struct ShiftKey {
   std::uint32_t step = 0;
   std::uint32_t group = 0;
 };
 
-/// A randomly shifted rank-1 lattice rule with the generating vector of Cools, Kuo & Nuyens,
-/// "Constructing embedded lattice rules for multivariate integration", SIAM J. Sci. Comput. 28
-/// (2006) 2162-2188: order-2 weights, 2^10 to 2^20 points.
-///
-/// For numbers between powers of 2 it gives the first points of the embedded sequence, that is in
-/// the order of the radical inverse: every full power of 2 among them is a good lattice, which a
-/// Korobov rule, with its multiplier to be sought for every number of points, would not ensure.
-/// Beyond 2^20 points only the parts of 2^20 are known to be good.
+/// A randomly shifted rank-1 lattice rule, generating vector of Cools, Kuo & Nuyens, SIAM J. Sci.
+/// Comput. 28 (2006) 2162-2188: order-2 weights, 2^10 to 2^20 points.
+/// Other numbers of points take the first points of the embedded sequence, in radical-inverse
+/// order. Beyond 2^20 points only the parts of 2^20 are known to be good.
 class LatticeRule {
  public:
   static constexpr int kDimensions = 20;
@@ -29,7 +25,7 @@ class LatticeRule {
   explicit LatticeRule(std::uint64_t points);
 
   /// Shifts all points by a vector drawn with purpose lattice_shift.
-  void shift(std::uint64_t seed, const ShiftPlace& place);
+  void shift(std::uint64_t seed, const ShiftKey& key);
 
   std::uint64_t points() const { return residues_.size(); }
 

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Sums over particles. Kept apart for pieces of the gas, so that rounding stays far below the
-/// noise of a million particles.
+/// Sums over particles, added up by blocks of the gas so that rounding stays far below the noise of
+/// a million particles.
 struct Sums {
   double v2 = 0;
   double w2 = 0;
@@ -56,12 +56,13 @@ Sums sums(const Motions& motions) {
   return all;
 }
 
-/// numerator / denominator - 1, or 0 where nothing moves.
+/// numerator
+/// denominator - 1, or 0 if the denominator is 0.
 double excess(double numerator, double denominator) {
   return denominator > 0 ? numerator / denominator - 1 : 0;
 }
 
-/// Squares of three rows from `row` on over `scale`: none where the scale is 0.
+/// Squared norm of three rows from `row` on, divided by `scale`; none if the scale is 0.
 std::vector<double> energies(const Motions& motions, Index row, double scale) {
   std::vector<double> result;
   if (scale > 0) {
@@ -95,9 +96,10 @@ Moments moments(const Motions& motions) {
           .p_xy = pressure[2]};
 }
 
-EnergyShares energy_shares(const Motions& motions, const Moments& moments, const Bins& bins) {
-  return {.translational = shares(energies(motions, 0, moments.translational), bins),
-          .rotational = shares(energies(motions, 3, moments.rotational), bins)};
+EnergyShares energy_shares(const Motions& motions, const Moments& moments,
+                           const statistics::Bins& bins) {
+  return {.translational = statistics::shares(energies(motions, 0, moments.translational), bins),
+          .rotational = statistics::shares(energies(motions, 3, moments.rotational), bins)};
 }
 
 }  // namespace clca::boltzmann

@@ -9,11 +9,12 @@
 
 namespace clca::boltzmann {
 
-/// Carries `gas` to `time` in whole steps and a shorter last one, or until `keeps_on` says no
-/// after a step. All particles read the state at the beginning of a step, so that the result does
-/// not depend on `threads`. With `scheme.quasi` the particles change places. Throws
-/// std::invalid_argument unless time step and number of partners are positive.
+/// Advances `gas` to `time` in whole steps and a shorter last one, or until `keep_going` returns
+/// false.
+/// All particles read the state before the step, so that the result does not depend on `threads`.
+/// With `scheme.quasi` the particles are reordered.
+/// Throws std::invalid_argument unless time step and number of partners are positive.
 void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::uint64_t seed,
-                        double time, int threads, const KeepsOn& keeps_on);
+                        double time, int threads, const ContinueCondition& keep_going);
 
 }  // namespace clca::boltzmann

@@ -1,6 +1,6 @@
 #pragma once
-// What a particle draws in a step of the scheme of Ogawa & Kato: independently of all others, or
-// as a point of a lattice.
+// Random numbers of a particle in a step of the scheme of Ogawa & Kato: independent, or a point of
+// a lattice rule.
 
 #include <algorithm>
 #include <array>
@@ -9,45 +9,46 @@
 
 #include "boltzmann/elementary.hpp"
 #include "boltzmann/lattice_rule.hpp"
-#include "random/words.hpp"
+#include "clca/random/words.hpp"
 
 namespace clca::boltzmann {
 
-/// A particle, or its rank where they are sorted.
-using Place = std::uint32_t;
+/// Index of a particle, or its rank if they are sorted.
+using ParticleIndex = std::uint32_t;
 
 class IndependentDraws {
  public:
   IndependentDraws(std::uint64_t seed, std::uint64_t step, std::uint64_t particles)
       : seed_(seed), step_(static_cast<std::uint32_t>(step)), others_(particles - 1) {}
 
-  /// Any but `place` itself, the same more than once if chance has it.
-  void partners(Place place, std::span<Place> result) const {
+  /// Partners other than `particle`, with replacement.
+  void partners(ParticleIndex particle, std::span<ParticleIndex> result) const {
     random::Words words{};
     for (std::uint32_t k = 0; k < result.size(); ++k) {
       if (k % words.size() == 0) {
-        words = random::words(seed_, counter(place, static_cast<std::uint32_t>(k / words.size())),
-                              random::Purpose::partner);
+        words =
+            random::words(seed_, counter(particle, static_cast<std::uint32_t>(k / words.size())),
+                          random::Purpose::partner);
       }
-      const auto other = static_cast<Place>((words[k % words.size()] * others_) >> 32U);
-      result[k] = other + (other >= place ? 1 : 0);
+      const auto other = static_cast<ParticleIndex>((words[k % words.size()] * others_) >> 32U);
+      result[k] = other + (other >= particle ? 1 : 0);
     }
   }
   /// Two numbers of (0, 1): whether it collides, and with which partner.
-  std::array<double, 2> verdict(Place place) const {
-    return pair(place, random::Purpose::candidate);
+  std::array<double, 2> acceptance_draws(ParticleIndex particle) const {
+    return pair(particle, random::Purpose::candidate);
   }
   /// Two numbers of (0, 1), for the line of centres.
-  std::array<double, 2> direction(Place place) const {
-    return pair(place, random::Purpose::normal);
+  std::array<double, 2> direction(ParticleIndex particle) const {
+    return pair(particle, random::Purpose::normal);
   }
 
  private:
-  random::Counter counter(Place place, std::uint32_t group) const {
-    return {.step = step_, .group = group, .item = place};
+  random::Counter counter(ParticleIndex particle, std::uint32_t group) const {
+    return {.step = step_, .group = group, .item = particle};
   }
-  std::array<double, 2> pair(Place place, random::Purpose purpose) const {
-    const random::Words words = random::words(seed_, counter(place, 0), purpose);
+  std::array<double, 2> pair(ParticleIndex particle, random::Purpose purpose) const {
+    const random::Words words = random::words(seed_, counter(particle, 0), purpose);
     return {open_unit(random::join(words[0], words[1])),
             open_unit(random::join(words[2], words[3]))};
   }
@@ -57,30 +58,31 @@ class IndependentDraws {
   std::uint64_t others_;
 };
 
-/// Each place takes one point of a shifted lattice, ascending in the coordinate that stands for
-/// the place (L'Ecuyer, Lecot & Tuffin 2008, array-RQMC). Partners that find no dimension left are
-/// drawn independently.
+/// Each particle takes one point of a shifted lattice, ordered by the first coordinate (L'Ecuyer,
+/// Lecot & Tuffin 2008, array-RQMC).
+/// Partners beyond the dimensions of the rule are drawn independently.
 class LatticeDraws {
  public:
   LatticeDraws(const LatticeRule& rule, const IndependentDraws& further)
       : rule_(rule), further_(further) {}
 
-  void partners(Place place, std::span<Place> result) const {
+  void partners(ParticleIndex particle, std::span<ParticleIndex> result) const {
     if (result.size() > kPartners) {
-      further_.partners(place, result);
+      further_.partners(particle, result);
     }
     const auto others = static_cast<double>(rule_.points() - 1);
     int dimension = kFirstPartner;
-    for (Place& partner : result.first(std::min(result.size(), kPartners))) {
-      const auto other = static_cast<Place>(rule_.coordinate(place, dimension++) * others);
-      partner = other + (other >= place ? 1 : 0);
+    for (ParticleIndex& partner : result.first(std::min(result.size(), kPartners))) {
+      const auto other =
+          static_cast<ParticleIndex>(rule_.coordinate(particle, dimension++) * others);
+      partner = other + (other >= particle ? 1 : 0);
     }
   }
-  std::array<double, 2> verdict(Place place) const {
-    return {rule_.coordinate(place, 1), rule_.coordinate(place, 2)};
+  std::array<double, 2> acceptance_draws(ParticleIndex particle) const {
+    return {rule_.coordinate(particle, 1), rule_.coordinate(particle, 2)};
   }
-  std::array<double, 2> direction(Place place) const {
-    return {rule_.coordinate(place, 3), rule_.coordinate(place, 4)};
+  std::array<double, 2> direction(ParticleIndex particle) const {
+    return {rule_.coordinate(particle, 3), rule_.coordinate(particle, 4)};
   }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-// The law of boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface velocities
-// w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. One pair, or many at once in Eigen arrays.
+// The law of boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface velocities w
+// = a omega: mu = 1/2, K = 7, a^2
+// I = 5/2. One pair, or many in Eigen arrays.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -16,21 +17,21 @@ inline constexpr double kSolidSpin = 2.5;
 /// K = 1/mu + 2 a^2/I.
 inline constexpr double kSolidCompliance = 7;
 
-/// Components of a vector, or of many. Real is double or an Eigen array.
+/// A vector, or many vectors by component. Real is double or an Eigen array.
 template <class Real>
-struct Triple {
+struct Vector3 {
   Real x;
   Real y;
   Real z;
 };
 
 template <class Real>
-Real dot(const Triple<Real>& a, const Triple<Real>& b) {
+Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class Real>
-Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
+Vector3<Real> cross(const Vector3<Real>& a, const Vector3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -49,33 +50,33 @@ auto greater(const Eigen::ArrayBase<Derived>& a, double b) {
   return a.max(b);
 }
 
-/// What a collision does: v1 -= push, v2 += push, and both w1 and w2 -= kSolidSpin * twist.
+/// Changes by a collision: v1 -= push, v2 += push, and both w1 and w2 -= kSolidSpin * twist.
 template <class Real>
-struct Exchange {
-  Triple<Real> push;   ///< P
-  Triple<Real> twist;  ///< (1 - R)/K n x V_t
+struct ImpulsePair {
+  Vector3<Real> push;   ///< P
+  Vector3<Real> twist;  ///< (1 - R)/K n x V_t
 };
 
-/// g = v1 - v2, spins = w1 + w2, normal: unit vector from the first centre to the second. Holds
-/// where g . normal >= 0.
+/// g = v1 - v2, spins = w1 + w2, normal: unit vector from the first centre to the second.
+/// Precondition: g . normal >= 0.
 template <class Real>
-Exchange<Real> solid_collision(const Law& law, const Triple<Real>& g, const Triple<Real>& spins,
-                               const Triple<Real>& normal) {
+ImpulsePair<Real> solid_collision(const Law& law, const Vector3<Real>& g,
+                                  const Vector3<Real>& spins, const Vector3<Real>& normal) {
   using std::sqrt;
   const double friction_number = kSolidCompliance / 2 * law.friction * (1 + law.restitution);
   const Real approach = dot(g, normal);
-  const Triple<Real> turning = cross(spins, normal);
-  const Triple<Real> slip = {g.x + turning.x - approach * normal.x,
-                             g.y + turning.y - approach * normal.y,
-                             g.z + turning.z - approach * normal.z};
+  const Vector3<Real> turning = cross(spins, normal);
+  const Vector3<Real> slip = {g.x + turning.x - approach * normal.x,
+                              g.y + turning.y - approach * normal.y,
+                              g.z + turning.z - approach * normal.z};
   const Real speed = sqrt(dot(slip, slip));
-  // (1 - R)/K. Without slip all that matters is that the quotient is no NaN.
+  // (1 - R)/K. Without slip it only must not be NaN.
   const Real grip =
       lesser(friction_number * approach / greater(speed, std::numeric_limits<double>::min()),
              1 + law.roughness) /
       kSolidCompliance;
   const Real along = (1 + law.restitution) / 2 * approach;
-  const Triple<Real> turned = cross(normal, slip);
+  const Vector3<Real> turned = cross(normal, slip);
   return {.push = {along * normal.x + grip * slip.x, along * normal.y + grip * slip.y,
                    along * normal.z + grip * slip.z},
           .twist = {grip * turned.x, grip * turned.y, grip * turned.z}};

@@ -1,4 +1,4 @@
-// clca check: what a scene says, with every default filled in, and what it needs.
+// clca check: shows a scene with every default filled in and the resources it needs.
 
 #include <memory>
 
@@ -15,14 +15,14 @@ namespace clca::cli {
 
 namespace {
 
-/// So many a fill takes in less than a second.
+/// A fill of so many particles takes less than a second.
 constexpr double kFewSites = 1e7;
 
 void print(const scene::Scene& scene) {
   const scene::Size size = scene::size_of(scene);
   scene::check_walls(scene);
   if (static_cast<double>(size.columns) * size.rows <= kFewSites) {
-    run::check_beginning(scene);
+    run::check_start(scene);
   } else {
     scene::check_room(scene);
   }

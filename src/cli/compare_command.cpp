@@ -1,4 +1,4 @@
-// clca compare: a run of the automaton beside one of the Boltzmann equation.
+// clca compare: compares an automaton run with a Boltzmann run.
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,12 +6,12 @@
 #include "clca/compare/compare.hpp"
 #include "clca/plot/plot.hpp"
 #include "clca/store/output_folder.hpp"
+#include "clca/text/message.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
-#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -21,7 +21,7 @@ struct CompareOptions {
   std::string automaton;
   std::string boltzmann;
   std::string folder = "renders/comparison";
-  compare::Choice choice;
+  compare::RunChoice choice;
 };
 
 void draw_figure(const std::filesystem::path& folder) {
@@ -29,7 +29,7 @@ void draw_figure(const std::filesystem::path& folder) {
   for (const plot::Figure& figure :
        plot::figures(folder, {"comparison"}, plot::template_folder())) {
     store::OutputFolder(folder).write(figure.name + ".png",
-                                      plot::draw(figure, plot::Size(), &stop));
+                                      plot::draw(figure, plot::Appearance(), &stop));
   }
 }
 
@@ -39,7 +39,7 @@ ExitCode compare_runs(const CompareOptions& options) {
     const compare::Comparison comparison =
         compare::comparison(options.automaton, options.boltzmann, options.choice);
     compare::write(comparison, options.folder);
-    print_out("stage {} beside time {}\n", scene::printable(comparison.stage), comparison.time);
+    print_out("stage {} beside time {}\n", text::printable(comparison.stage), comparison.time);
     for (const compare::Distance& distance : compare::distances(comparison)) {
       print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
                 distance.floor);
@@ -47,7 +47,7 @@ ExitCode compare_runs(const CompareOptions& options) {
     draw_figure(options.folder);
     print_out("{}\n", options.folder);
   } catch (const compare::CompareError& error) {
-    complain(error);
+    report_error(error);
     return ExitCode::wrong_input;
   }
   return ExitCode::done;
@@ -71,7 +71,7 @@ void add_compare_command(CLI::App& app, int& code) {
       ->check(finite_number());
   command
       ->add_option("--restitution", options->choice.restitution,
-                   "Which one, where the Boltzmann run has several")
+                   "Restitution to choose if the Boltzmann run has several")
       ->check(finite_number());
   command->callback([options, &code] { code = static_cast<int>(compare_runs(*options)); });
 }

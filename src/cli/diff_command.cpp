@@ -28,7 +28,7 @@ struct DiffOptions {
 
 render::Image read_picture(const std::string& file) {
   try {
-    return render::decode_png(store::read_whole(file, store::kMostPictureBytes)).image;
+    return render::decode_png(store::read_whole(file, store::kMaxPictureBytes)).image;
   } catch (const store::StoreError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -63,7 +63,7 @@ ExitCode diff_or_complain(const DiffOptions& options) {
   try {
     return diff(options);
   } catch (const std::runtime_error& error) {
-    complain(error);
+    report_error(error);
     return ExitCode::wrong_input;
   }
 }
@@ -84,7 +84,7 @@ void add_diff_command(CLI::App& app, int& code) {
   command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
       ->check(whole_number())
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write a picture that shows where");
+  command->add_option("-o,--output", options->out, "Write a picture of the differences");
   command->callback([options, &code] { code = static_cast<int>(diff_or_complain(*options)); });
 }
 

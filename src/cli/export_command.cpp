@@ -29,11 +29,11 @@ struct ExportOptions {
   fs::path run;
   exports::Format format = exports::Format::vtp;
   fs::path file;
-  exports::Choice choice;
+  exports::FrameSelection choice;
   SceneOptions scene;  ///< the limit on memory
 };
 
-/// A run with a trajectory, and which of its frames are wanted.
+/// A run with a trajectory and the selected frames.
 struct Source {
   std::string name;
   scene::Scene scene;
@@ -61,18 +61,19 @@ Source open_run(const ExportOptions& options) {
   check_memory(source.scene, limit);
   source.trajectory = std::make_unique<store::Trajectory>(options.run, source.scene,
                                                           run::initial_state(source.scene), limit);
-  exports::chosen(source.trajectory->frames(), options.choice);  // before anything is written
+  exports::selected_frames(source.trajectory->frames(),
+                           options.choice);  // before anything is written
   return source;
 }
 
-/// What cannot be read is wrong input. Nothing: it has been told.
+/// Unreadable files are wrong input: reports them and returns none.
 std::optional<Source> open_or_complain(const ExportOptions& options) {
   try {
     return open_run(options);
   } catch (const exports::ExportError& error) {
-    complain(error);
+    report_error(error);
   } catch (const store::StoreError& error) {
-    complain(error);
+    report_error(error);
   }
   return std::nullopt;
 }
@@ -104,11 +105,9 @@ int export_run(const ExportOptions& options) {
                      : static_cast<int>(ExitCode::signal_base) + signal;
 }
 
-void add_choice_options(CLI::App& command, exports::Choice& choice) {
+void add_choice_options(CLI::App& command, exports::FrameSelection& choice) {
   command.add_option("--from", choice.from, "First step")->type_name("STEP")->check(whole_number());
-  command.add_option("--until", choice.until, "Last step")
-      ->type_name("STEP")
-      ->check(whole_number());
+  command.add_option("--to", choice.until, "Last step")->type_name("STEP")->check(whole_number());
   command
       .add_option("--every", choice.every,
                   "Steps from frame to frame, at least, in a stage [all frames]")
@@ -126,7 +125,7 @@ void add_export_command(CLI::App& app, int& code) {
       ->required();
   command
       ->add_option_function<std::string>(
-          "--to",
+          "--format",
           [options](const std::string& name) {
             options->format = name == "vtp"   ? exports::Format::vtp
                               : name == "gsd" ? exports::Format::gsd

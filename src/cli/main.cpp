@@ -1,4 +1,4 @@
-// clca: the table of contents of the program. One command, one file.
+// clca: the list of commands. One command, one file.
 
 #include <fmt/format.h>
 
@@ -7,16 +7,18 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/text/message.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
-#include "scene/text.hpp"
 
 namespace {
 
@@ -24,8 +26,36 @@ using clca::cli::ExitCode;
 
 /// One line on standard error.
 int fail(ExitCode code, std::string_view message) {
-  clca::cli::print_error("{}\n", clca::scene::printable(message));
+  clca::cli::print_error("{}\n", clca::text::printable(message));
   return static_cast<int>(code);
+}
+
+/// CLI11 would only say that a subcommand is required.
+void check_command_name(const CLI::App& app, const std::vector<const char*>& arguments) {
+  if (arguments.size() < 2 || *arguments[1] == '-' || *arguments[1] == '\0') {
+    return;
+  }
+  const std::string_view given = arguments[1];
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  if (std::find(names.begin(), names.end(), given) == names.end()) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw CLI::ParseError(fmt::format("no command {}{}", clca::text::shown(given),
+                                      clca::text::suggestion(given, known)),
+                          CLI::ExitCodes::InvalidError);
+  }
+}
+
+/// `clca help COMMAND` is `clca COMMAND --help`.
+std::vector<const char*> arguments_of(int argc, char** argv) {
+  std::vector<const char*> arguments(argv, argv + argc);
+  if (argc > 1 && std::string_view(argv[1]) == "help") {
+    arguments.erase(arguments.begin() + 1);
+    arguments.insert(arguments.begin() + std::min<std::ptrdiff_t>(argc - 1, 2), "--help");
+  }
+  return arguments;
 }
 
 int run_program(int argc, char** argv) {
@@ -33,16 +63,15 @@ int run_program(int argc, char** argv) {
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
       "clca");
-  app.set_version_flag("--version", "clca " + clca::run::version());
+  app.set_version_flag("-V,--version", "clca " + clca::run::version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App* /*app*/, const CLI::Error& error) {
-    return fmt::format("clca: error: {} (see clca --help)\n", clca::scene::printable(error.what()));
+    return fmt::format("clca: error: {} (see clca --help)\n", clca::text::printable(error.what()));
   });
   app.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
-      "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted, to be gone on "
-      "with\n"
-      "by resume.");
+      "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
+      "continues the run.");
 
   int code = 0;
   clca::cli::add_run_command(app, code);
@@ -56,11 +85,15 @@ int run_program(int argc, char** argv) {
   clca::cli::add_plot_command(app, code);
   clca::cli::add_render_command(app, code);
   clca::cli::add_report_command(app, code);
+  app.add_subcommand("help", "Print the help of a command: clca help run");
+  const std::vector<const char*> arguments = arguments_of(argc, argv);
   try {
-    if (std::any_of(argv, argv + argc, [](const char* text) { return *text == '\0'; })) {
+    check_command_name(app, arguments);
+    if (std::any_of(arguments.begin(), arguments.end(),
+                    [](const char* text) { return *text == '\0'; })) {
       throw CLI::ParseError("an argument is empty", CLI::ExitCodes::InvalidError);
     }
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
@@ -79,9 +112,9 @@ int run_or_complain(int argc, char** argv) {
     return fail(ExitCode::wrong_input, error.what());
   } catch (const clca::run::UnfinishedRunError& error) {
     return fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
-  } catch (const clca::run::ScenePlaceError& error) {
+  } catch (const clca::run::SceneRunError& error) {
     return fail(ExitCode::wrong_input, error.what());
-  } catch (const clca::process::Stopped& error) {
+  } catch (const clca::process::StoppedError& error) {
     return fail(
         static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),
         fmt::format("clca: error: {}", error.what()));

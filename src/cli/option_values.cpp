@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "scene/text.hpp"
+#include "clca/text/message.hpp"
 
 namespace clca::cli {
 
@@ -57,7 +57,7 @@ std::optional<double> size_unit(std::string unit) {
 }
 
 std::string expected(std::string_view what, const std::string& text) {
-  return fmt::format("expected {}, found {}", what, scene::shown(text));
+  return fmt::format("expected {}, found {}", what, text::shown(text));
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ CLI::Validator finite_number() {
 
 CLI::Validator time_span() {
   const auto convert = [](std::string& text) -> std::string {
-    constexpr double kLongest = 1e9;
+    constexpr double kMaxSeconds = 1e9;
     const auto found = quantity<double>(text);
     const auto unit = found ? time_unit(found->unit) : std::nullopt;
-    if (!unit || found->number * *unit > kLongest) {
+    if (!unit || found->number * *unit > kMaxSeconds) {
       return expected("a time up to 1e9 seconds, as in 90, 30min or 2h", text);
     }
     text = fmt::format("{}", found->number * *unit);
@@ -99,11 +99,11 @@ CLI::Validator time_span() {
 
 CLI::Validator byte_size() {
   const auto convert = [](std::string& text) -> std::string {
-    constexpr double kLargest = 0x1p62;
+    constexpr double kMaxBytes = 0x1p62;
     const auto found = quantity<std::uint64_t>(text);
     const auto unit = found ? size_unit(std::string(found->unit)) : std::nullopt;
     const double bytes = unit ? static_cast<double>(found->number) * *unit : 0;
-    if (bytes < 1 || bytes > kLargest) {
+    if (bytes < 1 || bytes > kMaxBytes) {
       return expected("a size from 1 to 4EiB, as in 512MiB or 4GiB", text);
     }
     text = fmt::format("{}", static_cast<std::uint64_t>(bytes));

@@ -1,6 +1,5 @@
 #pragma once
-// What the values of options may be. CLI11 alone takes -1 for 2^64 - 1, 010 for 8 and nan for a
-// number.
+// Strict option values: CLI11 alone takes -1 as 2^64 - 1, 010 as 8 and nan as a number.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -8,7 +7,7 @@
 
 namespace clca::cli {
 
-/// Digits, without a sign or a superfluous zero in front.
+/// Digits without sign or leading zeros.
 CLI::Validator whole_number(std::uint64_t least = 0,
                             std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 CLI::Validator finite_number();

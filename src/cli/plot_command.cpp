@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "clca/plot/plot.hpp"
@@ -20,7 +21,7 @@ struct PlotOptions {
   std::string run;
   std::string folder;
   std::vector<std::string> only;
-  plot::Size size;
+  plot::Appearance appearance;
 };
 
 void draw_all(const PlotOptions& options) {
@@ -29,8 +30,8 @@ void draw_all(const PlotOptions& options) {
       store::named_folder(options.folder, options.run, store::kPlotsFolder);
   const std::atomic<int>& stop = catch_stop_signals();
   for (const plot::Figure& figure : figures) {
-    const auto picture = plot::draw(figure, options.size, &stop);
-    const std::string file = figure.name + ".png";
+    const auto picture = plot::draw(figure, options.appearance, &stop);
+    const std::string file = figure.name + "." + plot::ending(options.appearance.format);
     folder.write(file, picture);
     print_out("{}\n", folder.path(file).string());
   }
@@ -41,7 +42,7 @@ ExitCode plot_or_complain(const PlotOptions& options) {
     draw_all(options);
     return ExitCode::done;
   } catch (const plot::InputError& error) {
-    complain(error);
+    report_error(error);
     return ExitCode::wrong_input;
   }
 }
@@ -59,10 +60,16 @@ void add_plot_command(CLI::App& app, int& code) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--width", options->size.width, "Pixels")
+  command->add_option("--format", options->appearance.format, "Format of the files")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, plot::Format>{
+              {"png", plot::Format::png}, {"svg", plot::Format::svg}, {"pdf", plot::Format::pdf}},
+          CLI::ignore_case))
+      ->default_str("png");
+  command->add_option("--width", options->appearance.width, "Pixels, 96 to the inch of a PDF")
       ->check(pixels)
       ->capture_default_str();
-  command->add_option("--height", options->size.height, "Pixels")
+  command->add_option("--height", options->appearance.height, "Pixels, 96 to the inch of a PDF")
       ->check(pixels)
       ->capture_default_str();
   command->callback([options, &code] { code = static_cast<int>(plot_or_complain(*options)); });

@@ -1,12 +1,14 @@
 #include "cli/progress_line.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "clca/text/message.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -19,20 +21,36 @@ std::string left_text(const std::optional<double>& seconds) {
   return seconds ? fmt::format(", about {} left", duration(*seconds)) : "";
 }
 
+/// The time left is that of the stage: nobody knows how long the later ones take.
+template <class Progress>
+std::string left_text_of_stage(const Progress& progress) {
+  const bool is_last = progress.stage_number == progress.stage_count;
+  return left_text(progress.seconds_left) +
+         (progress.seconds_left && !is_last ? " of this stage" : "");
+}
+
+/// Characters in a line of the terminal; 80 if it does not say.
+std::size_t terminal_width() {
+  winsize size = {};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+// The time left stands before what a narrow terminal has no room for.
 std::string to_text(const run::Progress& progress) {
-  return fmt::format("{} ({}/{}): step {}{}, {:.1f} % moving, {:.1f} million updates/s{}",
+  return fmt::format("{} ({}/{}): step {}{}{}, {:.1f} % moving, {:.1f} million updates/s",
                      progress.stage, progress.stage_number, progress.stage_count, progress.step,
+                     left_text_of_stage(progress),
                      progress.time.empty() ? "" : ", t = " + progress.time,
-                     100 * progress.moving_share, progress.updates_per_second / 1e6,
-                     left_text(progress.seconds_left));
+                     100 * progress.moving_share, progress.updates_per_second / 1e6);
 }
 
 std::string to_text(const run::GasProgress& progress) {
-  return fmt::format("{} ({}/{}): gas {} of {}, time {:.4g} of {}, {:.3g} million collisions/s{}",
+  return fmt::format("{} ({}/{}): gas {} of {}{}, time {:.4g} of {}, {:.3g} million collisions/s",
                      progress.stage, progress.stage_number, progress.stage_count,
                      std::min(progress.gases_done + 1, progress.gases), progress.gases,
-                     progress.time, progress.until, progress.collisions_per_second / 1e6,
-                     left_text(progress.seconds_left));
+                     left_text_of_stage(progress), progress.time, progress.until,
+                     progress.collisions_per_second / 1e6);
 }
 
 std::string to_text(const run::RedrawProgress& progress) {
@@ -49,8 +67,8 @@ std::string to_text(const sweep::Progress& progress) {
 }  // namespace
 
 std::string duration(double seconds) {
-  constexpr double kMost = 1e9;
-  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, kMost)));
+  constexpr double kMaxRate = 1e9;
+  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, kMaxRate)));
   if (whole < 60) {
     return fmt::format("{} s", whole);
   }
@@ -82,8 +100,9 @@ void ProgressLine::show(const sweep::Progress& progress) {
 
 void ProgressLine::show(const std::string& text) {
   if (terminal_) {
-    print_error("\r{}\033[K", text);
-    stands_ = true;
+    // The last column stays free: some terminals go on to the next line after it.
+    print_error("\r{}\033[K", text::first_characters(text, terminal_width() - 1));
+    line_shown_ = true;
   } else if (std::chrono::steady_clock::now() >= next_plain_) {
     next_plain_ = std::chrono::steady_clock::now() + kPlainInterval;
     print_error("{}\n", text);
@@ -96,7 +115,7 @@ void ProgressLine::print(const std::string& line) {
 }
 
 void ProgressLine::clear() {
-  if (std::exchange(stands_, false)) {
+  if (std::exchange(line_shown_, false)) {
     write_error("\r\033[K");
   }
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Shows how a run or a sweep is going: one line that is written over on a terminal, plain lines
-// elsewhere.
+// Shows progress: a line that is overwritten on a terminal, plain lines elsewhere.
 
 #include <chrono>
 #include <string>
@@ -14,7 +13,7 @@ namespace clca::cli {
 class ProgressLine {
  public:
   ProgressLine();
-  /// Leaves a clean line to whatever comes next, an error for one.
+  /// Clears the line for the next output, such as an error.
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -23,7 +22,7 @@ class ProgressLine {
   void show(const run::GasProgress& progress);
   void show(const run::RedrawProgress& progress);
   void show(const sweep::Progress& progress);
-  /// A line that stays, on standard error.
+  /// A permanent line on standard error.
   void print(const std::string& line);
 
  private:
@@ -31,7 +30,7 @@ class ProgressLine {
   void clear();
 
   bool terminal_;
-  bool stands_ = false;  // a line, on the terminal
+  bool line_shown_ = false;  // a line, on the terminal
   std::chrono::steady_clock::time_point next_plain_;
 };
 

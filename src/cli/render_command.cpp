@@ -1,4 +1,4 @@
-// clca render: draws a run again from its trajectory.
+// clca render: draws a run from its trajectory.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// The scene without what only pictures show.
+/// The scene without the keys that only affect pictures.
 scene::Scene unpainted(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
@@ -44,7 +44,7 @@ scene::Scene unpainted(scene::Scene scene) {
   return scene;
 }
 
-/// The scene of the run, with its pictures as the options want them.
+/// The scene of the run with the picture options applied.
 scene::Scene scene_of(const RenderOptions& options) {
   const fs::path& run = options.redraw.run;
   const store::RunSummary summary = store::read_summary(run / "run.json");
@@ -70,7 +70,7 @@ scene::Scene scene_of(const RenderOptions& options) {
   return scene;
 }
 
-/// Makes out all that can be wrong with the input. Nothing: it has been told.
+/// Checks all input. Reports errors and returns none.
 std::unique_ptr<run::Redraw> redraw_or_complain(RenderOptions& options) {
   run::RedrawOptions& redraw = options.redraw;
   try {
@@ -80,9 +80,9 @@ std::unique_ptr<run::Redraw> redraw_or_complain(RenderOptions& options) {
     }
     return std::make_unique<run::Redraw>(scene, redraw);
   } catch (const run::RedrawError& error) {
-    complain(error);
+    report_error(error);
   } catch (const store::StoreError& error) {
-    complain(error);
+    report_error(error);
   }
   return nullptr;
 }
@@ -101,7 +101,7 @@ int render_run(RenderOptions options) {
   run::RedrawOptions& redraw = options.redraw;
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
-  redraw.most_bytes = memory_limit(options.scene);
+  redraw.max_bytes = memory_limit(options.scene);
   const std::unique_ptr<run::Redraw> drawing = redraw_or_complain(options);
   if (!drawing) {
     return static_cast<int>(ExitCode::wrong_input);
@@ -120,7 +120,7 @@ int render_run(RenderOptions options) {
                                       : static_cast<int>(ExitCode::signal_base) + stop;
 }
 
-/// An option that is short for `--set output.frames.KEY=VALUE`.
+/// An option that stands for `--set output.frames.KEY=VALUE`.
 void add_frames_option(CLI::App& command, RenderOptions& options, const char* name, const char* key,
                        const char* type, const char* what) {
   command
@@ -141,7 +141,7 @@ void add_look_options(CLI::App& command, RenderOptions& options) {
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
   command
       .add_option("--set", options.scene.overrides,
-                  "Put VALUE (YAML) in place of what the scene says of its pictures, as in "
+                  "Set a key of the pictures to VALUE (YAML), such as "
                   "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
                   "repeated")
       ->type_name("KEY=VALUE")

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "clca/report/report.hpp"
+#include "clca/text/message.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
-#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -17,21 +17,21 @@ namespace {
 struct ReportOptions {
   std::string run;
   std::string file;
-  std::optional<std::size_t> most_frames;
+  std::optional<std::size_t> max_frames;
 };
 
 ExitCode report_or_complain(const ReportOptions& options) {
   try {
     const auto file = report::write_report(options.run, {.file = options.file,
-                                                         .most_frames = options.most_frames,
+                                                         .max_frames = options.max_frames,
                                                          .warning = [](const std::string& text) {
                                                            print_error("clca: warning: {}\n",
-                                                                       scene::printable(text));
+                                                                       text::printable(text));
                                                          }});
     print_out("{}\n", file.string());
     return ExitCode::done;
   } catch (const report::InputError& error) {
-    complain(error);
+    report_error(error);
     return ExitCode::wrong_input;
   }
 }
@@ -40,12 +40,12 @@ ExitCode report_or_complain(const ReportOptions& options) {
 
 void add_report_command(CLI::App& app, int& code) {
   CLI::App* command =
-      app.add_subcommand("report", "Write a page about a run: measures, curves, maps, pictures");
+      app.add_subcommand("report", "Write a page about a run: measures, figures, pictures");
   auto options = std::make_shared<ReportOptions>();
   command->add_option("DIR", options->run, "Folder that a run has left")->required();
   command->add_option("-o,--output", options->file, "Page to write [DIR/report.html]");
   command
-      ->add_option("--max-frames", options->most_frames,
+      ->add_option("--max-frames", options->max_frames,
                    "Most pictures to step through [as many as keep the page below 20 MB]")
       ->check(whole_number(0, 100'000));
   command->callback([options, &code] { code = static_cast<int>(report_or_complain(*options)); });

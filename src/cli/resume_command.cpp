@@ -1,4 +1,4 @@
-// clca resume: go on with a run where it last saved itself.
+// clca resume: continues a run from its last checkpoint.
 
 #include <memory>
 #include <variant>
@@ -23,7 +23,7 @@ int resume_run(const ResumeOptions& options) {
   const double limit = memory_limit(options.scene);
   run::SavedRun saved = run::load_run(options.folder, limit, options.until);
   if (saved.finished) {
-    print_out("the run is done: there is nothing to go on with\n{}\n", options.folder);
+    print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
     return static_cast<int>(ExitCode::done);
   }
   if (const auto* automaton = std::get_if<scene::Scene>(&saved.scene)) {
@@ -40,14 +40,13 @@ int resume_run(const ResumeOptions& options) {
 }  // namespace
 
 void add_resume_command(CLI::App& app, int& code) {
-  CLI::App* command =
-      app.add_subcommand("resume", "Go on with a run that was stopped, killed or has ended");
+  CLI::App* command = app.add_subcommand(
+      "resume", "Continue a run that was stopped or killed, or prolong one that is done");
   auto options = std::make_shared<ResumeOptions>();
   command->add_option("DIR", options->folder, "Folder of the run")->required();
-  command->add_option(
-      "--until", options->until,
-      "Go on to this end in place of the scene's: steps of the last stage, the time "
-      "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
+  command->add_option("--until", options->until,
+                      "Run to this end instead of the scene's: steps of the last stage, the time "
+                      "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
   add_run_options(*command, options->run);
   add_memory_limit(*command, options->scene);
   command->callback([options, &code] { code = resume_run(*options); });

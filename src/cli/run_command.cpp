@@ -32,7 +32,7 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
   if (!options.keep &&
       std::filesystem::equivalent(options.scene.file,
                                   std::filesystem::path(folder) / store::kSceneFile, unknown)) {
-    throw run::ScenePlaceError(
+    throw run::SceneRunError(
         fmt::format("{}: error: the run would replace this file; run in another folder, or with "
                     "--keep",
                     options.scene.file));
@@ -49,14 +49,14 @@ int run_scene(const RunCommandOptions& options) {
   return std::visit([&](const auto& one) { return run_one(one, options); }, scene);
 }
 
-/// As run_scene(), for scenes of the Boltzmann equation alone.
+/// As run_scene(), for Boltzmann scenes only.
 int run_boltzmann_scene(const RunCommandOptions& options) {
   const scene::AnyScene scene = load_any_scene(options.scene, options.run.threads);
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
         "{}: error: a scene of grains, which clca run takes; clca boltzmann wants a block "
         "boltzmann in place of box to stages",
-        automaton->box.place));
+        automaton->box.location));
   }
   return run_one(std::get<scene::BoltzmannScene>(scene), options);
 }
@@ -71,7 +71,7 @@ CLI::App* add_command(CLI::App& app, int& code, const char* name, const char* wh
       "--keep", options->keep, "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
   command
       ->add_flag("--overwrite", options->overwrite,
-                 "Replace an earlier run in the folder even where it could go on")
+                 "Replace an earlier run in the folder even if it could be resumed")
       ->excludes(keep);
   add_run_options(*command, options->run);
   command->callback([options, &code, run_it] { code = run_it(*options); });

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/text/message.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
@@ -35,19 +38,21 @@ void add_run_options(CLI::App& command, RunCommonOptions& options) {
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   command
-      .add_option("--time-limit", options.time_limit,
-                  "Save and stop after this time, as in 90, 30min or 2h; resume goes on from there")
+      .add_option(
+          "--time-limit", options.time_limit,
+          "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run")
       ->type_name("TIME")
       ->transform(time_span());
   command
       .add_option_function<std::string>(
           "--engine",
           [&options](const std::string& name) { options.reference = name == "reference"; },
-          "fast, or reference: steps of the contact model as they are defined, for checks")
+          "fast, or reference: steps as the model is defined, for checks")
       ->type_name("NAME")
       ->check(CLI::IsMember({"fast", "reference"}))
       ->default_str("fast");
   command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  command.add_flag("--json", options.json, "Print run.json at the end");
 }
 
 int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it) {
@@ -68,8 +73,15 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
                                             .stop = &stop,
                                             .time_limit = options.time_limit},
                                            events);
-  if (!options.quiet) {
+  if (options.json) {
+    constexpr double kMaxBytes = 1 << 30;
+    const auto json = store::read_whole(used / store::kSummaryFile, kMaxBytes);
+    write_out({reinterpret_cast<const char*>(json.data()), json.size()});
+  } else if (!options.quiet) {
     print_out("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, used.string());
+  }
+  if (summary.status == "interrupted" && !options.quiet) {
+    line.print(fmt::format("continue with: clca resume {}", text::shell_word(used.string())));
   }
   return exit_code_of(summary, stop);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the commands that run a scene, or go on with one, have in common.
+// Options of the commands that run or resume a scene.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -15,14 +15,14 @@ struct RunCommonOptions {
   std::optional<double> time_limit;  ///< seconds
   bool reference = false;
   bool quiet = false;
+  bool json = false;
 };
 
 void add_run_options(CLI::App& command, RunCommonOptions& options);
 
 using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run::RunEvents&)>;
 
-/// Lets `run_it` run, shows how it goes and what came out; `folder` is where. Returns the exit
-/// code.
+/// Calls `run_it`, shows progress and results; `folder` is the run folder. Returns the exit code.
 int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it);
 
 }  // namespace clca::cli

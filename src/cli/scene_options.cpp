@@ -4,13 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
+#include <system_error>
 #include <thread>
 
+#include "clca/process/data_folder.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/text/message.hpp"
 #include "cli/option_values.hpp"
-#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -18,7 +22,7 @@ namespace {
 
 constexpr double kShareOfMemory = 0.8;
 
-/// What can be had without swapping; memory that only caches files counts as free.
+/// Available memory without swapping; file caches count as free.
 double available_bytes() {
   std::ifstream meminfo("/proc/meminfo");
   std::string key;
@@ -32,7 +36,7 @@ double available_bytes() {
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-/// --set and what is short for it.
+/// --set and its short forms.
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides = options.overrides;
   if (options.seed) {
@@ -44,17 +48,17 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   return overrides;
 }
 
-/// A run saves its scene with all defaults, and resume has to take that text.
+/// Runs save the scene with all defaults; that text must parse for resume.
 template <class AScene>
 void check_text(const AScene& scene, const std::string& file) {
-  if (scene::to_yaml(scene).size() > scene::kMostSceneBytes) {
+  if (scene::to_yaml(scene).size() > scene::kMaxSceneBytes) {
     throw scene::SceneError(
         fmt::format("{}:1:1: error: the scene with all its defaults is larger than {} MiB",
-                    scene::printable(file), scene::kMostSceneBytes >> 20U));
+                    text::printable(file), scene::kMaxSceneBytes >> 20U));
   }
 }
 
-/// The scene as the options want it. Throws scene::SceneError when it does not fit into memory.
+/// The scene with the options applied. Throws scene::SceneError if it does not fit into memory.
 scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
   if (options.frames_every == std::uint64_t{0}) {
     scene.output.frames.reset();
@@ -62,6 +66,38 @@ scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
   check_text(scene, options.file);
   check_memory(scene, memory_limit(options));
   return scene;
+}
+
+/// The file of an installed scene if `name` is the name of one and of no file.
+std::string find_scene(const std::string& name) {
+  std::error_code error;
+  if (name.find_first_of("/.") == std::string::npos && !std::filesystem::exists(name, error)) {
+    for (const std::filesystem::path& folder : process::data_folders("scenes")) {
+      const std::filesystem::path file = folder / (name + ".yaml");
+      if (std::filesystem::is_regular_file(file, error)) {
+        return file.string();
+      }
+    }
+  }
+  return name;
+}
+
+std::string standard_input() {
+  constexpr auto kMaxSize = static_cast<std::streamsize>(scene::kMaxSceneBytes);
+  std::string text(scene::kMaxSceneBytes + 1, '\0');
+  std::cin.read(text.data(), kMaxSize + 1);
+  if (std::cin.gcount() > kMaxSize || std::cin.bad()) {
+    throw scene::SceneError(
+        fmt::format("stdin:1:1: error: standard input cannot be read or is larger than {} MiB",
+                    scene::kMaxSceneBytes >> 20U));
+  }
+  text.resize(static_cast<std::size_t>(std::cin.gcount()));
+  return text;
+}
+
+scene::AnyScene parsed(const SceneOptions& options) {
+  return options.file == "-" ? scene::parse_any(standard_input(), "stdin", overrides_of(options))
+                             : scene::parse_any_file(options.file, overrides_of(options));
 }
 
 }  // namespace
@@ -77,7 +113,7 @@ void check_memory(const scene::Scene& scene, double limit) {
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
         "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
-        scene.box.place, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
+        scene.box.location, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
         limit / kMebibyte));
   }
 }
@@ -89,15 +125,19 @@ void check_memory(const scene::BoltzmannScene& scene, double limit, int threads)
         "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
         "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
         "bins, or raise --memory-limit",
-        scene.place, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
+        scene.location, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
   }
 }
 
 void add_scene_and_set(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.file, "Scene file (YAML)")->required();
+  command
+      .add_option("SCENE", options.file,
+                  "Scene file (YAML), - for standard input, or the name of a scene of this program")
+      ->required()
+      ->transform(find_scene);
   command
       .add_option("--set", options.overrides,
-                  "Put VALUE (YAML) in place of what the scene says, as in rules.inertia=0 or "
+                  "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
                   "stages.flow.max_steps=500; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -106,7 +146,7 @@ void add_scene_and_set(CLI::App& command, SceneOptions& options) {
 void add_memory_limit(CLI::App& command, SceneOptions& options) {
   command
       .add_option("--memory-limit", options.memory_limit,
-                  "Refuse scenes that need more, as in 4GiB [80 % of what is free]")
+                  "Refuse scenes that need more memory, such as 4GiB [80 % of the free memory]")
       ->type_name("SIZE")
       ->transform(byte_size());
 }
@@ -126,7 +166,7 @@ int machine_threads() {
 }
 
 scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
-  scene::AnyScene scene = scene::parse_any_file(options.file, overrides_of(options));
+  scene::AnyScene scene = parsed(options);
   if (auto* automaton = std::get_if<scene::Scene>(&scene)) {
     return fitting(std::move(*automaton), options);
   }

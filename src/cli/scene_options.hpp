@@ -1,5 +1,5 @@
 #pragma once
-// What the commands that take a scene have in common.
+// Options of the commands that take a scene.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -29,13 +29,13 @@ void add_scene_and_set(CLI::App& command, SceneOptions& options);
 /// --memory-limit only.
 void add_memory_limit(CLI::App& command, SceneOptions& options);
 
-/// Bytes that may be used.
+/// Memory limit in bytes.
 double memory_limit(const SceneOptions& options);
 /// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
 void check_memory(const scene::Scene& scene, double limit);
 void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
 
-/// Threads of the machine: those of a run that is not told otherwise.
+/// Number of threads of the machine, the default of a run.
 int machine_threads();
 
 /// The scene with the options applied. Throws scene::SceneError, also when it would need more

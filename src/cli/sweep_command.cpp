@@ -42,8 +42,8 @@ sweep::Plan plan_of(const SweepCommandOptions& options) {
   return sweep::plan(std::move(request));
 }
 
-/// As many runs at a time as are asked for and fit into memory together. Throws scene::SceneError
-/// when not even one does.
+/// Number of parallel runs: as requested and as fit into memory. Throws scene::SceneError if not
+/// even one fits.
 int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
   const double limit = memory_limit(options.scene);
   double largest = 1;
@@ -120,24 +120,25 @@ void add_sweep_command(CLI::App& app, int& code) {
   auto options = std::make_shared<SweepCommandOptions>();
   add_scene_and_set(*command, options->scene);
   command
-      ->add_option("--seeds", options->seeds,
-                   "Seeds of the random draws, as in 1..16 or 1,4,9..12, each value with each seed")
+      ->add_option(
+          "--seeds", options->seeds,
+          "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
       ->capture_default_str();
   command
       ->add_option("--vary", options->variations,
-                   "Run with each of these values (YAML) in place of what the scene says, as in "
-                   "rules.inertia=0,0.9; repeated: with all combinations")
+                   "Run with KEY set to each of these values (YAML), such as "
+                   "rules.inertia=0,0.9; repeated: all combinations")
       ->type_name("KEY=V1,V2,...")
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->folder,
-                      "Folder to write to, and to go on in [renders/SCENE-NAME-sweep]");
+                      "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
   command
       ->add_option("--jobs", options->jobs,
                    "Runs at a time, each with one thread; the result does not depend on it")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   command->add_flag("--frames", options->all_pictures,
-                    "All pictures that the scene asks for, not only each run's last");
+                    "All pictures that the scene asks for, not only the last of each run");
   add_memory_limit(*command, options->scene);
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
   command->callback([options, &code] { code = run_sweep(*options); });

@@ -8,8 +8,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "clca/text/message.hpp"
 #include "cli/exit_code.hpp"
-#include "scene/text.hpp"
 
 namespace clca::cli {
 
@@ -24,7 +24,7 @@ int write_all(int stream, std::string_view text) noexcept {
     const ssize_t count = ::write(stream, text.data(), text.size());
     if (count >= 0) {
       text.remove_prefix(static_cast<std::size_t>(count));
-    } else if (errno == EAGAIN) {  // somebody else made the terminal non-blocking
+    } else if (errno == EAGAIN) {  // another process made the terminal non-blocking
       pollfd writable = {.fd = stream, .events = POLLOUT, .revents = 0};
       ::poll(&writable, 1, -1);
     } else if (errno != EINTR) {
@@ -54,8 +54,8 @@ void write_error(std::string_view text) noexcept {
   write_all(STDERR_FILENO, text);
 }
 
-void complain(const std::exception& error) {
-  print_error("clca: error: {}\n", scene::printable(error.what()));
+void report_error(const std::exception& error) {
+  print_error("clca: error: {}\n", text::printable(error.what()));
 }
 
 int end_output(int code) noexcept {

@@ -1,5 +1,5 @@
 #pragma once
-// What the program prints. All of it goes through here.
+// All output of the program goes through these functions.
 
 #include <fmt/format.h>
 
@@ -9,13 +9,12 @@
 
 namespace clca::cli {
 
-/// Call first. Where standard input, output or error is closed, no file that is opened later gets
-/// its number: writing there fails instead of ending up in that file.
+/// Call first. Reserves closed standard streams, so that no other file gets their number.
 void occupy_closed_streams();
 
 /// Writes to standard output. A failure is remembered for end_output().
 void write_out(std::string_view text) noexcept;
-/// Writes to standard error. Where that fails there is nobody to be told.
+/// Writes to standard error; failures are ignored.
 void write_error(std::string_view text) noexcept;
 
 template <class... T>
@@ -29,10 +28,10 @@ void print_error(fmt::format_string<T...> format, T&&... values) {
 }
 
 /// One line on standard error: `clca: error: MESSAGE`, control characters escaped.
-void complain(const std::exception& error);
+void report_error(const std::exception& error);
 
-/// Call last: the exit code of the program, `code` unless that is 0 and something could not be
-/// written to standard output. Says so, except where the reader of a pipe has had enough.
+/// Call last: returns `code`, or an error code if that is 0 and standard output could not be
+/// written. Reports it, unless the reader of a pipe has closed it.
 int end_output(int code) noexcept;
 
 }  // namespace clca::cli

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "clca/boltzmann/distribution.hpp"
 #include "clca/run/run.hpp"
+#include "clca/statistics/distribution.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
@@ -27,7 +27,7 @@ bool is_of_automaton(const Distribution& distribution) {
 }
 
 double noise_floor(const Distribution& of) {
-  return boltzmann::hellinger_floor(of.shares.size(), of.samples);
+  return statistics::hellinger_floor(of.shares.size(), of.samples);
 }
 
 std::vector<double> equal_shares(std::size_t bins) {
@@ -65,10 +65,10 @@ std::string distances_csv(const Comparison& comparison) {
 }
 
 double from_chi_square(const Distribution& one) {
-  return boltzmann::hellinger_distance(one.shares, equal_shares(one.shares.size()));
+  return statistics::hellinger_distance(one.shares, equal_shares(one.shares.size()));
 }
 
-/// So that figures can be drawn of the folder as of that of a run.
+/// Lets figures be drawn of the folder as of a run.
 store::RunSummary summary(const Comparison& comparison) {
   store::RunSummary summary = run::provenance();
   summary.kind = kKind;
@@ -82,7 +82,7 @@ store::RunSummary summary(const Comparison& comparison) {
   return summary;
 }
 
-/// A run in the folder would lose its run.json.
+/// Does not overwrite the run.json of a run.
 void refuse_run(const fs::path& folder) {
   if (!fs::exists(folder / "run.json")) {
     return;
@@ -98,7 +98,7 @@ void refuse_run(const fs::path& folder) {
 }  // namespace
 
 Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_run,
-                      const Choice& choice) {
+                      const RunChoice& choice) {
   const AutomatonSide automaton = read_automaton(automaton_run, choice);
   const BoltzmannSide gas = read_boltzmann(boltzmann_run, choice);
   Comparison result = {.title = fmt::format("{}, {}, and {} at {}", automaton.scene,
@@ -128,7 +128,7 @@ std::vector<Distance> distances(const Comparison& comparison) {
     for (const Distribution& other : comparison.distributions) {
       if (is_of_automaton(one) && !is_of_automaton(other)) {
         result.push_back(
-            {one.name + ":" + other.name, boltzmann::hellinger_distance(one.shares, other.shares),
+            {one.name + ":" + other.name, statistics::hellinger_distance(one.shares, other.shares),
              noise_floor(one) + noise_floor(other), std::min(one.samples, other.samples)});
       }
     }

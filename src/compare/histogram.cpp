@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // tables may be cut to fewer digits
 
-/// What `read` gives, an unreadable file being a reason not to compare.
+/// Calls `read`; an unreadable file becomes a CompareError.
 template <class Read>
 auto readable(Read read) {
   try {

@@ -13,7 +13,7 @@
 
 namespace clca::compare {
 
-/// Summary of the run in a folder, of one of these kinds. Throws CompareError.
+/// The summary of the run in a folder if it is of one of these kinds. Throws CompareError.
 store::RunSummary read_run(const std::filesystem::path& run,
                            std::initializer_list<std::string_view> kinds);
 

@@ -52,7 +52,7 @@ std::uint64_t sample_count(const fs::path& run, const store::StageSummary& stage
 
 }  // namespace
 
-AutomatonSide read_automaton(const fs::path& run, const Choice& choice) {
+AutomatonSide read_automaton(const fs::path& run, const RunChoice& choice) {
   const store::RunSummary summary = read_run(run, {"automaton", "contact"});
   const store::StageSummary& stage = chosen_stage(run, summary, choice.stage);
   const Histogram table(fluctuation_file(run, stage.name));

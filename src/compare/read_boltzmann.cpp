@@ -84,7 +84,7 @@ bool is_zero(const std::vector<double>& shares) {
 
 }  // namespace
 
-BoltzmannSide read_boltzmann(const fs::path& run, const Choice& choice) {
+BoltzmannSide read_boltzmann(const fs::path& run, const RunChoice& choice) {
   const store::RunSummary summary = read_run(run, {"boltzmann"});
   const auto [time, file] = chosen_histogram(run, choice.time);
   Histogram table(file);

@@ -1,5 +1,5 @@
 #pragma once
-// What each run has to say. All throw CompareError.
+// Reading the two runs. All functions throw CompareError.
 
 #include "clca/compare/compare.hpp"
 
@@ -10,13 +10,13 @@ struct AutomatonSide {
   std::string stage;
   std::vector<Distribution> distributions;
 };
-AutomatonSide read_automaton(const std::filesystem::path& run, const Choice& choice);
+AutomatonSide read_automaton(const std::filesystem::path& run, const RunChoice& choice);
 
 struct BoltzmannSide {
   std::string scene;
   double time = 0;
   std::vector<Distribution> distributions;
 };
-BoltzmannSide read_boltzmann(const std::filesystem::path& run, const Choice& choice);
+BoltzmannSide read_boltzmann(const std::filesystem::path& run, const RunChoice& choice);
 
 }  // namespace clca::compare

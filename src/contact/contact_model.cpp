@@ -5,18 +5,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/fields/hash.hpp"
-#include "clca/grains/deposit.hpp"
-#include "clca/grains/outlet.hpp"
-#include "clca/grains/source.hpp"
-#include "clca/grains/wall.hpp"
 #include "clca/random/draw.hpp"
+#include "clca/reflection/hash.hpp"
 #include "contact/engine/engine.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/sleep.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/walls.hpp"
-#include "grains/wall_step.hpp"
+#include "grains/internal/filling.hpp"
+#include "grains/internal/outlet.hpp"
+#include "grains/internal/source.hpp"
+#include "grains/internal/wall.hpp"
+#include "grains/internal/wall_step.hpp"
 
 namespace clca::contact {
 
@@ -77,7 +77,7 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   return state;
 }
 
-/// Of a grain that is present.
+/// Energy of a present grain.
 Energy energy_of(const State& state, std::size_t id, double gravity) {
   constexpr double kUnit = kSpacing;
   const grains::Particle& grain = state.grains.particles[id];
@@ -97,7 +97,7 @@ Energy energy_of(const State& state, std::size_t id, double gravity) {
 
 double gravity(const Parameters& parameters) {
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
-  if (!(parameters.fall_height > 0 && value <= kMostGravity && value >= kLeastGravity)) {
+  if (!(parameters.fall_height > 0 && value <= kMaxGravity && value >= kMinGravity)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
   return fixed(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
@@ -116,7 +116,7 @@ Energy energy(const State& state, double gravity) {
 }
 
 std::uint64_t hash(const State& state) {
-  return fields::hash(state);
+  return reflection::hash(state);
 }
 
 void check_valid(const State& state) {
@@ -144,13 +144,13 @@ void check_valid(const State& state) {
     return value >= -most && value <= most;
   };
   for (const Velocity<std::int32_t>& velocity : state.velocities) {
-    if (!in_range(velocity.x, kFastest) || !in_range(velocity.y, kFastest) ||
-        !in_range(velocity.spin, kFastest)) {
+    if (!in_range(velocity.x, kMaxVelocity) || !in_range(velocity.y, kMaxVelocity) ||
+        !in_range(velocity.spin, kMaxVelocity)) {
       fail("a velocity is out of range");
     }
   }
   for (const Vector& remainder : state.remainders) {
-    if (!in_range(remainder.x, kFarthest) || !in_range(remainder.y, kFarthest)) {
+    if (!in_range(remainder.x, kMaxRemainder) || !in_range(remainder.y, kMaxRemainder)) {
       fail("a remainder is out of range");
     }
   }
@@ -176,9 +176,9 @@ void check_valid(const State& state) {
         !in_range(contact.normal.y, 1 << kUnitBits)) {
       fail("a normal is out of range");
     }
-    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kStrongest) ||
-        !in_range(contact.impulse.shear, kStrongest) ||
-        !in_range(contact.impulse.rolling, kStrongest)) {
+    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kMaxImpulse) ||
+        !in_range(contact.impulse.shear, kMaxImpulse) ||
+        !in_range(contact.impulse.rolling, kMaxImpulse)) {
       fail("an impulse is out of range");
     }
     const auto upper = static_cast<grains::Owner>(contact.upper);
@@ -203,9 +203,10 @@ class ContactModel::Impl {
         rule_(make_rule(state_, parameters, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
-      engine_.emplace(state_, occupancy_, footprints_, edges_, rule_,
-                      parallel::Threads{.count = options.threads, .least = options.split_from},
-                      options.profile);
+      engine_.emplace(
+          state_, occupancy_, footprints_, edges_, rule_,
+          parallel::Threads{.count = options.threads, .min_per_thread = options.split_from},
+          options.profile);
     }
   }
 
@@ -217,7 +218,7 @@ class ContactModel::Impl {
     return state_;
   }
   const grains::State& grains() const { return state_.grains; }
-  const grains::Occupancy& occupancy() const { return occupancy_; }
+  const grains::OccupancyTable& occupancy() const { return occupancy_; }
   const Vessel& vessel() const { return state_.vessel; }
 
   template <class Change>
@@ -264,7 +265,7 @@ class ContactModel::Impl {
     });
   }
 
-  /// Carries out a change of grains or walls from outside.
+  /// Applies a change of grains or walls from outside.
   template <class Change>
   auto change(Change change) {
     return whole([&] {
@@ -308,7 +309,7 @@ class ContactModel::Impl {
   }
 
  private:
-  /// Something outside has changed.
+  /// Marks the state as changed from outside.
   void wake() {
     if (rule_.sleeping) {
       state();
@@ -319,8 +320,8 @@ class ContactModel::Impl {
     }
   }
 
-  /// Grains from a source begin anywhere within a spacing, or those of one site would stand one on
-  /// the other.
+  /// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
+  /// vertically.
   void scatter(std::size_t first) {
     for (std::size_t id = first; id < state_.remainders.size(); ++id) {
       const std::uint64_t bits =
@@ -331,7 +332,7 @@ class ContactModel::Impl {
     }
   }
 
-  /// Of new grains, which are at rest.
+  /// For new grains, which are at rest.
   void add_motions() {
     state_.velocities.resize(state_.grains.particles.size());
     state_.remainders.resize(state_.grains.particles.size());
@@ -340,7 +341,7 @@ class ContactModel::Impl {
     }
   }
 
-  /// Those that moved, once each.
+  /// Grains that moved, without duplicates.
   std::vector<std::uint32_t> move() {
     std::vector<std::uint32_t> moved;
     if (engine_) {
@@ -393,7 +394,7 @@ class ContactModel::Impl {
   }
 
   State state_;
-  grains::Occupancy occupancy_;
+  grains::OccupancyTable occupancy_;
   grains::FootprintTable footprints_;
   grains::WallEdges edges_;
   double gravity_;  // lattice spacings per step squared
@@ -418,7 +419,7 @@ const State& ContactModel::state() const {
 const grains::State& ContactModel::grains() const {
   return impl_->grains();
 }
-const grains::Occupancy& ContactModel::occupancy() const {
+grains::Occupancy ContactModel::occupancy() const {
   return impl_->occupancy();
 }
 const Vessel& ContactModel::vessel() const {
@@ -432,7 +433,7 @@ grains::FillResult ContactModel::fill(const lattice::Rectangle& region,
                                       std::span<const std::size_t> counts) {
   grains::check_counts(grains(), counts);
   lattice::check(region);
-  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+  return impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
     return grains::fill_region(state, occupancy, region, counts);
   });
 }
@@ -441,21 +442,21 @@ grains::FillResult ContactModel::deposit(const lattice::Rectangle& region,
                                          std::span<const std::size_t> counts) {
   grains::check_counts(grains(), counts);
   lattice::check(region);
-  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+  return impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
     return grains::deposit_in(state, occupancy, region, counts);
   });
 }
 
 void ContactModel::remove_wall(std::size_t wall) {
   static_cast<void>(grains().walls.at(wall));
-  impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+  impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
     return grains::remove_wall(state, occupancy, wall);
   });
 }
 
 bool ContactModel::insert_wall(std::size_t wall) {
   static_cast<void>(grains().walls.at(wall));
-  return impl_->change([&](grains::State& state, grains::Occupancy& occupancy) {
+  return impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
     return grains::insert_wall(state, occupancy, wall);
   });
 }

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "clca/grains/separation.hpp"
 #include "contact/rule/bodies.hpp"
+#include "grains/internal/separation.hpp"
 
 namespace clca::contact {
 
 namespace {
 
-/// Of a kind.
+/// Disc of a kind.
 struct GrainDisc {
   Eigen::Vector2d centroid;  // from the site of a grain
   double radius = 0;         // of a disc of the same area
@@ -25,14 +25,14 @@ std::vector<GrainDisc> grain_discs(const std::vector<grains::Kind>& kinds) {
   return result;
 }
 
-/// Puts place and branch: on the line of centres, by the radii; below a grain on a wall.
+/// Sets point and branch: on the line of centres, divided by the radii; below the grain for a wall.
 void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_kind, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
   const GrainDisc& disc = by_kind[upper.kind];
   const Eigen::Vector2d centre = lattice::position(upper.site()) + disc.centroid;
   if (!grains::is_particle(force.other)) {
     force.branch = disc.radius * force.normal;
-    force.place = centre - force.branch;
+    force.point = centre - force.branch;
     return;
   }
   const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
@@ -40,12 +40,12 @@ void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_k
   force.branch =
       disc.centroid - other_disc.centroid -
       lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
-  force.place = centre - disc.radius / (disc.radius + other_disc.radius) * force.branch;
+  force.point = centre - disc.radius / (disc.radius + other_disc.radius) * force.branch;
 }
 
 using Sum = ForceSums::Sum;
 
-/// The same for two grains whichever is the upper one.
+/// Key of a pair, the same in either order.
 std::pair<grains::Owner, grains::Owner> bodies(const Sum& sum) {
   const auto upper = static_cast<grains::Owner>(sum.upper);
   return grains::is_particle(sum.other) && sum.other < upper ? std::pair(sum.other, upper)
@@ -62,8 +62,8 @@ Sum sum_of(const Force& force) {
   const Eigen::Vector2d on_upper = force.on_upper();
   return {.upper = force.upper,
           .other = force.other,
-          .place_x = force.place.x(),
-          .place_y = force.place.y(),
+          .place_x = force.point.x(),
+          .place_y = force.point.y(),
           .normal_x = force.normal.x(),
           .normal_y = force.normal.y(),
           .branch_x = force.branch.x(),
@@ -85,7 +85,7 @@ void add_one(ForceSums& sums, Sum later) {
   sum = later;
 }
 
-/// Of sums that were read from a file.
+/// Rebuilds the index of sums that were loaded.
 void find_places(ForceSums& sums) {
   if (sums.places.empty()) {
     for (std::size_t i = 0; i < sums.sums.size(); ++i) {
@@ -167,7 +167,7 @@ std::vector<Force> means(const ForceSums& sums) {
         Eigen::Vector2d(sum.force_x, sum.force_y) / static_cast<double>(sums.steps);
     result.push_back({.upper = sum.upper,
                       .other = sum.other,
-                      .place = {sum.place_x, sum.place_y},
+                      .point = {sum.place_x, sum.place_y},
                       .normal = normal,
                       .branch = {sum.branch_x, sum.branch_y},
                       .along_normal = mean.dot(normal),

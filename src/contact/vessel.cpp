@@ -12,7 +12,7 @@ namespace clca::contact {
 namespace {
 
 constexpr int kTurnBits = 64;
-constexpr std::int32_t kFarthestCentre = 1 << 30;
+constexpr std::int32_t kMaxCentre = 1 << 30;
 
 std::int64_t rounded(double value, int bits) {
   return std::llround(std::ldexp(value, bits));
@@ -25,7 +25,7 @@ void check(bool sane, const char* reason) {
 }
 
 void set_centre(Vessel& vessel, const Eigen::Vector2d& centre) {
-  check((centre.array().abs() <= std::ldexp(kFarthestCentre, -kCentreBits)).all(),
+  check((centre.array().abs() <= std::ldexp(kMaxCentre, -kCentreBits)).all(),
         "the centre of the vessel is too far away");
   vessel.centre_x = static_cast<std::int32_t>(rounded(centre.x(), kCentreBits));
   vessel.centre_y = static_cast<std::int32_t>(rounded(centre.y(), kCentreBits));
@@ -36,7 +36,7 @@ void set_centre(Vessel& vessel, const Eigen::Vector2d& centre) {
 Angle angle_of(double degrees) {
   check(std::isfinite(degrees), "an angle is no number");
   const double turns = degrees / 360;
-  // Two bits fewer than there are, as the whole turn would not fit a signed number.
+  // Two bits fewer, as a full turn does not fit a signed number.
   return static_cast<Angle>(rounded(turns - std::floor(turns), kTurnBits - 2)) << 2U;
 }
 
@@ -54,7 +54,7 @@ Vessel tilted(const Vessel& /*vessel*/, Angle to) {
 
 Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
                const Eigen::Vector2d& centre) {
-  check(degrees_per_step > 0 && degrees_per_step <= 360 * kMostTurnsPerStep,
+  check(degrees_per_step > 0 && degrees_per_step <= 360 * kMaxTurnsPerStep,
         "a vessel tilts too fast or not at all");
   const auto way = static_cast<std::int64_t>(to - vessel.angle);
   const double steps = std::ceil(std::abs(degrees(to - vessel.angle)) / degrees_per_step);
@@ -71,7 +71,7 @@ Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
 }
 
 Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre) {
-  check(std::abs(turns_per_step) <= kMostTurnsPerStep, "a vessel turns too fast");
+  check(std::abs(turns_per_step) <= kMaxTurnsPerStep, "a vessel turns too fast");
   Vessel result = at_rest(vessel);
   const std::int64_t turn = rounded(turns_per_step, kTurnBits);
   check(turn != 0, "a vessel does not turn");
@@ -83,8 +83,8 @@ Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector
 }
 
 Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways) {
-  check(gamma >= 0 && gamma <= kStrongestShaking, "a vessel is shaken too strongly");
-  check(cycles_per_step > 0 && cycles_per_step <= kMostCyclesPerStep,
+  check(gamma >= 0 && gamma <= kMaxShakeGamma, "a vessel is shaken too strongly");
+  check(cycles_per_step > 0 && cycles_per_step <= kMaxCyclesPerStep,
         "a vessel is shaken too fast or not at all");
   Vessel result = at_rest(vessel);
   result.strength = fixed(gamma, kRatioBits);
@@ -108,11 +108,11 @@ void check_valid(const Vessel& vessel) {
     return std::abs(std::ldexp(static_cast<double>(static_cast<std::int64_t>(turn)), -kTurnBits));
   };
   const auto in_range = [](std::int32_t value) {
-    return value >= -kFarthestCentre && value <= kFarthestCentre;
+    return value >= -kMaxCentre && value <= kMaxCentre;
   };
-  const bool sane = size(vessel.turn) <= kMostTurnsPerStep &&
-                    size(vessel.phase_step) <= kMostCyclesPerStep && vessel.strength >= 0 &&
-                    vessel.strength <= fixed(kStrongestShaking, kRatioBits) &&
+  const bool sane = size(vessel.turn) <= kMaxTurnsPerStep &&
+                    size(vessel.phase_step) <= kMaxCyclesPerStep && vessel.strength >= 0 &&
+                    vessel.strength <= fixed(kMaxShakeGamma, kRatioBits) &&
                     in_range(vessel.centre_x) && in_range(vessel.centre_y);
   check(sane, "the motion of the vessel is out of range");
 }

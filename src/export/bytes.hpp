@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as bytes in the order of the machine, which both binary formats take to be little-endian.
+// Numbers as bytes in machine order; both binary formats expect little-endian.
 
 #include <bit>
 #include <cstdint>

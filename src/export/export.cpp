@@ -33,19 +33,19 @@ std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
   return std::make_unique<XyzWriter>(file, scene, kinds);
 }
 
-std::vector<std::size_t> chosen(const std::vector<store::Trajectory::Frame>& frames,
-                                const Choice& choice) {
+std::vector<std::size_t> selected_frames(const std::vector<store::Trajectory::Frame>& frames,
+                                         const FrameSelection& selection) {
   if (frames.empty()) {
     throw ExportError("the trajectory has no frames yet");
   }
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto& [step, stage, particles] = frames[i];
-    if (step < choice.from.value_or(0) || step > choice.until.value_or(step)) {
+    if (step < selection.from.value_or(0) || step > selection.until.value_or(step)) {
       continue;
     }
     if (result.empty() || frames[result.back()].stage != stage ||
-        step - frames[result.back()].step >= choice.every) {
+        step - frames[result.back()].step >= selection.every) {
       result.push_back(i);
     }
   }
@@ -56,10 +56,10 @@ std::vector<std::size_t> chosen(const std::vector<store::Trajectory::Frame>& fra
   return result;
 }
 
-std::size_t write(const store::Trajectory& trajectory, const Choice& choice, Writer& writer,
-                  const std::atomic<int>& stop) {
+std::size_t write(const store::Trajectory& trajectory, const FrameSelection& selection,
+                  Writer& writer, const std::atomic<int>& stop) {
   std::size_t written = 0;
-  for (const std::size_t frame : chosen(trajectory.frames(), choice)) {
+  for (const std::size_t frame : selected_frames(trajectory.frames(), selection)) {
     if (stop.load() != 0) {
       break;
     }

@@ -32,7 +32,7 @@ Eigen::Vector2d last_move(grains::Move move) {
   return lattice::position(lattice::unit(static_cast<lattice::Direction>(move)));
 }
 
-/// The first orientation of the species that looks like the kind, in degrees.
+/// The first orientation of the species that gives this kind, in degrees.
 int degrees_of(const scene::Species& species, const grains::Kind& kind) {
   const auto found =
       std::find_if(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
@@ -89,9 +89,9 @@ double velocity_unit(const scene::Scene& scene) {
   return conversion ? conversion->velocity(1) : 1;
 }
 
-std::vector<KindLook> kind_looks(const scene::Scene& scene,
-                                 const std::vector<grains::Kind>& kinds) {
-  std::vector<KindLook> looks;
+std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
+                                             const std::vector<grains::Kind>& kinds) {
+  std::vector<KindAppearance> looks;
   for (const grains::Kind& kind : kinds) {
     const scene::Species& species = scene.species[kind.species];
     const auto same_species =

@@ -1,5 +1,5 @@
 #pragma once
-// What all formats say of a state.
+// Data of a state used by all formats.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace clca::exports {
 
-/// A particle that is present; lengths in lattice spacings.
+/// A present particle; lengths in lattice spacings.
 struct Body {
   Eigen::Vector2d centre;        ///< of mass, in the box
   Eigen::Vector2d velocity;      ///< of the automaton the last move: spacings a step
-  Eigen::Vector2d displacement;  ///< from its origin, across a periodic seam too
+  Eigen::Vector2d displacement;  ///< from its origin, across a periodic boundary, too
   std::uint32_t id = 0;
   int image = 0;    ///< widths of a periodic box that it has gone to the right
   float force = 0;  ///< of the automaton see measure::force_indices, else contact::loads
@@ -27,18 +27,19 @@ struct Body {
 std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& contact = {},
                          double velocity_unit = 1);
 
-/// What the particles of a kind have in common.
-struct KindLook {
+/// Appearance of a kind of particles.
+struct KindAppearance {
   std::string name;  ///< SPECIES, or SPECIES@DEGREES where the species has several kinds
   std::uint16_t species = 0;
   std::vector<Eigen::Vector2d> outline;  ///< corners from the centre of mass, anticlockwise
 };
 
-/// Of a step in the unit of time of the run: 1 where that is a step.
+/// Length of a step in the unit of time of the run; 1 if steps have no length.
 double time_step(const scene::Scene& scene);
-/// Of a spacing a step in the unit of velocity of the run: likewise.
+/// One spacing per step in the unit of velocity of the run; 1 likewise.
 double velocity_unit(const scene::Scene& scene);
 
-std::vector<KindLook> kind_looks(const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
+std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
+                                             const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::exports

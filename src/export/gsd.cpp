@@ -39,7 +39,7 @@ GsdChunk chunk(Chunk name, GsdType type, std::uint64_t rows, std::uint32_t colum
   return {static_cast<std::uint16_t>(name), type, rows, columns};
 }
 
-/// Texts as rows of equal length, filled up with zeros.
+/// Texts as rows of equal length, padded with zeros.
 void write_texts(GsdFile& file, Chunk name, const std::vector<std::string>& texts) {
   std::size_t length = 0;
   for (const std::string& text : texts) {
@@ -77,7 +77,7 @@ GsdWriter::GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
     : file_(file.create(), chunk_names()),
       velocity_unit_(velocity_unit(scene)),
-      kinds_(kind_looks(scene, kinds)) {}
+      kinds_(kind_appearances(scene, kinds)) {}
 
 void GsdWriter::add(const grains::State& state, const store::ContactFrame& contact) {
   const std::vector<Body> all = bodies(state, contact, velocity_unit_);
@@ -124,7 +124,7 @@ void GsdWriter::add_particles(const lattice::Lattice& lattice, const std::vector
               column(all, [](Bytes& to, const Body& body) { append(to, body.force); }));
 }
 
-// One layer of height 1: readers that turn the box into a matrix can invert it.
+// One layer of height 1, so that readers can invert the box matrix.
 void GsdWriter::add_fixed(const lattice::Lattice& lattice) {
   Bytes box;
   for (const double length : {lattice.size().x(), lattice.size().y(), 1.0, 0.0, 0.0, 0.0}) {
@@ -132,7 +132,7 @@ void GsdWriter::add_fixed(const lattice::Lattice& lattice) {
   }
   std::vector<std::string> names;
   std::vector<std::string> shapes;
-  for (const KindLook& kind : kinds_) {
+  for (const KindAppearance& kind : kinds_) {
     names.push_back(kind.name);
     shapes.push_back(shape_json(kind.outline));
   }

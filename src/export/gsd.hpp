@@ -22,7 +22,7 @@ class GsdWriter : public Writer {
 
   GsdFile file_;
   double velocity_unit_;
-  std::vector<KindLook> kinds_;
+  std::vector<KindAppearance> kinds_;
   bool first_ = true;
 };
 

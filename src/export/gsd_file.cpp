@@ -29,7 +29,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 256);
 
-/// One after the other, each ended by a zero.
+/// Concatenated names, each terminated by a zero.
 Bytes name_list(const std::vector<std::string>& names) {
   Bytes bytes;
   for (const std::string& name : names) {

@@ -35,7 +35,7 @@ class GsdFile {
   /// All names that chunks will have. The schema is "hoomd" 1.4.
   GsdFile(store::AtomicFile file, std::vector<std::string> names);
 
-  /// Within a frame names must grow.
+  /// Within a frame names must ascend.
   void write(const GsdChunk& chunk, std::span<const std::uint8_t> numbers);
   void end_frame() { ++frame_; }
   /// Writes names, index and header.

@@ -29,7 +29,7 @@ std::vector<std::optional<lattice::Axial>> places_of(const std::vector<grains::W
   return places;
 }
 
-/// Sites as vectors from the first one of the lattice, sorted.
+/// Sites as vectors from the first site of the lattice, sorted.
 std::vector<lattice::Axial> from_origin(const std::vector<lattice::Site>& sites) {
   std::vector<lattice::Axial> result;
   for (const lattice::Site site : sites) {
@@ -52,7 +52,7 @@ void add_polygon(VtpFile& file, const render::Trapezoid& piece) {
   file.end_polygon();
 }
 
-/// What is in the text of an attribute.
+/// Escapes text for an attribute.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char character : text) {
@@ -82,7 +82,7 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
       velocity_unit_(velocity_unit(scene)),
       species_names_(names_of(scene.species)),
       wall_names_(names_of(scene.walls)),
-      kinds_(kind_looks(scene, kinds)) {
+      kinds_(kind_appearances(scene, kinds)) {
   collection_.create();  // throws where it cannot be written, before anything else is
 }
 
@@ -127,7 +127,7 @@ void VtpWriter::write_particles(const std::string& file, const grains::State& st
   Bytes displacement;
   Bytes force;
   for (const Body& body : bodies(state, contact, velocity_unit_)) {
-    const KindLook& look = kinds_[body.kind];
+    const KindAppearance& look = kinds_[body.kind];
     for (const Eigen::Vector2d& corner : look.outline) {
       polygons.add_corner(body.centre + corner);
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Files of VTK: one of the particles for each frame, one of the walls whenever they have changed,
-// and a collection (.pvd) that says which belong to which step.
+// VTK files: particles for each frame, walls whenever they have changed, and a collection (.pvd)
+// that assigns them to steps.
 
 #include <optional>
 #include <string>
@@ -20,13 +20,13 @@ class VtpWriter : public Writer {
   void finish() override;
 
  private:
-  /// Where a wall is; nowhere when it is not there.
+  /// Position of a wall; none if it is not present.
   using Place = std::optional<lattice::Axial>;
 
   /// STEM-000120.vtp beside the collection; STEM-000120-2.vtp for a second frame of that step.
   std::string beside(const std::string& part, std::uint64_t step) const;
-  /// Of this frame, in steps, or the unit of time of scene::Conversion: a little more for a second
-  /// frame of a step, as no two can be at one time.
+  /// Time of this frame, in steps or the unit of time of scene::Conversion; slightly later for a
+  /// second frame of a step, as times must differ.
   double time(std::uint64_t step) const;
   void count_frame(std::uint64_t step);
   void write_particles(const std::string& file, const grains::State& state,
@@ -39,7 +39,7 @@ class VtpWriter : public Writer {
   double velocity_unit_;
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
-  std::vector<KindLook> kinds_;
+  std::vector<KindAppearance> kinds_;
   std::vector<Place> seen_;  // the walls that wall_file_ shows
   std::string wall_file_;
   std::optional<std::uint64_t> step_;  // of the last frame

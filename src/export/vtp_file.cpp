@@ -8,7 +8,7 @@ namespace clca::exports {
 
 namespace {
 
-/// Arrays behind the XML text, each after its length in bytes.
+/// Arrays appended to the XML text, each after its length in bytes.
 class Appended {
  public:
   /// The element that stands for the array.
@@ -53,7 +53,7 @@ void VtpFile::add_cell_data(std::string_view name, std::string_view type, int co
   cell_data_.push_back({std::string(name), std::string(type), components, std::move(numbers)});
 }
 
-// Texts are numbers of characters there, each ended by a zero.
+// Texts are stored as character codes, each text terminated by a zero.
 void VtpFile::set_names(std::string_view name, const std::vector<std::string>& texts) {
   names_ = fmt::format(R"(<DataArray Name="{}" type="String" NumberOfTuples="{}" format="ascii">)",
                        name, texts.size());

@@ -25,7 +25,7 @@ void append_vector(Text& text, const Eigen::Vector2d& vector) {
   append_number(text, 0);
 }
 
-/// The line that says what follows. A box of one layer, half of it on either side of the plane.
+/// The comment line of a frame. The box is one layer, half on either side of the plane.
 void append_comment(Text& text, const grains::State& state, double time_step) {
   const Eigen::Vector2d corner = lattice::Lattice::corner();
   const Eigen::Vector2d size = state.lattice.size();

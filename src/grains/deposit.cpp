@@ -1,5 +1,3 @@
-#include "clca/grains/deposit.hpp"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -7,8 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "clca/grains/footprint.hpp"
 #include "clca/random/draw.hpp"
+#include "grains/internal/filling.hpp"
+#include "grains/internal/footprint.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
@@ -17,8 +16,8 @@ namespace {
 
 using lattice::Direction;
 
-/// Least and greatest, both included.
-struct Span {
+/// Integers from `low` to `high`, inclusive.
+struct IntegerRange {
   int low = 0;
   int high = -1;
 
@@ -27,16 +26,16 @@ struct Span {
 };
 
 /// The lowest and the highest site of a kind in one of the columns it covers.
-struct Edge {
+struct ColumnEnds {
   lattice::Axial bottom;
   lattice::Axial top;
 };
 
 /// Where the reference site of a kind may stand so that all its sites lie in the region.
 struct Room {
-  Span columns;
-  std::array<Span, 2> rows;  ///< in even and odd columns
-  std::vector<Edge> edges;
+  IntegerRange columns;
+  std::array<IntegerRange, 2> rows;  ///< in even and odd columns
+  std::vector<ColumnEnds> ends_by_column;
 
   bool contains(lattice::Site site) const {
     return columns.contains(site.column) &&
@@ -44,21 +43,21 @@ struct Room {
   }
 };
 
-std::vector<Edge> edges_of(const lattice::Shape& shape) {
-  std::vector<Edge> edges;
+std::vector<ColumnEnds> ends_by_column_of(const lattice::Shape& shape) {
+  std::vector<ColumnEnds> ends_by_column;
   for (const lattice::Axial part : shape.sites()) {  // sorted by x, then q
-    if (edges.empty() || edges.back().bottom.x != part.x) {
-      edges.push_back({part, part});
+    if (ends_by_column.empty() || ends_by_column.back().bottom.x != part.x) {
+      ends_by_column.push_back({part, part});
     }
-    edges.back().top = part;
+    ends_by_column.back().top = part;
   }
-  return edges;
+  return ends_by_column;
 }
 
-/// The numbers from `low` to `high` for which `inside` holds; they follow one another.
+/// The integers from `low` to `high` for which `inside` holds; they are consecutive.
 template <class Inside>
-Span span_where(int low, int high, Inside inside) {
-  Span span = {high + 1, high};
+IntegerRange range_where(int low, int high, Inside inside) {
+  IntegerRange span = {high + 1, high};
   for (int value = low; value <= high; ++value) {
     if (inside(value)) {
       span.low = std::min(span.low, value);
@@ -71,9 +70,9 @@ Span span_where(int low, int high, Inside inside) {
 }
 
 /// Fair coins of one particle.
-class Coins {
+class CoinFlips {
  public:
-  Coins(std::uint64_t seed, std::uint32_t id) : seed_(seed), id_(id) {}
+  CoinFlips(std::uint64_t seed, std::uint32_t id) : seed_(seed), id_(id) {}
 
   bool heads() {
     if (left_ == 0) {
@@ -96,7 +95,7 @@ class Coins {
 
 class Deposit {
  public:
-  Deposit(State& state, Occupancy& occupancy, const lattice::Rectangle& region)
+  Deposit(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region)
       : state_(state), occupancy_(occupancy), region_(region), footprints_(state, {}) {
     rooms_.reserve(state.kinds.size());
     for (const Kind& kind : state.kinds) {
@@ -108,7 +107,7 @@ class Deposit {
     }
   }
 
-  /// Returns false, with nothing changed, where no column has room.
+  /// Returns false and changes nothing if no column has room.
   bool place(std::uint16_t kind) {
     const Room& room = rooms_[kind];
     const auto id = static_cast<std::uint32_t>(state_.particles.size());
@@ -134,16 +133,17 @@ class Deposit {
  private:
   Room room_of(const lattice::Shape& shape) const {
     Room room;
-    room.edges = edges_of(shape);
+    room.ends_by_column = ends_by_column_of(shape);
     const lattice::Lattice& lattice = state_.lattice;
     const auto fits_across = [&](int column) {
-      return std::all_of(room.edges.begin(), room.edges.end(), [&](const Edge& edge) {
-        const int at = lattice.wrapped(column + edge.bottom.x);
-        const double x = lattice::position(lattice::Site{at, 0}).x();
-        return at >= 0 && at < lattice.columns() && x >= region_.left && x < region_.right;
-      });
+      return std::all_of(
+          room.ends_by_column.begin(), room.ends_by_column.end(), [&](const ColumnEnds& ends) {
+            const int at = lattice.wrapped(column + ends.bottom.x);
+            const double x = lattice::position(lattice::Site{at, 0}).x();
+            return at >= 0 && at < lattice.columns() && x >= region_.left && x < region_.right;
+          });
     };
-    room.columns = span_where(0, lattice.columns() - 1, fits_across);
+    room.columns = range_where(0, lattice.columns() - 1, fits_across);
     for (const int parity : {0, 1}) {
       const auto fits_up = [&](int row) {
         return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {
@@ -153,12 +153,12 @@ class Deposit {
                  y < region_.top;
         });
       };
-      room.rows[static_cast<std::size_t>(parity)] = span_where(0, lattice.rows() - 1, fits_up);
+      room.rows[static_cast<std::size_t>(parity)] = range_where(0, lattice.rows() - 1, fits_up);
     }
     return room;
   }
 
-  /// Below the top of the region; one less than the lowest row where there is none.
+  /// Highest taken row below the top of the region; -1 if there is none.
   int highest_taken(int column) const {
     int row = state_.lattice.rows() - 1;
     while (row >= 0 && (lattice::position(lattice::Site{column, row}).y() >= region_.top ||
@@ -172,14 +172,14 @@ class Deposit {
     return static_cast<std::size_t>(state_.lattice.wrapped(column));
   }
 
-  /// The lowest row in the column at which all that lies below is under the particle; none above
-  /// the region.
+  /// The lowest row of the column in which the particle is above everything that lies there; none
+  /// above the region.
   std::optional<int> landing(const Room& room, int column) const {
-    const Span& rows = room.rows[lattice::is_odd(column) ? 1 : 0];
+    const IntegerRange& rows = room.rows[lattice::is_odd(column) ? 1 : 0];
     int lowest = rows.low;
-    for (const Edge& edge : room.edges) {
-      const int bottom = (lattice::Site{column, 0} + edge.bottom).row;
-      lowest = std::max(lowest, surface_[surface_place(column + edge.bottom.x)] - bottom);
+    for (const ColumnEnds& ends : room.ends_by_column) {
+      const int bottom = (lattice::Site{column, 0} + ends.bottom).row;
+      lowest = std::max(lowest, surface_[surface_place(column + ends.bottom.x)] - bottom);
     }
     return lowest <= rows.high ? std::optional(lowest) : std::nullopt;
   }
@@ -204,7 +204,7 @@ class Deposit {
   }
 
   void roll_down(Particle& particle, std::uint32_t id) const {
-    Coins coins(state_.seed, id);
+    CoinFlips coins(state_.seed, id);
     while (const auto direction = way_down(particle, coins)) {
       const lattice::Site target = particle.site() + unit(*direction);
       particle.column = target.column;
@@ -212,8 +212,8 @@ class Deposit {
     }
   }
 
-  /// Down, or else down to a side that is free, both alike. None at rest.
-  std::optional<Direction> way_down(const Particle& particle, Coins& coins) const {
+  /// Down if free, else a free side, either with equal probability. None at rest.
+  std::optional<Direction> way_down(const Particle& particle, CoinFlips& coins) const {
     if (free(particle, Direction::down)) {
       return Direction::down;
     }
@@ -227,21 +227,21 @@ class Deposit {
   }
 
   void raise_surface(const Particle& particle) {
-    for (const Edge& edge : rooms_[particle.kind].edges) {
-      int& surface = surface_[surface_place(particle.column + edge.top.x)];
-      surface = std::max(surface, (particle.site() + edge.top).row + 1);
+    for (const ColumnEnds& ends : rooms_[particle.kind].ends_by_column) {
+      int& surface = surface_[surface_place(particle.column + ends.top.x)];
+      surface = std::max(surface, (particle.site() + ends.top).row + 1);
     }
   }
 
   State& state_;
-  Occupancy& occupancy_;
+  OccupancyTable& occupancy_;
   lattice::Rectangle region_;
   FootprintTable footprints_;
   std::vector<Room> rooms_;   // of each kind
   std::vector<int> surface_;  // of each column: above the highest taken row
 };
 
-/// The species of the next particle: in proportion to how many are still to come.
+/// The species of the next particle, drawn in proportion to the numbers still to be placed.
 std::size_t next_species(const State& state, std::span<const std::size_t> left,
                          std::uint64_t all_left) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
@@ -254,7 +254,7 @@ std::size_t next_species(const State& state, std::span<const std::size_t> left,
   return species;
 }
 
-/// In an orientation drawn, or in the next one that has room.
+/// In a random orientation, or the next one that fits.
 bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
   const std::uint64_t drawn =
@@ -269,7 +269,7 @@ bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint
 
 }  // namespace
 
-FillResult deposit_in(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
                       std::span<const std::size_t> counts) {
   const std::size_t first = state.particles.size();
   std::vector<std::size_t> left(counts.begin(), counts.end());
@@ -288,7 +288,7 @@ FillResult deposit_in(State& state, Occupancy& occupancy, const lattice::Rectang
       ++result.placed[species];
       --left[species];
       --all_left;
-    } else {  // nor will it later: what lies there only grows
+    } else {  // nor will it fit later: the packing only grows
       all_left -= std::exchange(left[species], 0);
       result.complete = false;
     }

@@ -1,18 +1,17 @@
-#include "clca/grains/fill.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "clca/random/draw.hpp"
+#include "grains/internal/filling.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
 
 namespace {
 
-/// A place to try: a site of the region and a kind of the species.
+/// A position to try: a site of the region and a kind of the species.
 struct Trial {
   lattice::Site site;
   std::uint16_t kind = 0;
@@ -43,9 +42,9 @@ std::vector<Trial> all_trials(const std::vector<lattice::Site>& sites,
   return trials;
 }
 
-/// Tries every place once in random order (Fisher and Yates, as far as needed): a place that has
-/// failed never fits again, so what is not placed in the end does not fit.
-std::size_t place_species(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+/// Tries every position once in random order (Fisher-Yates, as far as needed). A position that has
+/// failed once never fits again.
+std::size_t place_species(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
                           std::vector<Trial> trials, std::size_t count) {
   const auto first_id = static_cast<std::uint32_t>(state.particles.size());
   std::size_t placed = 0;
@@ -75,7 +74,7 @@ void check_counts(const State& state, std::span<const std::size_t> counts) {
   }
 }
 
-FillResult fill_region(State& state, Occupancy& occupancy, const lattice::Rectangle& region,
+FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
                        std::span<const std::size_t> counts) {
   const std::size_t first = state.particles.size();
   const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);

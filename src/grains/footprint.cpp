@@ -1,9 +1,9 @@
-#include "clca/grains/footprint.hpp"
+#include "grains/internal/footprint.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "clca/grains/site_bits.hpp"
+#include "grains/internal/bitboard.hpp"
 
 namespace clca::grains {
 
@@ -22,8 +22,8 @@ std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
   return result;
 }
 
-/// Columns and rows that sites cover, seen from the reference site.
-struct Covered {
+/// Bounding box of sites relative to the reference site.
+struct SiteExtent {
   lattice::Site low;
   lattice::Site high;
 
@@ -38,8 +38,8 @@ lattice::Site seen_from(bool odd_column, Axial site) {
   return {to.column - from.column, to.row};
 }
 
-Covered extent_of(const std::vector<Axial>& sites, bool odd_column) {
-  Covered extent;
+SiteExtent extent_of(const std::vector<Axial>& sites, bool odd_column) {
+  SiteExtent extent;
   for (const Axial site : sites) {
     const lattice::Site at = seen_from(odd_column, site);
     extent.low = {std::min(extent.low.column, at.column), std::min(extent.low.row, at.row)};
@@ -48,26 +48,27 @@ Covered extent_of(const std::vector<Axial>& sites, bool odd_column) {
   return extent;
 }
 
-/// The windows that lie side by side from `low` on, as far as they have sites.
-std::vector<Patch> patches(const std::vector<Axial>& sites, bool odd_column, lattice::Site low) {
-  std::vector<Patch> result;
+/// The masks of the adjacent windows from `low` on that contain sites.
+std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_column,
+                                     lattice::Site low) {
+  std::vector<WindowMask> result;
   for (const Axial site : sites) {
     const lattice::Site at = seen_from(odd_column, site);
     const int column = (at.column - low.column) / kWindow * kWindow + low.column;
     const int row = (at.row - low.row) / kWindow * kWindow + low.row;
-    auto patch = std::find_if(result.begin(), result.end(), [&](const Patch& one) {
+    auto mask = std::find_if(result.begin(), result.end(), [&](const WindowMask& one) {
       return one.column == column && one.row == row;
     });
-    if (patch == result.end()) {
-      patch = result.insert(patch, {.column = column, .row = row, .sites = 0});
+    if (mask == result.end()) {
+      mask = result.insert(mask, {.column = column, .row = row, .sites = 0});
     }
     const int bit = at.column - column + kWindow * (at.row - row);
-    patch->sites |= std::uint64_t{1} << static_cast<unsigned>(bit);
+    mask->sites |= std::uint64_t{1} << static_cast<unsigned>(bit);
   }
   return result;
 }
 
-/// Sites from which a candidate move leads into one of `vacated`. Those of `left_out` are dropped.
+/// Sites from which a candidate move leads into one of `vacated`, except those of `left_out`.
 std::vector<Axial> upstream(const std::vector<Axial>& vacated,
                             std::span<const Direction> candidates,
                             const std::vector<Axial>& left_out) {
@@ -110,7 +111,7 @@ Footprint make_footprint(const lattice::Lattice& lattice, const lattice::Shape& 
     wake[index_of(direction)] = upstream(shape.trail(direction), candidates, swept);
     all = merged(merged(all, swept), wake[index_of(direction)]);
   }
-  const Covered extent = extent_of(all, odd_column);
+  const SiteExtent extent = extent_of(all, odd_column);
   Footprint footprint;
   footprint.one_window = extent.fits_a_window();
   footprint.corner = extent.low;
@@ -123,12 +124,12 @@ Footprint make_footprint(const lattice::Lattice& lattice, const lattice::Shape& 
     footprint.trail[d] = offsets(lattice, trail, odd_column);
     footprint.exchanges[d] = exchanges(footprint.lead[d], footprint.trail[d]);
     footprint.wake[d] = offsets(lattice, wake[d], odd_column);
-    footprint.lead_patches[d] = patches(lead, odd_column, extent.low);
-    footprint.swapped_patches[d] = patches(merged(lead, trail), odd_column, extent.low);
+    footprint.lead_masks[d] = window_masks(lead, odd_column, extent.low);
+    footprint.swapped_masks[d] = window_masks(merged(lead, trail), odd_column, extent.low);
     if (footprint.one_window) {
-      const std::vector<Patch> woken = patches(wake[d], odd_column, extent.low);
-      footprint.windows[d] = {.lead = footprint.lead_patches[d].front().sites,
-                              .swapped = footprint.swapped_patches[d].front().sites,
+      const std::vector<WindowMask> woken = window_masks(wake[d], odd_column, extent.low);
+      footprint.windows[d] = {.lead = footprint.lead_masks[d].front().sites,
+                              .swapped = footprint.swapped_masks[d].front().sites,
                               .wake = woken.empty() ? 0 : woken.front().sites};
     }
   }

@@ -14,19 +14,19 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;  // for clang 14
 
-/// Of sites.
+/// A rational number of sites.
 struct Ratio {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;  // positive, below 2^50
 };
 
-/// The nearest whole number, halves away from zero.
+/// Nearest integer; halves round away from zero.
 std::int32_t rounded(const Ratio& ratio) {
   const std::int64_t half = ratio.numerator < 0 ? -ratio.denominator / 2 : ratio.denominator / 2;
   return static_cast<std::int32_t>((ratio.numerator + half) / ratio.denominator);
 }
 
-/// In 2^-20 lattice spacings, towards zero: by long division, so that nothing overflows.
+/// In 2^-20 lattice spacings, rounded towards zero. Long division, so that nothing overflows.
 std::int64_t fine(const Ratio& ratio) {
   constexpr std::int64_t kDigit = 1 << 10;
   static_assert(kDigit * kDigit == kSpacing);
@@ -50,7 +50,7 @@ Ratio half_triangle(std::int64_t amplitude, std::int64_t t, std::int64_t half) {
   return {2 * amplitude * std::min(t, half - t), half};
 }
 
-/// Where a Wave wants to be.
+/// Offset of a Wave.
 Ratio offset_at(const Wave& wave, std::uint64_t clock) {
   // In half steps, so that half a period is a whole number.
   const auto half = static_cast<std::int64_t>(wave.period);
@@ -63,13 +63,13 @@ Ratio offset_at(const Wave& wave, std::uint64_t clock) {
   return height;
 }
 
-/// Of a Path: the last point, and how far it wants to be from there.
-struct Leg {
+/// The last point of a Path and the rise since then.
+struct PathSegment {
   std::int32_t from = 0;
   Ratio rise;
 };
 
-Leg leg_at(const Path& path, std::uint64_t clock) {
+PathSegment segment_at(const Path& path, std::uint64_t clock) {
   const auto next = std::upper_bound(
       path.points.begin(), path.points.end(), clock,
       [](std::uint64_t step, const Path::Point& point) { return step < point.step; });
@@ -83,7 +83,7 @@ Leg leg_at(const Path& path, std::uint64_t clock) {
                    static_cast<std::int64_t>(next->step - before.step)}};
 }
 
-// Where motions want to be after `clock` steps, in 2^-20 lattice spacings.
+// Offset of a motion after `clock` steps, in 2^-20 lattice spacings.
 std::int64_t position(const Drive& drive, std::uint64_t clock) {
   const auto distance = static_cast<std::uint64_t>(drive.distance);
   return clock / drive.period >= distance
@@ -94,8 +94,8 @@ std::int64_t position(const Wave& wave, std::uint64_t clock) {
   return fine(offset_at(wave, clock));
 }
 std::int64_t position(const Path& path, std::uint64_t clock) {
-  const Leg leg = leg_at(path, clock);
-  return leg.from * kSpacing + fine(leg.rise);
+  const PathSegment segment = segment_at(path, clock);
+  return segment.from * kSpacing + fine(segment.rise);
 }
 
 template <class Program>
@@ -155,18 +155,18 @@ void turn(const Shake& shake, Travel& travel) {
 
 }  // namespace
 
-Range range_of(const Motion& motion) {
+OffsetRange range_of(const WallMotion& motion) {
   return std::visit(Overloaded{[](const Drive& drive) {
-                                 return Range{0, drive.distance};
+                                 return OffsetRange{0, drive.distance};
                                },
                                [](const Wave& wave) {
-                                 return Range{-wave.amplitude, wave.amplitude};
+                                 return OffsetRange{-wave.amplitude, wave.amplitude};
                                },
                                [](const Shake& shake) {
-                                 return Range{0, shake.amplitude};
+                                 return OffsetRange{0, shake.amplitude};
                                },
                                [](const Path& path) {
-                                 Range range;
+                                 OffsetRange range;
                                  for (const Path::Point& point : path.points) {
                                    range.low = std::min(range.low, point.offset);
                                    range.high = std::max(range.high, point.offset);
@@ -176,7 +176,7 @@ Range range_of(const Motion& motion) {
                     motion.program);
 }
 
-bool is_cyclic(const Motion& motion) {
+bool is_cyclic(const WallMotion& motion) {
   return std::holds_alternative<Shake>(motion.program) ||
          std::holds_alternative<Wave>(motion.program);
 }
@@ -186,17 +186,17 @@ std::int32_t target(const Wave& wave, std::uint64_t clock) {
 }
 
 std::int32_t target(const Path& path, std::uint64_t clock) {
-  const Leg leg = leg_at(path, clock);
-  return leg.from + rounded(leg.rise);
+  const PathSegment segment = segment_at(path, clock);
+  return segment.from + rounded(segment.rise);
 }
 
-std::int32_t velocity(const Motion& motion, const Travel& travel, std::int64_t ahead) {
+std::int32_t velocity(const WallMotion& motion, const Travel& travel, std::int64_t ahead) {
   const std::int64_t now = travel.offset * kSpacing + ahead;
   return static_cast<std::int32_t>(std::visit(
       [&](const auto& program) { return velocity_of(program, travel, now); }, motion.program));
 }
 
-bool can_be_ahead(const Motion& motion, const Travel& travel, std::int64_t ahead) {
+bool can_be_ahead(const WallMotion& motion, const Travel& travel, std::int64_t ahead) {
   constexpr std::int64_t kFar = std::int64_t{1} << 50;
   return ahead > -kFar && ahead < kFar &&
          std::visit(
@@ -206,7 +206,7 @@ bool can_be_ahead(const Motion& motion, const Travel& travel, std::int64_t ahead
              motion.program);
 }
 
-int wish(const Motion& motion, const Travel& travel) {
+int desired_step(const WallMotion& motion, const Travel& travel) {
   return std::visit(
       Overloaded{
           [&](const Drive& drive) { return due(drive, travel) ? 1 : 0; },
@@ -216,7 +216,7 @@ int wish(const Motion& motion, const Travel& travel) {
       motion.program);
 }
 
-bool is_over(const Motion& motion, const Travel& travel) {
+bool is_over(const WallMotion& motion, const Travel& travel) {
   if (const auto* drive = std::get_if<Drive>(&motion.program)) {
     return travel.offset >= drive->distance;
   }
@@ -227,7 +227,7 @@ bool is_over(const Motion& motion, const Travel& travel) {
   return false;
 }
 
-int lasting_wish(const Motion& motion, const Travel& travel) {
+int pending_step(const WallMotion& motion, const Travel& travel) {
   if (const auto* drive = std::get_if<Drive>(&motion.program)) {
     return travel.offset < drive->distance ? 1 : 0;
   }
@@ -240,13 +240,13 @@ int lasting_wish(const Motion& motion, const Travel& travel) {
   return at_last ? sign(path->points.back().offset - travel.offset) : 0;
 }
 
-void take_step(const Motion& motion, Travel& travel, int wished, bool done, std::uint64_t step,
+void take_step(const WallMotion& motion, Travel& travel, int desired, bool done, std::uint64_t step,
                std::int64_t ahead) {
   ++travel.clock;
-  if (wished != 0 && done) {
-    travel.offset += wished;
+  if (desired != 0 && done) {
+    travel.offset += desired;
     travel.stalled_since.reset();
-  } else if (wished != 0) {
+  } else if (desired != 0) {
     ++travel.stalls;
     travel.stalled_since = travel.stalled_since.value_or(step);
   }
@@ -258,7 +258,7 @@ void take_step(const Motion& motion, Travel& travel, int wished, bool done, std:
   }
 }
 
-void end_step(const Motion& motion, Travel& travel, bool particles_moved) {
+void end_step(const WallMotion& motion, Travel& travel, bool particles_moved) {
   const auto* shake = std::get_if<Shake>(&motion.program);
   if (shake == nullptr || travel.phase != Travel::Phase::waiting) {
     return;

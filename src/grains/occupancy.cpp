@@ -1,133 +1,30 @@
 #include "clca/grains/occupancy.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
+
+#include "grains/internal/occupancy_table.hpp"
 
 namespace clca::grains {
 
-namespace {
-
-/// Whether `id` may stand on a place that has `owner` already.
-bool may_share(const State& state, std::uint32_t id, Owner owner) {
-  return find_push(state, id, owner) != nullptr ||
-         (is_particle(owner) &&
-          find_push(state, static_cast<std::uint32_t>(owner), static_cast<Owner>(id)) != nullptr);
-}
-
-void put(Occupancy& occupancy, const State& state, std::size_t index, std::uint32_t id) {
-  if (!occupancy.taken(index)) {
-    occupancy.take(index, static_cast<Owner>(id));
-    return;
-  }
-  if (occupancy.second_owner(index) != kFree || !may_share(state, id, occupancy.owner(index))) {
-    throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
-  }
-  occupancy.add(index, static_cast<Owner>(id));
-}
-
-void put_wall(Occupancy& occupancy, const State& state, std::size_t number) {
-  const Wall& wall = state.walls[number];
-  for (const lattice::Site site : wall.sites) {
-    if (!wall.motion && !state.lattice.contains(site)) {
-      throw std::invalid_argument("a wall leaves the box");
-    }
-  }
-  if (!wall.present) {
-    return;
-  }
-  for (const lattice::Site site : sites_now(state.lattice, wall)) {
-    const std::size_t index = state.lattice.index(site);
-    const Owner other = occupancy.owner(index);
-    if (is_wall(other) && (wall.motion || state.walls[wall_number(other)].motion)) {
-      throw std::invalid_argument("a wall that moves stands in another wall");
-    }
-    occupancy.take(index, wall_code(number));
-  }
-}
-
-void take_border(Occupancy& occupancy, const lattice::Lattice& lattice) {
-  // A periodic lattice wraps, so its border columns are never looked at.
-  const int first = lattice.periodic() ? 0 : -1;
-  const int last = lattice.periodic() ? lattice.columns() - 1 : lattice.columns();
-  for (int column = first; column <= last; ++column) {
-    occupancy.take(lattice.index({column, -1}), kBorder);
-    occupancy.take(lattice.index({column, lattice.rows()}), kBorder);
-  }
-  if (!lattice.periodic()) {
-    for (int row = 0; row < lattice.rows(); ++row) {
-      occupancy.take(lattice.index({-1, row}), kBorder);
-      occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
-    }
-  }
-}
-
-/// Such a particle would stand in its own way.
-bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) {
-  const int columns = shape.sites().back().x - shape.sites().front().x + 1;
-  return lattice.periodic() && columns >= lattice.columns();
-}
-
-}  // namespace
+Occupancy::Occupancy(std::shared_ptr<const OccupancyTable> table)
+    : table_(std::move(table)),
+      inverted_owners_(table_->inverted_owners()),
+      second_owners_(table_->second_owners()) {}
 
 Occupancy::Occupancy(const State& state)
-    : taken_(state.lattice),
-      not_owners_(state.lattice.memory_size()),
-      seconds_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
-  const lattice::Lattice& lattice = state.lattice;
-  take_border(*this, lattice);
-  for (const Kind& kind : state.kinds) {
-    if (meets_itself(lattice, kind.shape)) {
-      throw std::invalid_argument("a kind is as wide as the periodic box");
-    }
-  }
-  for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
-    put_wall(*this, state, wall);
-  }
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    const Particle& particle = state.particles[id];
-    if (!particle.present) {
-      continue;
-    }
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      const lattice::Site site = particle.site() + part;
-      if (!lattice.contains(site)) {
-        throw std::invalid_argument("a particle leaves the box");
-      }
-      put(*this, state, lattice.index(site), static_cast<std::uint32_t>(id));
-    }
-  }
-}
+    : Occupancy(std::make_shared<const OccupancyTable>(state)) {}
 
-void Occupancy::add(std::size_t index, Owner owner) {
-  if (!taken(index)) {
-    take(index, owner);
-    return;
-  }
-  if (seconds_.empty() || seconds_[index] != kFree) {
-    throw std::logic_error("a place has no room for another owner");
-  }
-  const Owner first = this->owner(index);
-  set_owner(index, std::min(first, owner));
-  seconds_[index] = std::max(first, owner);
-}
+Occupancy::Occupancy(const OccupancyTable& table)
+    : Occupancy(std::shared_ptr<const OccupancyTable>(std::shared_ptr<void>(), &table)) {}
 
-bool Occupancy::remove(std::size_t index, Owner owner) {
-  if (second_owner(index) == kFree) {
-    release(index);
-    return true;
-  }
-  if (this->owner(index) == owner) {
-    set_owner(index, seconds_[index]);
-  }
-  seconds_[index] = kFree;
-  return false;
+bool Occupancy::any_taken(lattice::Site low, lattice::Site high) const {
+  return table_->any_taken(low, high);
 }
 
 bool Occupancy::operator==(const Occupancy& other) const {
-  return std::equal(not_owners_.data(), not_owners_.data() + not_owners_.size(),
-                    other.not_owners_.data(),
-                    other.not_owners_.data() + other.not_owners_.size()) &&
-         seconds_ == other.seconds_;
+  return std::ranges::equal(inverted_owners_, other.inverted_owners_) &&
+         std::ranges::equal(second_owners_, other.second_owners_);
 }
 
 }  // namespace clca::grains

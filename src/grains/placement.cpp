@@ -14,7 +14,7 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
   return kinds;
 }
 
-bool fits(const State& state, const Occupancy& occupancy, const Particle& particle) {
+bool fits(const State& state, const OccupancyTable& occupancy, const Particle& particle) {
   const auto& parts = state.shape(particle).sites();
   return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
     const lattice::Site site = particle.site() + part;
@@ -31,7 +31,7 @@ bool lies_inside(const State& state, const Particle& particle, const lattice::Re
   });
 }
 
-void insert(State& state, Occupancy& occupancy, const Particle& particle) {
+void insert(State& state, OccupancyTable& occupancy, const Particle& particle) {
   const auto id = static_cast<Owner>(state.particles.size());
   for (const lattice::Axial part : state.shape(particle).sites()) {
     occupancy.take(state.lattice.index(particle.site() + part), id);
@@ -40,7 +40,7 @@ void insert(State& state, Occupancy& occupancy, const Particle& particle) {
   state.origins.push_back(particle.site());
 }
 
-void renumber(State& state, Occupancy& occupancy, std::size_t first) {
+void renumber(State& state, OccupancyTable& occupancy, std::size_t first) {
   const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
   std::sort(begin, state.particles.end(),
             [](const Particle& a, const Particle& b) { return a.site() < b.site(); });

@@ -1,4 +1,4 @@
-// What a state that was loaded has to keep to, so that nobody who works with it goes astray.
+// Checks that a loaded state is one that a run can reach.
 
 #include <algorithm>
 #include <limits>
@@ -17,19 +17,19 @@ void require(bool holds, const char* reason) {
   }
 }
 
-/// Columns run on across a periodic seam; no run comes near to what an int holds.
-constexpr std::int32_t kFarthest = 1 << 29;
+/// Columns are not wrapped at a periodic boundary; no run comes near the limit of int.
+constexpr std::int32_t kMaxCoordinate = 1 << 29;
 
 bool in_reach(lattice::Site site) {
-  const auto near = [](int place) { return place > -kFarthest && place < kFarthest; };
+  const auto near = [](int place) { return place > -kMaxCoordinate && place < kMaxCoordinate; };
   return near(site.column) && near(site.row);
 }
 
 void check_particles(const State& state) {
-  require(state.particles.size() < std::size_t{kFarthest}, "there are too many particles");
+  require(state.particles.size() < std::size_t{kMaxCoordinate}, "there are too many particles");
   for (const Particle& particle : state.particles) {
     require(particle.kind < state.kinds.size(), "a particle is of no kind");
-    require(particle.previous <= kRest, "a particle has moved nowhere");
+    require(particle.previous <= kRest, "the last move of a particle is out of range");
     require(in_reach(particle.site()), "a particle is too far away");
   }
   require(std::all_of(state.origins.begin(), state.origins.end(), in_reach),
@@ -45,7 +45,7 @@ void check_kinds(const State& state) {
 }
 
 bool can_be_carried_out(const Drive& drive) {
-  return drive.period > 0 && drive.distance >= 0 && drive.distance < kFarthest;
+  return drive.period > 0 && drive.distance >= 0 && drive.distance < kMaxCoordinate;
 }
 bool can_be_carried_out(const Wave& wave) {
   // target() takes 4 x amplitude x period squared in 64 bits.
@@ -53,7 +53,7 @@ bool can_be_carried_out(const Wave& wave) {
          wave.amplitude <= 10'000;
 }
 bool can_be_carried_out(const Shake& shake) {
-  return shake.amplitude >= 0 && shake.amplitude < kFarthest &&
+  return shake.amplitude >= 0 && shake.amplitude < kMaxCoordinate &&
          (!shake.period ||
           (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kSpacing)));
 }
@@ -79,9 +79,9 @@ void check_wall(const Wall& wall) {
               std::visit([](const auto& program) { return can_be_carried_out(program); },
                          wall.motion->program),
           "the motion of a wall cannot be carried out");
-  const Range range = range_of(*wall.motion);
+  const OffsetRange range = range_of(*wall.motion);
   require(wall.travel.offset >= range.low && wall.travel.offset <= range.high,
-          "a wall is where its motion never comes to");
+          "a wall is where its motion never goes");
   require(wall.travel.phase <= Travel::Phase::waiting, "a wall is in no phase");
 }
 
@@ -93,7 +93,7 @@ void check_pushes(const State& state) {
   for (const Push& push : state.pushes) {
     require(push.pushed < state.particles.size() && exists(push.pusher) &&
                 push.source < state.walls.size() && is_direction(push.direction),
-            "a push is between nobody");
+            "a push names a particle, wall or direction that does not exist");
   }
   const bool ascending = std::adjacent_find(state.pushes.begin(), state.pushes.end(),
                                             [](const Push& a, const Push& b) {

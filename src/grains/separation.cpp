@@ -1,4 +1,4 @@
-#include "clca/grains/separation.hpp"
+#include "grains/internal/separation.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -27,7 +27,8 @@ Extent extent_of(const lattice::Shape& shape) {
 }  // namespace
 
 // The shapes overlap where `apart` is a difference a - b of a site of the first and one of the
-// second. The table has a rim of places where they do not; distances spread from all such places.
+// second.
+// The table has a rim of positions without overlap, from which distances spread.
 SeparationTable::SeparationTable(const lattice::Shape& first, const lattice::Shape& second) {
   const Extent one = extent_of(first);
   const Extent other = extent_of(second);
@@ -82,7 +83,7 @@ int SeparationTable::depth(Axial apart, int columns) const {
   if (columns < 2 || columns % 2 != 0) {
     throw std::invalid_argument("a periodic box has a positive, even number of columns");
   }
-  // Once round leads to the same row: up the columns, and down again by half as many sites.
+  // Once around the box: up the columns, then down by half as many sites, to the same row.
   const Axial round{columns, -columns / 2};
   while (apart.x - columns >= low_.x) {
     apart = apart - round;

@@ -1,4 +1,4 @@
-#include "clca/grains/source.hpp"
+#include "grains/internal/source.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,7 +15,7 @@ constexpr std::uint64_t kOne = std::uint64_t{1} << 32U;
 std::uint16_t draw_kind(const State& state, const Source& source, std::uint32_t number) {
   const auto total =
       std::accumulate(source.weights.begin(), source.weights.end(), std::uint64_t{0});
-  // Keyed by what was emitted before: a particle that waits for room stays the same.
+  // Keyed by the number emitted so far: a waiting particle keeps its draw.
   const std::uint64_t bits =
       random::draw(state.seed, source.emitted, number, random::Purpose::source_species);
   std::uint64_t ticket = random::below(bits, total);
@@ -26,8 +26,8 @@ std::uint16_t draw_kind(const State& state, const Source& source, std::uint32_t 
   return kind;
 }
 
-/// Tries every site of the source once, from a random one on.
-bool emit_one(State& state, Occupancy& occupancy, Source& source, std::uint32_t number) {
+/// Tries every site of the source once, starting at a random one.
+bool emit_one(State& state, OccupancyTable& occupancy, Source& source, std::uint32_t number) {
   Particle particle;
   particle.kind = draw_kind(state, source, number);
   const std::uint64_t bits = random::draw(state.seed, state.step + source.emitted, number,
@@ -46,8 +46,8 @@ bool emit_one(State& state, Occupancy& occupancy, Source& source, std::uint32_t 
   return false;
 }
 
-/// True unless the source is done or found no room.
-bool run_source(State& state, Occupancy& occupancy, Source& source, std::uint32_t number) {
+/// False if the source is exhausted or the particle does not fit.
+bool run_source(State& state, OccupancyTable& occupancy, Source& source, std::uint32_t number) {
   source.credit = std::min(source.credit, kOne) + source.rate;
   while (source.credit >= kOne && !source.exhausted()) {
     if (!emit_one(state, occupancy, source, number)) {
@@ -60,7 +60,7 @@ bool run_source(State& state, Occupancy& occupancy, Source& source, std::uint32_
 
 }  // namespace
 
-SourceReport run_sources(State& state, Occupancy& occupancy) {
+SourceReport run_sources(State& state, OccupancyTable& occupancy) {
   SourceReport report;
   for (std::size_t number = 0; number < state.sources.size(); ++number) {
     Source& source = state.sources[number];

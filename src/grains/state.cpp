@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clca/fields/hash.hpp"
+#include "clca/reflection/hash.hpp"
 
 namespace clca::grains {
 
@@ -50,7 +50,7 @@ const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher) {
 }
 
 std::uint64_t hash(const State& state) {
-  return fields::hash(state);
+  return reflection::hash(state);
 }
 
 }  // namespace clca::grains

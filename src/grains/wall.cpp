@@ -1,4 +1,4 @@
-#include "clca/grains/wall.hpp"
+#include "grains/internal/wall.hpp"
 
 #include <algorithm>
 
@@ -14,8 +14,9 @@ std::vector<std::size_t> places_now(const State& state, const Wall& wall) {
   return places;
 }
 
-/// Gives the places of a wall that went to the walls that cover them too.
-void leave_to_others(const State& state, Occupancy& occupancy, std::vector<std::size_t>& vacated) {
+/// Gives the sites of a removed wall to other walls that cover them.
+void leave_to_others(const State& state, OccupancyTable& occupancy,
+                     std::vector<std::size_t>& vacated) {
   std::sort(vacated.begin(), vacated.end());
   for (std::size_t other = 0; other < state.walls.size(); ++other) {
     if (!state.walls[other].present) {
@@ -31,7 +32,7 @@ void leave_to_others(const State& state, Occupancy& occupancy, std::vector<std::
 
 }  // namespace
 
-std::vector<std::size_t> remove_wall(State& state, Occupancy& occupancy, std::size_t number) {
+std::vector<std::size_t> remove_wall(State& state, OccupancyTable& occupancy, std::size_t number) {
   Wall& wall = state.walls.at(number);
   const Owner code = wall_code(number);
   wall.present = false;
@@ -46,7 +47,7 @@ std::vector<std::size_t> remove_wall(State& state, Occupancy& occupancy, std::si
   return vacated;
 }
 
-bool insert_wall(State& state, Occupancy& occupancy, std::size_t number) {
+bool insert_wall(State& state, OccupancyTable& occupancy, std::size_t number) {
   Wall& wall = state.walls.at(number);
   if (wall.present) {
     return true;
@@ -55,17 +56,17 @@ bool insert_wall(State& state, Occupancy& occupancy, std::size_t number) {
   const auto moves = [&](Owner owner) {
     return is_wall(owner) && state.walls[wall_number(owner)].motion.has_value();
   };
-  const bool barred = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
+  const bool blocked = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
     const Owner owner = occupancy.owner(place);
     return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
-  if (barred) {
+  if (blocked) {
     return false;
   }
   wall.present = true;
   for (const std::size_t place : places) {
     const Owner owner = occupancy.owner(place);
-    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an Occupancy built anew
+    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
       occupancy.take(place, wall_code(number));
     }
   }

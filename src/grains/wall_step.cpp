@@ -1,4 +1,4 @@
-#include "grains/wall_step.hpp"
+#include "grains/internal/wall_step.hpp"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@ namespace clca::grains {
 
 namespace {
 
-/// The sites of `wall` one step in `direction`, those that it does not cover itself; against the
-/// direction: those that it covers no more afterwards, as seen before the step.
+/// The sites that `wall` newly covers after one step in `direction`.
+/// For the opposite direction these are the sites that it leaves.
 class Outline {
  public:
   Outline(const lattice::Lattice& lattice, const Wall& wall) : lattice_(lattice) {
@@ -73,39 +73,40 @@ WallEdges::WallEdges(const State& state) : edges_(state.walls.size()) {
   }
 }
 
-WallStep WallEdges::step_of(const State& state, std::size_t number, int wished) const {
+WallStep WallEdges::step_of(const State& state, std::size_t number, int desired) const {
   const Wall& wall = state.walls[number];
   const lattice::Direction forward = wall.motion->direction;
   const lattice::Axial shift = wall.shift();
-  const Edge& sides = edges_[number][wished > 0 ? 0 : 1];
+  const Edge& sides = edges_[number][desired > 0 ? 0 : 1];
   return {.wall = number,
-          .direction = wished > 0 ? forward : opposite(forward),
+          .direction = desired > 0 ? forward : opposite(forward),
           .enters = places(state.lattice, sides.lead, shift),
           .leaves = places(state.lattice, sides.trail, shift)};
 }
 
-void Train::take_all(const Particle& particle, const std::vector<lattice::Offset>& offsets) {
+void PushedCluster::add_owners(const Particle& particle,
+                               const std::vector<lattice::Offset>& offsets) {
   const std::size_t place = state_.lattice.index(particle.site());
   const int column = state_.lattice.wrapped(particle.column);
   for (const lattice::Offset offset : offsets) {
-    take(state_.lattice.at(place, column, offset));
+    add_owner_of(state_.lattice.at(place, column, offset));
   }
 }
 
-void Train::take(std::size_t place) {
-  take_owner(occupancy_.owner(place));
-  take_owner(occupancy_.second_owner(place));
+void PushedCluster::add_owner_of(std::size_t place) {
+  add(occupancy_.owner(place));
+  add(occupancy_.second_owner(place));
 }
 
-void Train::take_owner(Owner owner) {
+void PushedCluster::add(Owner owner) {
   if (is_particle(owner)) {
     const auto id = static_cast<std::uint32_t>(owner);
-    if (!aboard_[id]) {
-      aboard_[id] = true;
+    if (!included_[id]) {
+      included_[id] = true;
       ids_.push_back(id);
     }
   } else {
-    barred_ = barred_ || (owner != kFree && owner != wall_code(step_.wall));
+    blocked_ = blocked_ || (owner != kFree && owner != wall_code(step_.wall));
   }
 }
 

@@ -12,11 +12,11 @@ namespace clca::lattice {
 
 namespace {
 
-// What rounding may move a site by is far less, so that sites on an edge are inside.
+// More than any rounding error, so that sites on an edge are inside.
 constexpr double kOnEdge = 1e-6;
 constexpr double kTooLong = 1e8;
 
-/// The unit vector at an angle, by sums and products alone: the same on every machine.
+/// The unit vector at an angle. Sums and products only: the same on every machine.
 Eigen::Vector2d unit_at(double degrees) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   constexpr int kPowers = 20;
@@ -47,7 +47,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Of the directions between two angles.
+/// The directions between two angles.
 class Sector {
  public:
   explicit Sector(const Arc& arc)
@@ -112,15 +112,15 @@ Band band_of(const Arc& arc) {
   return band;
 }
 
-/// Half the height of a circle at a distance from its centre; 0 beside it.
+/// Half the height of a circle at a horizontal distance from its centre; 0 outside.
 double half_chord(double radius, double distance) {
   return std::sqrt(std::max(0.0, radius * radius - distance * distance));
 }
 
 using Visit = std::function<bool(Site)>;
 
-/// Goes up these rows of a column until `visit` holds for a site of the band.
-bool visit_rows(const Band& band, int column, Rows rows, const Visit& visit) {
+/// Visits these rows of a column, upwards, until `visit` returns true for a site of the band.
+bool visit_rows(const Band& band, int column, RowRange rows, const Visit& visit) {
   for (int row = rows.first; row < rows.end; ++row) {
     const Site site = {column, row};
     if (band.contains(position(site)) && visit(site)) {
@@ -130,15 +130,15 @@ bool visit_rows(const Band& band, int column, Rows rows, const Visit& visit) {
   return false;
 }
 
-/// Goes through the sites, up the columns from the left, until `visit` holds for one.
-bool visit_sites(const Catchment& catchment, const Band& band, const Visit& visit) {
+/// Visits the sites, column by column from the left, until `visit` returns true.
+bool visit_sites(const SweptRegion& swept_region, const Band& band, const Visit& visit) {
   constexpr double kMargin = 2;  // more than a row and what rounding may lose
-  const int low = catchment.first_column();
-  const int high = catchment.end_column();
+  const int low = swept_region.first_column();
+  const int high = swept_region.end_column();
   const int end = bounded((band.centre.x() + band.outer) / kColumnPitch + kMargin, low, high);
   for (int column = bounded((band.centre.x() - band.outer) / kColumnPitch - 1, low, high);
        column < end; ++column) {
-    const Rows all = catchment.rows(column);
+    const RowRange all = swept_region.rows(column);
     const double distance = kColumnPitch * column - band.centre.x();
     const double outside = half_chord(band.outer, distance) + kMargin;
     const double inside = half_chord(band.inner, distance) - kMargin;
@@ -159,9 +159,9 @@ bool visit_sites(const Catchment& catchment, const Band& band, const Visit& visi
 }
 
 template <class Form>
-std::vector<Site> gathered(const Catchment& catchment, const Form& form) {
+std::vector<Site> gathered(const SweptRegion& swept_region, const Form& form) {
   std::vector<Site> sites;
-  visit_sites(catchment, band_of(form), [&](Site site) {
+  visit_sites(swept_region, band_of(form), [&](Site site) {
     sites.push_back(site);
     return false;
   });
@@ -169,30 +169,30 @@ std::vector<Site> gathered(const Catchment& catchment, const Form& form) {
 }
 
 template <class Form>
-bool empty(const Catchment& catchment, const Form& form) {
-  return !visit_sites(catchment, band_of(form), [](Site) { return true; });
+bool empty(const SweptRegion& swept_region, const Form& form) {
+  return !visit_sites(swept_region, band_of(form), [](Site) { return true; });
 }
 
 }  // namespace
 
-std::vector<Site> sites_in(const Catchment& catchment, const Disc& disc) {
-  return gathered(catchment, disc);
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Disc& disc) {
+  return gathered(swept_region, disc);
 }
-std::vector<Site> sites_in(const Catchment& catchment, const Ring& ring) {
-  return gathered(catchment, ring);
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Ring& ring) {
+  return gathered(swept_region, ring);
 }
-std::vector<Site> sites_in(const Catchment& catchment, const Arc& arc) {
-  return gathered(catchment, arc);
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Arc& arc) {
+  return gathered(swept_region, arc);
 }
 
 bool holds_no_site(const Lattice& lattice, const Disc& disc) {
-  return empty(Catchment(lattice), disc);
+  return empty(SweptRegion(lattice), disc);
 }
 bool holds_no_site(const Lattice& lattice, const Ring& ring) {
-  return empty(Catchment(lattice), ring);
+  return empty(SweptRegion(lattice), ring);
 }
 bool holds_no_site(const Lattice& lattice, const Arc& arc) {
-  return empty(Catchment(lattice), arc);
+  return empty(SweptRegion(lattice), arc);
 }
 
 Rectangle around(const Disc& disc) {

@@ -29,8 +29,8 @@ Lattice::Lattice(int columns, int rows, bool periodic)
 }
 
 Lattice Lattice::covering(double width, double height, bool periodic) {
-  constexpr double kLargest = 1 << 30;
-  if (!(width > 0 && height > 0 && width / kColumnPitch <= kLargest && height <= kLargest)) {
+  constexpr double kMaxLength = 1 << 30;
+  if (!(width > 0 && height > 0 && width / kColumnPitch <= kMaxLength && height <= kMaxLength)) {
     throw std::invalid_argument("a box has a positive width and height of less than 10^9");
   }
   int columns = static_cast<int>(std::ceil(width / kColumnPitch));

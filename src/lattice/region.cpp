@@ -19,21 +19,21 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
   return (point - segment.from - share * along).norm();
 }
 
-constexpr double kFarthest = 1e8;
+constexpr double kMaxCoordinate = 1e8;
 
 void check_near(const Eigen::Vector2d& point) {
-  if (!(std::abs(point.x()) < kFarthest && std::abs(point.y()) < kFarthest)) {
+  if (!(std::abs(point.x()) < kMaxCoordinate && std::abs(point.y()) < kMaxCoordinate)) {
     throw std::invalid_argument("a point is too far from the lattice");
   }
 }
 
-/// A part of a way from 0 to 1; empty where begin > end.
+/// A part of the parameter range [0, 1]; empty if begin > end.
 struct Part {
   double begin = 0;
   double end = 1;
 };
 
-/// The part of the way from `from` to `from + along` between `low` and `high`.
+/// The part of the path from `from` to `from + along` between `low` and `high`.
 Part part_between(double from, double along, double low, double high) {
   if (along == 0) {
     return low <= from && from <= high ? Part{} : Part{1, 0};
@@ -43,19 +43,18 @@ Part part_between(double from, double along, double low, double high) {
   return {std::max(0.0, std::min(enter, leave)), std::min(1.0, std::max(enter, leave))};
 }
 
-/// The sites met on the way between the ends, those of the catchment at least: neighbours follow
-/// each other.
-std::vector<Site> chain_along(const Catchment& catchment, const Segment& segment) {
+/// The chain of neighbouring sites between the ends, at least the part inside the swept region.
+std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& segment) {
   const Site first = nearest_site(segment.from);
   const Site last = nearest_site(segment.to);
   const int steps = std::max(1, length(last - first));
   const Eigen::Vector2d start = position(first);
   const Eigen::Vector2d along = position(last) - start;
-  constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the catchment
-  const Rows rows = catchment.all_rows();
+  constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the swept region
+  const RowRange rows = swept_region.all_rows();
   const Part across =
-      part_between(start.x(), along.x(), kColumnPitch * catchment.first_column() - kBeyond,
-                   kColumnPitch * catchment.end_column() + kBeyond);
+      part_between(start.x(), along.x(), kColumnPitch * swept_region.first_column() - kBeyond,
+                   kColumnPitch * swept_region.end_column() + kBeyond);
   const Part upwards = part_between(start.y(), along.y(), rows.first - kBeyond, rows.end + kBeyond);
   const double begin = std::floor(std::max(across.begin, upwards.begin) * steps);
   const double end = std::ceil(std::min(across.end, upwards.end) * steps);
@@ -68,8 +67,8 @@ std::vector<Site> chain_along(const Catchment& catchment, const Segment& segment
   return chain;
 }
 
-/// The sites of a column that are within `reach` of the segment.
-void add_column(const Catchment& catchment, const Segment& segment, int column, double reach,
+/// The sites of a column within `reach` of the segment.
+void add_column(const SweptRegion& swept_region, const Segment& segment, int column, double reach,
                 std::vector<Site>& sites) {
   const Eigen::Vector2d along = segment.to - segment.from;
   const double x = kColumnPitch * column;
@@ -80,7 +79,7 @@ void add_column(const Catchment& catchment, const Segment& segment, int column, 
   }
   const auto [low, high] = std::minmax(
       {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
-  const Rows rows = catchment.rows(column);
+  const RowRange rows = swept_region.rows(column);
   const int last_row = bounded(high + margin + 2, rows.first, rows.end);
   for (int row = bounded(low - margin - 1, rows.first, rows.end); row < last_row; ++row) {
     const Site site = {column, row};
@@ -124,16 +123,16 @@ Rectangle around(const Segment& segment) {
   return {low.x() - reach, low.y() - reach, high.x() + reach, high.y() + reach};
 }
 
-std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle) {
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle) {
   check(rectangle);
   // Columns and rows that can hold a site of the rectangle.
-  const int low = catchment.first_column();
-  const int high = catchment.end_column();
+  const int low = swept_region.first_column();
+  const int high = swept_region.end_column();
   const int last_column = bounded(rectangle.right / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
   for (int column = bounded(rectangle.left / kColumnPitch - 1, low, high); column < last_column;
        ++column) {
-    const Rows rows = catchment.rows(column);
+    const RowRange rows = swept_region.rows(column);
     const int last_row = bounded(rectangle.top + 2, rows.first, rows.end);
     for (int row = bounded(rectangle.bottom - 1, rows.first, rows.end); row < last_row; ++row) {
       if (rectangle.contains(position(Site{column, row}))) {
@@ -145,27 +144,27 @@ std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangl
 }
 
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
-  return sites_in(Catchment(lattice), rectangle);
+  return sites_in(SweptRegion(lattice), rectangle);
 }
 
-std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment) {
+std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment) {
   check_near(segment.from);
   check_near(segment.to);
-  if (!(segment.thickness >= 0 && segment.thickness < kFarthest)) {
+  if (!(segment.thickness >= 0 && segment.thickness < kMaxCoordinate)) {
     throw std::invalid_argument("the thickness of a wall must not be negative");
   }
   const double reach = 0.5 * segment.thickness;
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
-  const int low = catchment.first_column();
-  const int high = catchment.end_column();
+  const int low = swept_region.first_column();
+  const int high = swept_region.end_column();
   const int last_column = bounded((right + reach) / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
   for (int column = bounded((left - reach) / kColumnPitch - 1, low, high); column < last_column;
        ++column) {
-    add_column(catchment, segment, column, reach, sites);
+    add_column(swept_region, segment, column, reach, sites);
   }
-  for (const Site site : chain_along(catchment, segment)) {
-    if (catchment.contains(site)) {
+  for (const Site site : chain_along(swept_region, segment)) {
+    if (swept_region.contains(site)) {
       sites.push_back(site);
     }
   }
@@ -175,7 +174,7 @@ std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment
 }
 
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
-  return sites_along(Catchment(lattice), segment);
+  return sites_along(SweptRegion(lattice), segment);
 }
 
 }  // namespace clca::lattice

@@ -13,7 +13,7 @@ namespace clca::lattice {
 
 namespace {
 
-/// Number of sites of the sorted list `sites` that unit steps within it reach from its first.
+/// Number of sites of the sorted list that are connected to its first site.
 std::size_t reachable(const std::vector<Axial>& sites) {
   std::vector<bool> seen(sites.size(), false);
   std::vector<std::size_t> open = {0};
@@ -40,8 +40,8 @@ bool holds(const std::vector<Axial>& sorted, Axial site) {
   return std::binary_search(sorted.begin(), sorted.end(), site);
 }
 
-/// Of a connected, sorted list of sites. Euler: sites - bonds + filled unit triangles is the number
-/// of connected parts less the number of holes.
+/// Number of holes of a connected, sorted list of sites. Euler: sites - bonds + filled unit
+/// triangles = connected parts - holes.
 bool encloses_hole(const std::vector<Axial>& sites) {
   std::size_t bonds = 0;
   std::size_t triangles = 0;
@@ -71,11 +71,11 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
-constexpr int kFarthestSite = 1'000'000;
+constexpr int kMaxSiteCoordinate = 1'000'000;
 
 void check_reach(Axial site) {
-  if (site.x > kFarthestSite || site.x < -kFarthestSite || site.q > kFarthestSite ||
-      site.q < -kFarthestSite) {
+  if (site.x > kMaxSiteCoordinate || site.x < -kMaxSiteCoordinate || site.q > kMaxSiteCoordinate ||
+      site.q < -kMaxSiteCoordinate) {
     throw std::invalid_argument("a site of a shape is too far away");
   }
 }
@@ -89,7 +89,7 @@ void add_edge(Axial from, Axial to, std::vector<Axial>& sites) {
   }
 }
 
-/// The first x at or beyond the line through `from` and `to`, which crosses the height `q`.
+/// The first x on or beyond the line through `from` and `to` at the height `q`.
 int first_beyond(Axial from, Axial to, int q) {
   const Axial along = from.q < to.q ? to - from : from - to;
   const long long distance = static_cast<long long>(along.x) * (q - from.q);

@@ -1,5 +1,5 @@
 #pragma once
-// Occupancy is looked up by the places of a state.
+// Checks that an occupancy belongs to a state.
 
 #include <stdexcept>
 
@@ -8,7 +8,7 @@
 
 namespace clca::measure {
 
-/// Throws std::invalid_argument for that of another box.
+/// Throws std::invalid_argument if it belongs to another box.
 inline void check_occupancy(const grains::State& state, const grains::Occupancy& occupancy) {
   if (occupancy.places() != state.lattice.memory_size()) {
     throw std::invalid_argument("the occupancy is that of another box");

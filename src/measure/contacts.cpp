@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/grains/separation.hpp"
+#include "grains/internal/separation.hpp"
 #include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
@@ -17,23 +17,23 @@ using grains::Particle;
 using grains::Push;
 using grains::State;
 
-/// `sites` and `place` of what two share.
-Contact shared_by(const State& state, const Occupancy& occupancy, std::uint32_t first,
-                  Owner second) {
-  Contact contact = {.first = first, .second = second};
+/// Sets `sites` and `point` of an overlap.
+OverlapContact shared_by(const State& state, const Occupancy& occupancy, std::uint32_t first,
+                         Owner second) {
+  OverlapContact contact = {.first = first, .second = second};
   const Particle& particle = state.particles[first];
   for (const lattice::Axial part : state.shape(particle).sites()) {
     const lattice::Site site = particle.site() + part;
     if (occupancy.has(state.lattice.index(site), second)) {
       ++contact.sites;
-      contact.place += lattice::position(site);
+      contact.point += lattice::position(site);
     }
   }
-  contact.place /= std::max(1, contact.sites);
+  contact.point /= std::max(1, contact.sites);
   return contact;
 }
 
-bool frees(const State& state, const Occupancy& occupancy, const Contact& contact,
+bool frees(const State& state, const Occupancy& occupancy, const OverlapContact& contact,
            lattice::Direction direction) {
   const Particle& particle = state.particles[contact.first];
   const lattice::Site moved = particle.site() + unit(direction);
@@ -43,8 +43,9 @@ bool frees(const State& state, const Occupancy& occupancy, const Contact& contac
   });
 }
 
-/// Nearly all are one move deep; only for the others the table of the two shapes is worth making.
-int depth_of(const State& state, const Occupancy& occupancy, const Contact& contact) {
+/// Nearly all overlaps are one move deep; the table of the two shapes is needed only for the
+/// others.
+int depth_of(const State& state, const Occupancy& occupancy, const OverlapContact& contact) {
   const bool one_move =
       std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
                   [&](lattice::Direction d) { return frees(state, occupancy, contact, d); });
@@ -57,7 +58,7 @@ int depth_of(const State& state, const Occupancy& occupancy, const Contact& cont
 
 }  // namespace
 
-const Push* push_between(const State& state, const Contact& contact) {
+const Push* push_between(const State& state, const OverlapContact& contact) {
   const Push* push = find_push(state, contact.first, contact.second);
   if (push == nullptr && grains::is_particle(contact.second)) {
     push = find_push(state, static_cast<std::uint32_t>(contact.second),
@@ -66,31 +67,31 @@ const Push* push_between(const State& state, const Contact& contact) {
   return push;
 }
 
-// Every pair that overlaps has one push.
-std::vector<Contact> contacts(const State& state, const Occupancy& occupancy) {
+// Every overlapping pair has one push.
+std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupancy) {
   check_occupancy(state, occupancy);
-  std::vector<Contact> result;
+  std::vector<OverlapContact> result;
   result.reserve(state.pushes.size());
   for (const Push& push : state.pushes) {
     const bool by_particle = grains::is_particle(push.pusher);
     const auto pusher = static_cast<std::uint32_t>(push.pusher);
     const bool swapped = by_particle && pusher < push.pushed;
-    Contact contact = shared_by(state, occupancy, swapped ? pusher : push.pushed,
-                                swapped ? static_cast<Owner>(push.pushed) : push.pusher);
+    OverlapContact contact = shared_by(state, occupancy, swapped ? pusher : push.pushed,
+                                       swapped ? static_cast<Owner>(push.pushed) : push.pusher);
     contact.depth = depth_of(state, occupancy, contact);
     contact.source = push.source;
     result.push_back(contact);
   }
-  std::sort(result.begin(), result.end(), [](const Contact& a, const Contact& b) {
+  std::sort(result.begin(), result.end(), [](const OverlapContact& a, const OverlapContact& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   });
   return result;
 }
 
 std::vector<double> force_indices(std::size_t particle_count,
-                                  const std::vector<Contact>& contacts) {
+                                  const std::vector<OverlapContact>& contacts) {
   std::vector<double> indices(particle_count, 0.0);
-  for (const Contact& contact : contacts) {
+  for (const OverlapContact& contact : contacts) {
     const bool second_is_there = !grains::is_particle(contact.second) ||
                                  static_cast<std::size_t>(contact.second) < particle_count;
     if (contact.first >= particle_count || !second_is_there) {

@@ -28,7 +28,7 @@ bool Convection::precedes(const grains::State& now) const {
 }
 
 void Convection::begin_cycle(const grains::State& state) {
-  begin_.emplace(Begin{Snapshot(state), kInfinity, -kInfinity});
+  begin_.emplace(CycleStart{Snapshot(state), kInfinity, -kInfinity});
   for_each_site(state, [&](lattice::Site site) {
     begin_->left = std::min(begin_->left, lattice::kColumnPitch * (site.column - 0.5));
     begin_->right = std::max(begin_->right, lattice::kColumnPitch * (site.column + 0.5));
@@ -39,45 +39,45 @@ void Convection::end_cycle(const grains::State& state) {
   if (!begin_) {
     throw std::logic_error("a cycle ends that has not begun");
   }
-  for (const Journey& journey : begin_->snapshot.journeys(state)) {
-    add(journey, begin_->left, begin_->right);
+  for (const Displacement& displacement : begin_->snapshot.displacements(state)) {
+    add(displacement, begin_->left, begin_->right);
   }
   begin_.reset();
   ++cycles_;
 }
 
-void Convection::add(const Journey& journey, double left, double right) {
+void Convection::add(const Displacement& displacement, double left, double right) {
   const auto add_to = [&](Mean& mean) {
-    mean.weight += journey.sites;
-    mean.sum += journey.sites * journey.displacement;
+    mean.weight += displacement.sites;
+    mean.sum += displacement.sites * displacement.vector;
   };
-  add_to(cells_[grid_.index(journey.from)]);
+  add_to(cells_[grid_.index(displacement.from)]);
   const double width = right - left;
-  const Eigen::Vector2d at = journey.from - Eigen::Vector2d((left + right) / 2, 0);
+  const Eigen::Vector2d at = displacement.from - Eigen::Vector2d((left + right) / 2, 0);
   if (std::abs(at.x()) <= kInside * width) {
     add_to(inside_);
   } else if (std::abs(at.x()) >= kAtWalls * width) {
     add_to(at_walls_);
   }
-  halves_[at.x() < 0 ? 0 : 1].add(at, journey);
+  halves_[at.x() < 0 ? 0 : 1].add(at, displacement);
 }
 
-void Convection::Moments::add(const Eigen::Vector2d& at, const Journey& journey) {
-  weight += journey.sites;
-  place += journey.sites * at;
-  drift += journey.sites * journey.displacement;
-  cross += journey.sites * cross_product(at, journey.displacement);
-  square += journey.sites * at.squaredNorm();
+void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement& displacement) {
+  weight += displacement.sites;
+  position += displacement.sites * at;
+  drift += displacement.sites * displacement.vector;
+  cross += displacement.sites * cross_product(at, displacement.vector);
+  square += displacement.sites * at.squaredNorm();
 }
 
 // Least squares of the drift against u + omega x (r - <r>); 0 for a half in one point.
-double Convection::Moments::rotation() const {
+double Convection::HalfBedSums::rotation() const {
   constexpr double kRounding = 1e-9;
   if (weight == 0) {
     return 0;
   }
-  const double inertia = square - place.squaredNorm() / weight;
-  const double turning = cross - cross_product(place, drift) / weight;
+  const double inertia = square - position.squaredNorm() / weight;
+  const double turning = cross - cross_product(position, drift) / weight;
   return inertia > kRounding * square ? turning / inertia : 0;
 }
 

@@ -15,10 +15,10 @@ void check_origins(const grains::State& state) {
   }
 }
 
-/// How many particle sites stand in each column, which may run on across a periodic seam.
+/// Number of particle sites per column; columns are not wrapped at a periodic boundary.
 class ColumnCounts {
  public:
-  /// `at_origin`: where they were when the stage began.
+  /// `at_origin`: at the start of the stage.
   ColumnCounts(const grains::State& state, bool at_origin) {
     check_origins(state);
     int low = std::numeric_limits<int>::max();
@@ -39,7 +39,7 @@ class ColumnCounts {
   std::size_t sites() const { return sites_; }
   int first() const { return first_; }
   int last() const { return first_ + static_cast<int>(counts_.size()) - 1; }
-  /// The column of site `number` when they are numbered from the left, from 0.
+  /// Column of the site `number`, counted from the left, from 0.
   int column_of(std::size_t number) const {
     std::size_t column = 0;
     while (number >= counts_[column]) {

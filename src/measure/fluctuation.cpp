@@ -6,7 +6,8 @@ namespace clca::measure {
 
 namespace {
 
-/// Journeys of equal lattice vectors differ by rounding only, all others by half a spacing or more.
+/// Displacements by the same lattice vector differ by rounding only, others by half a spacing or
+/// more.
 constexpr double kAtRest = 1e-9;  // square spacings
 
 struct CellMotion {
@@ -14,34 +15,35 @@ struct CellMotion {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();  // displacement
   double squares = 0;                              // sum of squared deviations from it
 
-  bool is_sparse() const { return particles < Fluctuations::kFewest; }
+  bool is_sparse() const { return particles < Fluctuations::kMinParticles; }
   bool is_resting() const { return squares < kAtRest; }
   bool counts() const { return !is_sparse() && !is_resting(); }
-  /// Squared deviation of one of them, corrected for the mean being theirs.
-  double energy(const Journey& journey) const {
+  /// Squared deviation of one particle, corrected for the mean being that of its own cell.
+  double energy(const Displacement& displacement) const {
     const auto count = static_cast<double>(particles);
-    return (journey.displacement - mean).squaredNorm() * count / (count - 1);
+    return (displacement.vector - mean).squaredNorm() * count / (count - 1);
   }
 };
 
-std::vector<CellMotion> cell_motions(const std::vector<Journey>& journeys, const Grid& grid) {
+std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displacements,
+                                     const Grid& grid) {
   std::vector<CellMotion> cells(grid.size());
-  for (const Journey& journey : journeys) {
-    CellMotion& cell = cells[grid.index(journey.from)];
+  for (const Displacement& displacement : displacements) {
+    CellMotion& cell = cells[grid.index(displacement.from)];
     ++cell.particles;
-    cell.mean += journey.displacement;
+    cell.mean += displacement.vector;
   }
   for (CellMotion& cell : cells) {
     cell.mean /= static_cast<double>(std::max<std::size_t>(cell.particles, 1));
   }
-  for (const Journey& journey : journeys) {
-    CellMotion& cell = cells[grid.index(journey.from)];
-    cell.squares += (journey.displacement - cell.mean).squaredNorm();
+  for (const Displacement& displacement : displacements) {
+    CellMotion& cell = cells[grid.index(displacement.from)];
+    cell.squares += (displacement.vector - cell.mean).squaredNorm();
   }
   return cells;
 }
 
-/// Half the mean energy of the particles that count; 0 where none does.
+/// Half the mean energy of the counted particles; 0 if there are none.
 double temperature(const std::vector<CellMotion>& cells) {
   double energies = 0;
   double particles = 0;
@@ -55,9 +57,9 @@ double temperature(const std::vector<CellMotion>& cells) {
   return particles > 0 ? energies / particles / 2 : 0;
 }
 
-/// Bin of a particle by the energies of its own cell. Its energy over the sum of squares is, for n
-/// normal particles, a part with 2 degrees of freedom of a whole with 2 (n - 1): beta distributed
-/// with parameters 1 and n - 2, so that a share (1 - part)^(n - 2) lies beyond it.
+/// Bin of a particle by the energies of its own cell.
+/// For n normal particles its share of the sum of squares is beta distributed with parameters 1 and
+/// n - 2, so that P(larger) = (1 - share)^(n - 2).
 std::size_t local_bin(const CellMotion& cell, double energy) {
   const double rest = std::max(0.0, 1 - energy / cell.squares);
   double beyond = 1;  // by multiplication: the last bit of pow is not the same everywhere
@@ -70,16 +72,16 @@ std::size_t local_bin(const CellMotion& cell, double energy) {
 
 }  // namespace
 
-void Fluctuations::add(const std::vector<Journey>& journeys, const Grid& grid) {
-  const std::vector<CellMotion> cells = cell_motions(journeys, grid);
+void Fluctuations::add(const std::vector<Displacement>& displacements, const Grid& grid) {
+  const std::vector<CellMotion> cells = cell_motions(displacements, grid);
   for (const CellMotion& cell : cells) {
     (cell.is_sparse() ? sparse_ : cell.is_resting() ? resting_ : samples_) += cell.particles;
   }
   const double scale = temperature(cells);
-  for (const Journey& journey : journeys) {
-    const CellMotion& cell = cells[grid.index(journey.from)];
+  for (const Displacement& displacement : displacements) {
+    const CellMotion& cell = cells[grid.index(displacement.from)];
     if (cell.counts()) {
-      const double energy = cell.energy(journey);
+      const double energy = cell.energy(displacement);
       ++counts_[bins_.find(energy / scale)];
       ++local_counts_[local_bin(cell, energy)];
     }

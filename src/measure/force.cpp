@@ -24,7 +24,7 @@ using lattice::Site;
 constexpr double kRounding = 1e-9;
 constexpr double kBehind = 1;  // lattice spacings: a wall's roughness on the lattice and a half
 
-/// Where the wall stands, with columns that run on across a periodic seam, also outside the box.
+/// Current sites of the wall, not wrapped at a periodic boundary, also outside the box.
 std::vector<Site> shifted_sites(const Wall& wall) {
   std::vector<Site> sites = wall.sites;
   const lattice::Axial shift = wall.shift();
@@ -34,7 +34,7 @@ std::vector<Site> shifted_sites(const Wall& wall) {
   return sites;
 }
 
-/// What lies within 45 degrees ahead of a wall; in a periodic box of any of its images.
+/// The cone of 45 degrees ahead of a wall; in a periodic box of all its images.
 class Cone {
  public:
   Cone(const State& state, const Wall& wall, Direction direction)
@@ -91,9 +91,9 @@ class Cone {
   double right_ = -kInfinity;
 };
 
-/// Shared sites of a contact of two particles that lie in the cone.
-std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy, const Contact& contact,
-                            const Cone& cone) {
+/// Shared sites of a contact between particles that lie in the cone.
+std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy,
+                            const OverlapContact& contact, const Cone& cone) {
   const grains::Particle& particle = state.particles[contact.first];
   std::uint64_t inside = 0;
   for (const lattice::Axial part : state.shape(particle).sites()) {
@@ -107,11 +107,11 @@ std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy, cons
 }
 
 std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
-                                 const std::vector<Contact>& contacts) {
+                                 const std::vector<OverlapContact>& contacts) {
   std::map<std::pair<std::uint32_t, Direction>, Cone> cones;
   std::uint64_t inside = 0;
   int all = 0;
-  for (const Contact& contact : contacts) {
+  for (const OverlapContact& contact : contacts) {
     const Push* push = grains::is_particle(contact.second) ? push_between(state, contact) : nullptr;
     if (push == nullptr) {
       continue;
@@ -128,7 +128,7 @@ std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
   return all > 0 ? std::optional(static_cast<double>(inside) / all) : std::nullopt;
 }
 
-/// Particles at rest that were pushed, each once; from one wall or from any.
+/// Particles at rest that were pushed, each once: by one wall or by any.
 std::size_t jammed_count(const State& state, std::optional<std::size_t> source) {
   std::size_t count = 0;
   std::optional<std::uint32_t> last;  // pushes are in the order of `pushed`
@@ -143,14 +143,15 @@ std::size_t jammed_count(const State& state, std::optional<std::size_t> source) 
   return count;
 }
 
-WallForce wall_force(const State& state, std::size_t number, const std::vector<Contact>& contacts) {
+WallForce wall_force(const State& state, std::size_t number,
+                     const std::vector<OverlapContact>& contacts) {
   const grains::Travel& travel = state.walls[number].travel;
   WallForce force{.wall = number,
                   .travel = travel.offset,
                   .stalled_since = travel.stalled_since,
                   .stalls = travel.stalls,
                   .jammed = jammed_count(state, number)};
-  for (const Contact& contact : contacts) {
+  for (const OverlapContact& contact : contacts) {
     const auto sites = static_cast<std::uint64_t>(contact.sites);
     if (contact.second == grains::wall_code(number)) {
       ++force.particles;
@@ -164,9 +165,9 @@ WallForce wall_force(const State& state, std::size_t number, const std::vector<C
 }  // namespace
 
 ForceSummary force_summary(const State& state, const Occupancy& occupancy,
-                           const std::vector<Contact>& contacts) {
+                           const std::vector<OverlapContact>& contacts) {
   check_occupancy(state, occupancy);
-  if (std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+  if (std::any_of(contacts.begin(), contacts.end(), [&](const OverlapContact& contact) {
         return contact.first >= state.particles.size();
       })) {
     throw std::invalid_argument("a contact is of a particle that is not there");
@@ -174,7 +175,7 @@ ForceSummary force_summary(const State& state, const Occupancy& occupancy,
   ForceSummary summary{.contacts = contacts.size(),
                        .jammed = jammed_count(state, {}),
                        .cone_share = cone_share(state, occupancy, contacts)};
-  for (const Contact& contact : contacts) {
+  for (const OverlapContact& contact : contacts) {
     summary.depth_max = std::max(summary.depth_max, contact.depth);
     summary.sites += static_cast<std::uint64_t>(contact.sites);
   }

@@ -11,16 +11,14 @@ namespace {
 
 constexpr double kAveragedBin = 0.25;  // of the mean
 constexpr double kFirstNumberLow = 0.5;
-constexpr double kMostSites = 1e6;  // of a contact
+constexpr double kMaxSites = 1e6;  // of a contact
 
-/// Fits the exponential tail. Experiments and simulations of static packings find beta of 1.4
-/// (Radjai et al. 1996) to 1.9 (Mueth et al. 1998).
-///
-/// Averages have the density beta exp(-beta (x - 1)) of x = f/<f> > 1, so that beta is the inverse
-/// of the mean of x - 1. Whole sites are the same law on integers, a geometric distribution from
-/// the first integer above the mean; to take them for real numbers would bias beta wherever <f> is
-/// a few sites. With m the mean excess over that integer, beta = <f> log(1 + 1/m), and the variance
-/// of the excess, m (1 + m), is its Fisher information.
+/// Fits the exponential tail. Static packings have beta from 1.4 (Radjai et al. 1996) to 1.9 (Mueth
+/// et al. 1998).
+/// Averages: density beta exp(-beta (x - 1)) of x = f/<f> > 1, so beta is the inverse mean of x -
+/// 1. Whole sites: a geometric distribution from the first integer above the mean; with m the mean
+/// excess over it, beta = <f> log(1 + 1/m), and the Fisher information is m (1 + m).
+/// Treating whole sites as real numbers would bias beta if <f> is only a few sites.
 void fit_tail(ForceDistribution& distribution, const std::vector<double>& strengths,
               Strength kind) {
   const double mean = distribution.mean;
@@ -86,7 +84,7 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
     return std::nullopt;
   }
   const bool usable = std::all_of(strengths.begin(), strengths.end(), [](double strength) {
-    return strength > 0 && strength < kMostSites;
+    return strength > 0 && strength < kMaxSites;
   });
   if (!usable) {
     throw std::invalid_argument("the strength of a contact is a positive number of sites");
@@ -101,9 +99,9 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
   return distribution;
 }
 
-void ForceAverage::add(const std::vector<Contact>& contacts) {
+void ForceAverage::add(const std::vector<OverlapContact>& contacts) {
   ++samples_;
-  for (const Contact& contact : contacts) {
+  for (const OverlapContact& contact : contacts) {
     Sum& sum = sums_[{contact.first, contact.second}];
     sum.sites += static_cast<std::uint64_t>(contact.sites);
     ++sum.samples;
@@ -134,7 +132,7 @@ std::vector<ForceAverage::Mean> ForceAverage::means() const {
   return means;
 }
 
-std::vector<double> strengths(const std::vector<Contact>& contacts) {
+std::vector<double> strengths(const std::vector<OverlapContact>& contacts) {
   return sites_of(contacts);
 }
 

@@ -8,16 +8,16 @@ namespace clca::measure {
 
 namespace {
 
-constexpr int kMostCells = 1'000'000'000;
+constexpr int kMaxCells = 1'000'000'000;
 
 std::size_t count_of(double extent, double cell) {
-  if (!(cell > 0 && extent / cell < double{kMostCells})) {
+  if (!(cell > 0 && extent / cell < double{kMaxCells})) {
     throw std::invalid_argument("the side of a cell must be positive, and not that small");
   }
   return static_cast<std::size_t>(std::max(1.0, std::round(extent / cell)));
 }
 
-/// The one of `count` equal parts of the unit interval that holds `share`; the nearest if none.
+/// Which of `count` equal parts of the unit interval contains `share`; the nearest if none.
 std::size_t part_of(double share, std::size_t count) {
   const double last = static_cast<double>(count) - 1;
   return static_cast<std::size_t>(
@@ -34,7 +34,7 @@ Grid::Grid(const lattice::Lattice& lattice, double cell)
       periodic_(lattice.periodic()),
       columns_(count_of(extents_.x(), cell)),
       rows_(count_of(extents_.y(), cell)) {
-  if (columns_ >= std::size_t{kMostCells} / rows_) {
+  if (columns_ >= std::size_t{kMaxCells} / rows_) {
     throw std::invalid_argument("the side of a cell is too small");
   }
 }

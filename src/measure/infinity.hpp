@@ -1,5 +1,5 @@
 #pragma once
-// Where a search for the least or the greatest begins.
+// Start value of searches for minima and maxima.
 
 #include <limits>
 

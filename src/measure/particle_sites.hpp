@@ -5,8 +5,8 @@
 
 namespace clca::measure {
 
-/// Calls visit(site) for every site of every present particle, in the box also where it is
-/// periodic. A site that two particles share comes twice.
+/// Calls visit(site) for every site of every present particle, wrapped into the box. A shared site
+/// comes twice.
 template <typename Visit>
 void for_each_site(const grains::State& state, const Visit& visit) {
   for (const grains::Particle& particle : state.particles) {

@@ -18,23 +18,23 @@ constexpr std::size_t kFlankColumns = 5;
 constexpr double kSiteTop = 1.0;  // from the floor at y = -1/2 to the top of a site at y: y + 1
 
 /// Lowest and highest row with a particle, per column.
-struct Span {
+struct RowBounds {
   int low = -1;
   int high = -1;
   bool empty() const { return high < 0; }
 };
 
-std::vector<Span> column_spans(const grains::State& state) {
-  std::vector<Span> spans(static_cast<std::size_t>(state.lattice.columns()));
+std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
+  std::vector<RowBounds> spans(static_cast<std::size_t>(state.lattice.columns()));
   for_each_site(state, [&](lattice::Site site) {
-    Span& span = spans[static_cast<std::size_t>(site.column)];
+    RowBounds& span = spans[static_cast<std::size_t>(site.column)];
     span.low = span.empty() ? site.row : std::min(span.low, site.row);
     span.high = std::max(span.high, site.row);
   });
   return spans;
 }
 
-/// The sites of the walls, each once where walls overlap.
+/// The sites of all walls, without duplicates.
 std::vector<lattice::Site> wall_sites(const grains::State& state) {
   std::vector<lattice::Site> sites;
   for (const grains::Wall& wall : state.walls) {
@@ -48,7 +48,7 @@ std::vector<lattice::Site> wall_sites(const grains::State& state) {
   return sites;
 }
 
-/// Angle in degrees of the line of least squares through the points; none if it does not fall.
+/// Angle in degrees of the least-squares line through the points; none if it does not fall.
 std::optional<double> falling_slope(const std::vector<double>& x,
                                     const std::vector<double>& height) {
   const auto rows = static_cast<Eigen::Index>(x.size());
@@ -61,8 +61,8 @@ std::optional<double> falling_slope(const std::vector<double>& x,
   return angle > 0 ? std::optional(angle) : std::nullopt;
 }
 
-/// Angle in degrees of the flank that falls towards the end of `profile`: a line through all
-/// columns beyond the middle of the top that lie between the bounds.
+/// Angle in degrees of the flank that falls towards the end of `profile`: a line through the
+/// columns beyond the middle of the top with heights between the bounds.
 std::optional<double> falling_flank(const std::vector<double>& profile) {
   if (profile.empty()) {
     return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<double> falling_flank(const std::vector<double>& profile) {
 }  // namespace
 
 std::vector<double> surface_profile(const grains::State& state) {
-  const std::vector<Span> spans = column_spans(state);
+  const std::vector<RowBounds> spans = row_bounds_by_column(state);
   std::vector<double> profile(spans.size(), 0.0);
   for (std::size_t column = 0; column < spans.size(); ++column) {
     if (!spans[column].empty()) {
@@ -151,7 +151,7 @@ ReposeAngle repose_angle(const std::vector<double>& profile) {
 }
 
 std::optional<double> packing_fraction(const grains::State& state) {
-  const std::vector<Span> spans = column_spans(state);
+  const std::vector<RowBounds> spans = row_bounds_by_column(state);
   std::vector<int> floor(spans.size(), -1);  // row of the highest wall site under the bed
   std::vector<int> walled(spans.size(), 0);  // wall sites within the bed
   for (const lattice::Site site : wall_sites(state)) {

@@ -38,7 +38,7 @@ Sizes sizes_of(const State& state) {
   return sizes;
 }
 
-/// Mean height of the centres of mass of the particles of a size that is present.
+/// Mean height of the centres of mass of particles of this size.
 double mean_height_of(const State& state, std::size_t size) {
   double sum = 0;
   double count = 0;
@@ -52,7 +52,7 @@ double mean_height_of(const State& state, std::size_t size) {
 }
 
 /// Vertical extent of particles: edges of sites, in lattice spacings above the floor of the box.
-struct Levels {
+struct VerticalExtent {
   double bottom = kInfinity;
   double top = -kInfinity;
 
@@ -63,20 +63,20 @@ struct Levels {
   }
 };
 
-/// Of the bed, as segregation_index has it. There is a particle.
+/// Height of the bed as defined at segregation_index. Precondition: there is a particle.
 double bed_height(const State& state) {
   double sum = 0;
   double count = 0;
-  Levels levels;
+  VerticalExtent extent;
   for_each_site(state, [&](lattice::Site site) {
-    levels.add(site);
+    extent.add(site);
     sum += lattice::position(site).y() + 0.5;
     count += 1;
   });
-  return 2 * (sum / count - levels.bottom);
+  return 2 * (sum / count - extent.bottom);
 }
 
-/// Id of the only particle of the only species that has just one; none where there is no such.
+/// Id of the only particle of the only species with exactly one; none otherwise.
 std::optional<std::size_t> intruder(const State& state) {
   struct Members {
     std::size_t count = 0;
@@ -151,10 +151,10 @@ std::optional<double> intruder_height(const State& state) {
   State others = state;
   others.particles[*id].present = false;
   const double surface = mean_height(surface_profile(others));
-  Levels bed;
+  VerticalExtent bed;
   for_each_site(state, [&](lattice::Site site) { bed.add(site); });
   const Particle& particle = state.particles[*id];
-  Levels own;
+  VerticalExtent own;
   for (const lattice::Axial part : state.shape(particle).sites()) {
     own.add(particle.site() + part);
   }

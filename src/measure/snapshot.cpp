@@ -25,24 +25,25 @@ Snapshot::Snapshot(const grains::State& state)
 
 bool Snapshot::precedes(const grains::State& now) const {
   const auto in_reach = [](const std::optional<Eigen::Vector2d>& centre) {
-    constexpr double kFarthest = 1e9;
-    return !centre || (std::abs(centre->x()) < kFarthest && std::abs(centre->y()) < kFarthest);
+    constexpr double kMaxCoordinate = 1e9;
+    return !centre ||
+           (std::abs(centre->x()) < kMaxCoordinate && std::abs(centre->y()) < kMaxCoordinate);
   };
   return step_ <= now.step && centres_.size() <= now.particles.size() &&
          std::all_of(centres_.begin(), centres_.end(), in_reach);
 }
 
-std::vector<Journey> Snapshot::journeys(const grains::State& now) const {
+std::vector<Displacement> Snapshot::displacements(const grains::State& now) const {
   if (step_ > now.step || centres_.size() > now.particles.size()) {
     throw std::invalid_argument("a state is not one that followed the snapshot");
   }
-  std::vector<Journey> result;
+  std::vector<Displacement> result;
   result.reserve(centres_.size());
   for (std::size_t id = 0; id < centres_.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
     if (centres_[id] && particle.present) {
       result.push_back({.from = in_box(now.lattice, *centres_[id]),
-                        .displacement = grains::centre(now, particle) - *centres_[id],
+                        .vector = grains::centre(now, particle) - *centres_[id],
                         .sites = static_cast<double>(now.shape(particle).size())});
     }
   }

@@ -17,7 +17,7 @@ std::vector<StressCell> stress_field(const grains::State& state,
     const Eigen::Vector2d on_upper = force.on_upper() / (kParts * grid.cell_area());
     const auto with_grain = grains::is_particle(force.other);
     const Eigen::Vector2d end =
-        with_grain ? grains::centre(state, state.particles[force.upper]) : force.place + branch;
+        with_grain ? grains::centre(state, state.particles[force.upper]) : force.point + branch;
     for (int part = 0; part < kParts; ++part) {
       StressCell& one = cells[grid.index(end - (part + 0.5) / kParts * branch)];
       one.xx += on_upper.x() * branch.x();

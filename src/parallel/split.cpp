@@ -7,7 +7,7 @@ namespace clca::parallel {
 void split(const Threads& threads, std::size_t count,
            const std::function<void(std::size_t, std::size_t, std::size_t)>& work) {
   const auto most = static_cast<std::size_t>(threads.count);
-  const std::size_t parts = std::clamp<std::size_t>(count / threads.least, 1, most);
+  const std::size_t parts = std::clamp<std::size_t>(count / threads.min_per_thread, 1, most);
   if (parts == 1) {
     work(0, 0, count);
     return;

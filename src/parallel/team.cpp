@@ -14,7 +14,8 @@ namespace clca::parallel {
 
 namespace {
 
-/// What the environment asks for, in bytes: a number of kibibytes, or with the unit B, K, M or G.
+/// Stack size requested by the environment, in bytes: a number of kibibytes, or with the unit B, K,
+/// M or G.
 std::optional<std::size_t> stack_size() {
   constexpr unsigned kKibi = 10;
   const char* text = std::getenv("OMP_STACKSIZE");  // NOLINT(concurrency-mt-unsafe): nobody sets it
@@ -57,7 +58,7 @@ void* wait_at(void* gate) {
   return nullptr;
 }
 
-/// How many of `most` threads can be there at once, beside this one.
+/// How many of `most` threads can exist at once besides this one.
 int startable(int most) {
   const Attributes attributes;
   std::mutex gate;
@@ -85,7 +86,7 @@ int start_team(int wanted) {
   }
   // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the region reads it
   const int team = wanted == 1 ? 1 : 1 + startable(wanted - 1);
-  // At once, as the limits may be reached later; regions of the same size then use these threads.
+  // Now, as limits may be reached later; regions of the same size then reuse these threads.
   int there = 0;
 #pragma omp parallel num_threads(team) reduction(+ : there)
   there += 1;

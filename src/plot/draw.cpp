@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 #include "clca/plot/plot.hpp"
+#include "clca/process/data_folder.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/template.hpp"
 
@@ -14,23 +17,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By its first and last bytes.
-bool is_whole_png(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::array<std::uint8_t, 8> kBegin = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  constexpr std::array<std::uint8_t, 8> kEnd = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
-  return bytes.size() >= kBegin.size() + kEnd.size() &&
-         std::equal(kBegin.begin(), kBegin.end(), bytes.begin()) &&
-         std::equal(kEnd.rbegin(), kEnd.rend(), bytes.rbegin());
+bool is_whole(const std::vector<std::uint8_t>& bytes, Format format) {
+  constexpr std::array<std::string_view, 3> kEnds = {"IEND\xae\x42\x60\x82", "</svg>", "%%EOF"};
+  const std::string_view end = kEnds[static_cast<std::size_t>(format)];
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.substr(0, text.find_last_not_of('\n') + 1).ends_with(end);
+}
+
+/// For ids in an SVG.
+std::string identifier(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char letter) { return std::isalnum(letter) == 0; },
+      '_');
+  return name;
 }
 
 }  // namespace
 
 fs::path template_folder() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const std::array candidates = {
-      (program.parent_path() / CLCA_PLOTS_FROM_PROGRAM).lexically_normal(),
-      fs::path(CLCA_PLOTS_IN_SOURCE)};
+  const auto candidates = process::data_folders("plots");
   for (const fs::path& folder : candidates) {
     if (fs::exists(folder / kStyleFile, error)) {
       return folder;
@@ -40,14 +46,23 @@ fs::path template_folder() {
                               candidates[0].string(), candidates[1].string()));
 }
 
-std::vector<std::uint8_t> draw(const Figure& figure, const Size& size,
+const char* ending(Format format) {
+  constexpr std::array kEndings = {"png", "svg", "pdf"};
+  return kEndings[static_cast<std::size_t>(format)];
+}
+
+std::vector<std::uint8_t> draw(const Figure& figure, const Appearance& appearance,
                                const std::atomic<int>* stop) {
   const std::string commands =
-      fmt::format("{} width = {}; height = {}", figure.setting, size.width, size.height);
+      fmt::format("{} title = {}; name = {}; format = '{}'; width = {}; height = {}",
+                  figure.setting, literal(figure.title), literal(identifier(figure.name)),
+                  ending(appearance.format), appearance.width, appearance.height);
+  const fs::path program = find_gnuplot();
   try {
-    std::vector<std::uint8_t> bytes = gnuplot(
-        figure.run, commands, {figure.script.parent_path() / kStyleFile, figure.script}, stop);
-    if (!is_whole_png(bytes)) {
+    std::vector<std::uint8_t> bytes =
+        gnuplot(program, figure.run, commands,
+                {figure.script.parent_path() / kStyleFile, figure.script}, stop);
+    if (!is_whole(bytes, appearance.format)) {
       throw PlotError("gnuplot leaves no whole picture");
     }
     return bytes;

@@ -8,6 +8,7 @@
 #include "clca/store/file.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/run_tables.hpp"
+#include "plot/sweep_figures.hpp"
 #include "plot/template.hpp"
 
 namespace clca::plot {
@@ -16,23 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `array NAME[2] = ['a', 'b'];`
-std::string array_text(const std::string& name, const std::vector<std::string>& values) {
-  std::string list;
-  for (const std::string& value : values) {
-    list += (list.empty() ? "" : ", ") + literal(value);
-  }
-  return fmt::format("array {}[{}] = [{}];", name, values.size(), list);
-}
-
-/// What a figure is drawn from.
+/// The source of a figure.
 struct Content {
   std::vector<TableFile> files;
   std::vector<std::string> groups;
 };
 
-/// The values of a column in the order in which they come; one without a name where there is no
-/// such column.
+/// The values of a column in order of appearance; one empty value if there is no such column.
 std::vector<std::string> group_names(RunTables& tables, const std::vector<TableFile>& files,
                                      const std::string& column) {
   std::vector<std::string> names;
@@ -53,10 +44,10 @@ std::vector<std::string> group_names(RunTables& tables, const std::vector<TableF
   return names.empty() ? std::vector<std::string>{""} : names;
 }
 
-/// |TABLE:COLUMN| for each column that says something: what has() of the style looks into.
+/// |TABLE:COLUMN| for each column with values; read by has() of the style.
 std::string known_columns(RunTables& tables, const Template& one) {
   std::vector<std::string> patterns = one.may_use;
-  for (const Need& need : one.needs) {
+  for (const TableRequirement& need : one.needs) {
     patterns.push_back(need.table);
   }
   std::set<std::string> known;
@@ -64,7 +55,7 @@ std::string known_columns(RunTables& tables, const Template& one) {
     for (const TableFile& file : tables.files(pattern)) {
       const store::ReadTable& table = tables.read(file.name);
       for (const std::string& column : table.names) {
-        if (says_something(table, column, {})) {
+        if (has_values(table, column, {})) {
           known.insert(fmt::format("{}:{}", pattern, column));
         }
       }
@@ -77,7 +68,7 @@ std::string known_columns(RunTables& tables, const Template& one) {
   return text;
 }
 
-/// Of the last stage that has it.
+/// Value of the last stage that has it.
 std::string measure_text(const store::RunSummary& summary, const std::string& name) {
   std::string value = "NaN";
   for (const store::StageSummary& stage : summary.stages) {
@@ -88,6 +79,23 @@ std::string measure_text(const store::RunSummary& summary, const std::string& na
     }
   }
   return fmt::format("{} = {};", name, value);
+}
+
+/// Columns that a pattern of the first table stands for, and what its `*` does.
+std::string pattern_text(RunTables& tables, const Template& one, const Content& content) {
+  const TableRequirement& need = one.needs.front();
+  std::vector<std::string> columns;
+  std::vector<std::string> labels;
+  for (const std::string& pattern : need.columns) {
+    if (pattern.ends_with('*')) {
+      columns = matching_columns(tables.read(content.files.front().name), pattern, need);
+      for (const std::string& column : columns) {
+        labels.push_back(column.substr(pattern.size() - 1));
+      }
+    }
+  }
+  return columns.empty() ? std::string()
+                         : array_text("columns", columns) + array_text("column_labels", labels);
 }
 
 std::string setting_text(RunTables& tables, const Template& one, const Content& content) {
@@ -101,14 +109,31 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
                      array_text("groups", content.groups);
   text += fmt::format("group_column = {};", literal(one.groups));
   text += fmt::format("known_columns = {};", literal(known_columns(tables, one)));
-  text += fmt::format("scene = {};", literal(tables.summary().scene));
+  text += pattern_text(tables, one, content);
+  text += fmt::format("templates = {};", literal(fs::absolute(one.file).parent_path().string()));
   const auto& units = tables.summary().units;
   text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
   text += fmt::format("time_title = {};", literal(units ? "time, " + units->time_unit : "step"));
+  text +=
+      fmt::format("velocity_unit = {};", literal(units ? units->velocity_unit : "spacings/step"));
   for (const std::string& measure : one.measures) {
     text += measure_text(tables.summary(), measure);
   }
   return text;
+}
+
+/// Whether the rows of a group have a value in each column that the first table needs.
+bool has_values_in(RunTables& tables, const Template& one, const Content& content,
+                   const std::string& group) {
+  TableRequirement need = one.needs.front();
+  if (!group.empty()) {
+    need.rows.emplace_back(one.groups, group);
+  }
+  return std::all_of(need.columns.begin(), need.columns.end(), [&](const std::string& column) {
+    return std::any_of(content.files.begin(), content.files.end(), [&](const TableFile& file) {
+      return !matching_columns(tables.read(file.name), column, need).empty();
+    });
+  });
 }
 
 std::vector<Content> divided(const Content& whole, Division division) {
@@ -134,18 +159,29 @@ std::string figure_name(const Template& one, const Content& part) {
   return label.empty() ? one.name : one.name + "-" + label;
 }
 
-/// Empty where the tables lack something that is needed.
+/// Empty if the tables lack something.
 std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
-  for (const Need& need : one.needs) {
+  for (const TableRequirement& need : one.needs) {
     if (tables.files(need).empty()) {
       return {};
     }
   }
   Content whole = {.files = tables.files(one.needs.front()), .groups = {}};
   whole.groups = group_names(tables, whole.files, one.groups);
+  if (one.division == Division::by_measure) {
+    return sweep_figures(tables, one);
+  }
+  if (one.division == Division::by_group) {
+    std::erase_if(whole.groups, [&](const std::string& group) {
+      return !has_values_in(tables, one, whole, group);
+    });
+  }
   std::vector<Figure> result;
   for (const Content& part : divided(whole, one.division)) {
+    const store::RunSummary& summary = tables.summary();
     result.push_back({.name = figure_name(one, part),
+                      .title = summary.title.empty() ? summary.scene : summary.title,
+                      .description = one.description,
                       .script = one.file,
                       .run = tables.run(),
                       .setting = setting_text(tables, one, part)});
@@ -153,14 +189,14 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
   return result;
 }
 
-/// Why there is no figure of that name, in words.
+/// Explains why there is no figure of that name.
 std::string reason(const std::vector<Template>& templates, const std::vector<Figure>& possible,
                    const std::string& name) {
   const auto one = std::find_if(templates.begin(), templates.end(),
                                 [&](const Template& any) { return any.name == name; });
   if (one != templates.end()) {
     std::string needs;
-    for (const Need& need : one->needs) {
+    for (const TableRequirement& need : one->needs) {
       needs += (needs.empty() ? "" : "; ") + to_text(need);
     }
     return fmt::format("the tables do not allow the figure '{}', which needs {}", name, needs);
@@ -187,13 +223,20 @@ std::vector<Figure> chosen(const std::vector<Figure>& possible,
   return result;
 }
 
-std::vector<Figure> possible_figures(const fs::path& run, const std::vector<Template>& templates) {
+/// `unreadable` is called where the tables of a template are invalid.
+std::vector<Figure> possible_figures(
+    const fs::path& run, const std::vector<Template>& templates,
+    const std::function<void(const store::StoreError&)>& unreadable) {
   try {
     RunTables tables(run);
     std::vector<Figure> all;
     for (const Template& one : templates) {
-      const std::vector<Figure> more = figures_of(tables, one);
-      all.insert(all.end(), more.begin(), more.end());
+      try {
+        const std::vector<Figure> more = figures_of(tables, one);
+        all.insert(all.end(), more.begin(), more.end());
+      } catch (const store::StoreError& error) {
+        unreadable(error);
+      }
     }
     return all;
   } catch (const store::StoreError& error) {
@@ -206,7 +249,8 @@ std::vector<Figure> possible_figures(const fs::path& run, const std::vector<Temp
 std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>& only,
                             const fs::path& templates) {
   const std::vector<Template> known = read_templates(templates);
-  const std::vector<Figure> possible = possible_figures(run, known);
+  const std::vector<Figure> possible =
+      possible_figures(run, known, [](const store::StoreError& error) { throw error; });
   if (possible.empty()) {
     throw InputError(fmt::format("{}: no tables that a figure could be drawn from", run.string()));
   }
@@ -217,6 +261,13 @@ std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>&
     }
   }
   return chosen(possible, only);
+}
+
+std::vector<Figure> figures_of_readable_tables(
+    const fs::path& run, const fs::path& templates,
+    const std::function<void(const std::string&)>& warning) {
+  return possible_figures(run, read_templates(templates),
+                          [&](const store::StoreError& error) { warning(error.what()); });
 }
 
 }  // namespace clca::plot

@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path find_gnuplot() {
-  if (const auto file = process::find_program("gnuplot")) {
-    return *file;
-  }
-  throw PlotError("gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the PATH");
-}
-
 /// gnuplot shows the command, a mark below it, and then `"FILE" line N: what is wrong`.
 std::string first_complaint(const std::vector<std::uint8_t>& bytes) {
   std::stringstream text(std::string(bytes.begin(), bytes.end()));
@@ -38,6 +31,21 @@ std::string first_complaint(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
+std::string array_text(const std::string& name, const std::vector<std::string>& values) {
+  std::string list;
+  for (const std::string& value : values) {
+    list += (list.empty() ? "" : ", ") + literal(value);
+  }
+  return fmt::format("array {}[{}] = [{}];", name, values.size(), list);
+}
+
+fs::path find_gnuplot() {
+  if (const auto file = process::find_program("gnuplot")) {
+    return *file;
+  }
+  throw PlotError("gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the PATH");
+}
+
 std::string literal(std::string_view text) {
   std::string result = "'";
   for (const char letter : text) {
@@ -47,17 +55,17 @@ std::string literal(std::string_view text) {
   return result + '\'';
 }
 
-std::vector<std::uint8_t> gnuplot(const fs::path& folder, const std::string& commands,
-                                  const std::vector<fs::path>& scripts,
+std::vector<std::uint8_t> gnuplot(const fs::path& program, const fs::path& folder,
+                                  const std::string& commands, const std::vector<fs::path>& scripts,
                                   const std::atomic<int>* stop) {
-  // -d: no settings of the user, so that the same tables give the same picture.
-  std::vector<std::string> arguments = {find_gnuplot().string(), "-d", "-e", commands};
+  // -d: ignores user settings, so that the same tables give the same picture.
+  std::vector<std::string> arguments = {program.string(), "-d", "-e", commands};
   for (const fs::path& script : scripts) {
     arguments.push_back(fs::absolute(script).string());
   }
   try {
-    const process::Transcript out;
-    const process::Transcript err;
+    const process::OutputCapture out;
+    const process::OutputCapture err;
     const int code =
         process::Program(arguments, {.folder = folder, .out = &out, .err = &err, .stop = stop})
             .wait();
@@ -66,7 +74,7 @@ std::vector<std::uint8_t> gnuplot(const fs::path& folder, const std::string& com
           fmt::format("gnuplot fails with exit code {}: {}", code, first_complaint(err.bytes())));
     }
     return out.bytes();
-  } catch (const process::Stopped&) {
+  } catch (const process::StoppedError&) {
     throw;
   } catch (const process::ProcessError& error) {
     throw PlotError(error.what());

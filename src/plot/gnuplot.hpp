@@ -1,5 +1,5 @@
 #pragma once
-// The program gnuplot, called without a shell.
+// Running gnuplot.
 
 #include <atomic>
 #include <cstdint>
@@ -10,13 +10,19 @@
 
 namespace clca::plot {
 
-/// `text` as a string of gnuplot that means nothing but itself. Control characters become spaces.
+/// `text` as a literal gnuplot string. Control characters become spaces.
 std::string literal(std::string_view text);
 
-/// Runs gnuplot in `folder` on `commands`, then on each script; what it leaves on its standard
-/// output. Throws PlotError with its first complaint, and where it is not on the PATH;
-/// process::Stopped once `stop` is not zero.
-std::vector<std::uint8_t> gnuplot(const std::filesystem::path& folder, const std::string& commands,
+/// `array NAME[2] = ['a', 'b'];` of at least one value.
+std::string array_text(const std::string& name, const std::vector<std::string>& values);
+
+/// Throws PlotError if it is not on the PATH.
+std::filesystem::path find_gnuplot();
+
+/// Runs the program in `folder` on `commands`, then on each script; returns its standard output.
+/// Throws PlotError with its first error; process::StoppedError once `stop` is not zero.
+std::vector<std::uint8_t> gnuplot(const std::filesystem::path& program,
+                                  const std::filesystem::path& folder, const std::string& commands,
                                   const std::vector<std::filesystem::path>& scripts,
                                   const std::atomic<int>* stop);
 

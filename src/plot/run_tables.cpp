@@ -29,7 +29,19 @@ std::vector<std::string> file_names(const fs::path& folder) {
   return names;
 }
 
-/// Stages as they come in the run, times as they ascend, all else by the alphabet.
+/// Of a sweep, which has no run.json, only what the name of its folder says.
+store::RunSummary summary_of(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder / "sweep.json", error) && !fs::exists(folder / "run.json", error)) {
+    store::RunSummary summary;
+    summary.kind = "sweep";
+    summary.scene = fs::weakly_canonical(folder, error).filename().string();
+    return summary;
+  }
+  return store::read_summary(folder / "run.json");
+}
+
+/// Stages in order of the run, times ascending, all else alphabetical.
 auto order(const store::RunSummary& summary, const std::string& label) {
   const auto stage = std::find_if(summary.stages.begin(), summary.stages.end(),
                                   [&](const auto& one) { return one.name == label; });
@@ -38,7 +50,7 @@ auto order(const store::RunSummary& summary, const std::string& label) {
   return std::tuple(stage - summary.stages.begin(), number, label);
 }
 
-bool is_row(const store::ReadTable& table, std::size_t row, const Need& need) {
+bool is_row(const store::ReadTable& table, std::size_t row, const TableRequirement& need) {
   return std::all_of(need.rows.begin(), need.rows.end(), [&](const auto& wanted) {
     const std::vector<std::string>* cells = table.find(wanted.first);
     return cells != nullptr && (*cells)[row] == wanted.second;
@@ -53,7 +65,8 @@ bool is_label(const std::string& text) {
   return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
 }
 
-bool says_something(const store::ReadTable& table, const std::string& column, const Need& need) {
+bool has_values(const store::ReadTable& table, const std::string& column,
+                const TableRequirement& need) {
   const std::vector<std::string>* cells = table.find(column);
   for (std::size_t row = 0; cells != nullptr && row < cells->size(); ++row) {
     const std::string& cell = (*cells)[row];
@@ -64,8 +77,23 @@ bool says_something(const store::ReadTable& table, const std::string& column, co
   return false;
 }
 
+std::vector<std::string> matching_columns(const store::ReadTable& table, const std::string& column,
+                                          const TableRequirement& need) {
+  if (!column.ends_with('*')) {
+    return has_values(table, column, need) ? std::vector{column} : std::vector<std::string>();
+  }
+  const std::string prefix = column.substr(0, column.size() - 1);
+  std::vector<std::string> names;
+  std::copy_if(table.names.begin(), table.names.end(), std::back_inserter(names),
+               [&](const std::string& name) {
+                 return name.starts_with(prefix) && is_label(name.substr(prefix.size())) &&
+                        has_values(table, name, need);
+               });
+  return names;
+}
+
 RunTables::RunTables(const fs::path& run)
-    : run_(run), summary_(store::read_summary(run / "run.json")), names_(file_names(run)) {}
+    : run_(run), summary_(summary_of(run)), names_(file_names(run)) {}
 
 std::vector<TableFile> RunTables::files(const std::string& table) const {
   const std::size_t star = table.find('*');
@@ -90,7 +118,7 @@ std::vector<TableFile> RunTables::files(const std::string& table) const {
   return found;
 }
 
-std::vector<TableFile> RunTables::files(const Need& need) {
+std::vector<TableFile> RunTables::files(const TableRequirement& need) {
   std::vector<TableFile> found = files(need.table);
   std::erase_if(found, [&](const TableFile& file) { return !satisfies(file.name, need); });
   return found;
@@ -103,14 +131,23 @@ const store::ReadTable& RunTables::read(const std::string& file) {
              : tables_.emplace(file, store::read_table(run_ / file)).first->second;
 }
 
-bool RunTables::satisfies(const std::string& file, const Need& need) {
+bool RunTables::satisfies(const std::string& file, const TableRequirement& need) {
   const store::ReadTable& table = read(file);
-  return std::all_of(need.columns.begin(), need.columns.end(), [&](const std::string& column) {
-    if (table.find(column) != nullptr) {
-      table.numbers(column);  // complains where gnuplot would leave out
-    }
-    return says_something(table, column, need);
-  });
+  const auto has_changing = [&](const std::string& column) {
+    const auto* cells = table.find(column);
+    return cells != nullptr && std::any_of(cells->begin(), cells->end(), [&](const auto& cell) {
+             return cell != cells->front();
+           });
+  };
+  return std::all_of(need.columns.begin(), need.columns.end(),
+                     [&](const std::string& column) {
+                       const auto names = matching_columns(table, column, need);
+                       for (const std::string& name : names) {
+                         table.numbers(name);  // complains where gnuplot would leave out
+                       }
+                       return !names.empty();
+                     }) &&
+         std::all_of(need.changing.begin(), need.changing.end(), has_changing);
 }
 
 }  // namespace clca::plot

@@ -1,5 +1,5 @@
 #pragma once
-// The tables of a run folder, each read when it is first asked for.
+// The tables of a run folder, read on first use.
 
 #include <filesystem>
 #include <map>
@@ -19,23 +19,23 @@ struct TableFile {
 
 class RunTables {
  public:
-  /// Throws StoreError where there is no whole run.json.
+  /// Of a run or a sweep. Throws StoreError where a run has no whole run.json.
   explicit RunTables(const std::filesystem::path& run);
 
   const std::filesystem::path& run() const { return run_; }
   const store::RunSummary& summary() const { return summary_; }
 
-  /// The files that a table of a template stands for: in the order of the stages or times.
+  /// The files for a table of a template, in order of stages or times.
   std::vector<TableFile> files(const std::string& table) const;
 
-  /// Those of them that have what is needed. Throws StoreError.
-  std::vector<TableFile> files(const Need& need);
+  /// Those of them that meet the requirement. Throws StoreError.
+  std::vector<TableFile> files(const TableRequirement& need);
 
   /// Throws StoreError.
   const store::ReadTable& read(const std::string& file);
 
  private:
-  bool satisfies(const std::string& file, const Need& need);
+  bool satisfies(const std::string& file, const TableRequirement& need);
 
   std::filesystem::path run_;
   store::RunSummary summary_;
@@ -43,8 +43,14 @@ class RunTables {
   std::map<std::string, store::ReadTable> tables_;
 };
 
-/// Whether a column is there and has a value that is not 0 in one of the rows that are chosen.
-bool says_something(const store::ReadTable& table, const std::string& column, const Need& need);
+/// Whether the column exists and has a non-zero value in a selected row.
+bool has_values(const store::ReadTable& table, const std::string& column,
+                const TableRequirement& need);
+
+/// The columns with values that a column of a requirement stands for: itself, or those with its
+/// prefix where it ends in `*`. Those whose other part is no label are left out.
+std::vector<std::string> matching_columns(const store::ReadTable& table, const std::string& column,
+                                          const TableRequirement& need);
 
 /// Names of stages and numbers are made of these.
 bool is_label(const std::string& text);

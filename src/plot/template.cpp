@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "clca/plot/plot.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostTemplateBytes = 1 << 20;
+constexpr double kMaxTemplateBytes = 1 << 20;
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -30,13 +31,16 @@ std::pair<std::string, std::string> halves(const std::string& text, char mark) {
           place == std::string::npos ? std::string() : trimmed(text.substr(place + 1))};
 }
 
-Need to_need(const std::string& text) {
+TableRequirement to_need(const std::string& text) {
   const auto [table, columns] = halves(text, ':');
-  Need need = {.table = table, .columns = {}, .rows = {}};
+  TableRequirement need = {.table = table, .columns = {}, .changing = {}, .rows = {}};
   std::stringstream stream(columns);
   for (std::string item; std::getline(stream, item, ',');) {
+    constexpr std::string_view kChanging = "changing ";
     const auto [column, value] = halves(item, '=');
-    if (value.empty()) {
+    if (column.starts_with(kChanging)) {
+      need.changing.push_back(column.substr(kChanging.size()));
+    } else if (value.empty()) {
       need.columns.push_back(column);
     } else {
       need.rows.emplace_back(column, value);
@@ -46,14 +50,17 @@ Need to_need(const std::string& text) {
 }
 
 Division to_division(const std::string& text) {
-  if (text != "group" && text != "file") {
-    throw PlotError(fmt::format("one figure for each: group or file, not '{}'", text));
+  if (text != "group" && text != "file" && text != "measure") {
+    throw PlotError(fmt::format("one figure for each: group, file or measure, not '{}'", text));
   }
-  return text == "group" ? Division::by_group : Division::by_file;
+  return text == "group"  ? Division::by_group
+         : text == "file" ? Division::by_file
+                          : Division::by_measure;
 }
 
-void read_line(Template& result, const std::string& line) {
-  const auto [key, value] = halves(line.substr(1), ':');
+/// False if the line is none that says what the template needs.
+bool read_line(Template& result, const std::string& line) {
+  const auto [key, value] = halves(line, ':');
   if (key == "needs") {
     result.needs.push_back(to_need(value));
   } else if (key == "may use") {
@@ -64,19 +71,28 @@ void read_line(Template& result, const std::string& line) {
     result.division = to_division(value);
   } else if (key == "measure") {
     result.measures.push_back(value);
+  } else {
+    return false;
   }
+  return true;
 }
 
 Template read_template(const fs::path& file) {
   Template result;
   result.file = file;
   result.name = file.stem().string();
-  const auto bytes = store::read_whole(file, kMostTemplateBytes);
+  const auto bytes = store::read_whole(file, kMaxTemplateBytes);
   std::stringstream text(std::string(bytes.begin(), bytes.end()));
+  bool describes = true;
   for (std::string line; std::getline(text, line) && line.starts_with('#');) {
-    read_line(result, line);
+    const std::string words = trimmed(line.substr(1));
+    describes = !read_line(result, words) && describes && !words.empty();
+    if (describes) {
+      result.description += (result.description.empty() ? "" : " ") + words;
+    }
   }
-  if (result.needs.empty() || result.needs.front().columns.empty()) {
+  if (result.needs.empty() ||
+      (result.needs.front().columns.empty() && result.needs.front().changing.empty())) {
     throw PlotError("it does not say which columns it needs");
   }
   return result;
@@ -105,10 +121,13 @@ std::vector<Template> read_templates(const fs::path& folder) {
   return templates;
 }
 
-std::string to_text(const Need& need) {
+std::string to_text(const TableRequirement& need) {
   std::string text;
   for (const auto& [column, value] : need.rows) {
     text += fmt::format("{}{}={}", text.empty() ? "" : ", ", column, value);
+  }
+  for (const std::string& column : need.changing) {
+    text += fmt::format("{}changing {}", text.empty() ? "" : ", ", column);
   }
   for (const std::string& column : need.columns) {
     text += (text.empty() ? "" : ", ") + column;

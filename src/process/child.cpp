@@ -55,7 +55,8 @@ bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-/// All from 3 on but two: locks and files of the parent are not the child's to hold.
+/// Closes all file descriptors from 3 on but two, so that the child holds no locks or files of the
+/// parent.
 void close_others(int one, int other) {
   int first = STDERR_FILENO + 1;
   for (const int kept : {std::min(one, other), std::max(one, other)}) {
@@ -67,8 +68,8 @@ void close_others(int one, int other) {
   ::close_range(static_cast<unsigned>(first), ~0U, 0);
 }
 
-/// The parent decides when to stop, so the child ignores what a terminal sends to both. A crash
-/// ends the child at once, whatever handlers the parent has.
+/// The child ignores terminal signals: the parent decides when to stop. A crash ends the child at
+/// once, whatever handlers the parent has.
 void set_signals() {
   for (const int ignored : {SIGINT, SIGTERM, SIGHUP}) {
     ::signal(ignored, SIG_IGN);
@@ -88,7 +89,7 @@ void set_limit(decltype(RLIMIT_AS) what, rlim_t most) {
 }
 
 #ifndef CLCA_SANITIZED
-/// Address space of this process in bytes; 0 where the system does not tell.
+/// Address space of this process in bytes; 0 if the system does not report it.
 double address_space() {
   const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   std::array<char, 64> text = {};
@@ -112,8 +113,8 @@ void set_limits(const ChildLimits& limits) {
 #endif
 }
 
-/// The allocators of sanitizers (of GCC 12) are not made for fork: what another thread has locked
-/// stays locked in the child for ever.
+/// Sanitizer allocators (GCC 12) do not support fork: a lock held by another thread stays locked in
+/// the child.
 bool can_fork() {
 #ifdef CLCA_SANITIZED
   using Entries = std::filesystem::directory_iterator;

@@ -31,8 +31,7 @@ void pause() {
   ::poll(nullptr, 0, static_cast<int>(kPause.count()));
 }
 
-/// A socket, unlike a pipe, can be written to without a signal when nobody reads any more. The
-/// first end is ours.
+/// Unlike a pipe, a socket raises no signal when the reader is gone. The first end is ours.
 std::array<int, 2> socket_pair() {
   std::array<int, 2> ends = {-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -57,19 +56,19 @@ std::optional<fs::path> find_program(const std::string& name) {
   return std::nullopt;
 }
 
-// In memory: a disk that is full must not cut it off.
-Transcript::Transcript()
+// In memory, so that a full disk cannot truncate it.
+OutputCapture::OutputCapture()
     : file_(::fdopen(::memfd_create("transcript", MFD_CLOEXEC), "w+"), &std::fclose) {
   if (!file_) {
     throw ProcessError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
   }
 }
 
-int Transcript::number() const {
+int OutputCapture::number() const {
   return ::fileno(file_.get());
 }
 
-std::vector<std::uint8_t> Transcript::bytes() const {
+std::vector<std::uint8_t> OutputCapture::bytes() const {
   std::rewind(file_.get());
   std::vector<std::uint8_t> all;
   std::vector<std::uint8_t> block(1U << 16U);
@@ -79,19 +78,19 @@ std::vector<std::uint8_t> Transcript::bytes() const {
   return all;
 }
 
-Program::Program(const std::vector<std::string>& arguments, const Setting& setting)
+Program::Program(const std::vector<std::string>& arguments, const ProgramOptions& options)
     : name_(fs::path(arguments[0]).filename().string()),
-      stop_(setting.stop),
-      grace_(setting.grace) {
+      stop_(options.stop),
+      grace_(options.grace) {
   std::array<int, 2> ends = {-1, -1};  // ours and its
-  if (setting.fed) {
+  if (options.fed) {
     ends = socket_pair();
   } else if (ends[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC); ends[1] < 0) {
     throw ProcessError(fmt::format("cannot open /dev/null: {}", std::strerror(errno)));
   }
   input_ = ends[0];
   try {
-    child_ = start_child(arguments, setting, ends[1]);
+    child_ = start_child(arguments, options, ends[1]);
   } catch (...) {
     ::close(ends[1]);
     close_input();
@@ -142,7 +141,7 @@ void Program::end_when_stopped() {
   }
   if (now >= *deadline_) {
     kill();
-    throw Stopped(fmt::format("{} was stopped before it was done", name_));
+    throw StoppedError(fmt::format("{} was stopped before it was done", name_));
   }
 }
 
@@ -160,7 +159,7 @@ bool Program::has_ended(int options) {
   }
   child_ = -1;
   constexpr int kSignalBase = 128;
-  constexpr int kUnknown = 255;  // somebody else has waited for it
+  constexpr int kUnknown = 255;  // another waitpid has taken its status
   code_ = ended < 0           ? kUnknown
           : WIFEXITED(status) ? WEXITSTATUS(status)
                               : kSignalBase + WTERMSIG(status);

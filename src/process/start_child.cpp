@@ -16,8 +16,7 @@ namespace clca::process {
 
 namespace {
 
-/// What the child does before it is another program, prepared: between fork and exec there may be
-/// no allocation.
+/// What the child needs between fork and exec, prepared before: no allocation is allowed there.
 struct Plan {
   char* const* arguments;
   const char* folder;
@@ -37,7 +36,7 @@ struct Failure {
   ::_exit(127);
 }
 
-/// Calls only functions that are safe in a signal handler, since other threads may have held locks.
+/// Calls only async-signal-safe functions, since other threads may have held locks.
 [[noreturn]] void become(const Plan& plan) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != plan.parent) {
@@ -45,7 +44,7 @@ struct Failure {
   }
   ::setpgid(0, 0);  // signals from the terminal are for the parent
   ::signal(SIGPIPE, SIG_DFL);
-  // Out of the way first: one of them may have the number of another's place.
+  // Moves them out of the way first: one may have the number that another needs.
   const int report = ::fcntl(plan.report, F_DUPFD_CLOEXEC, 3);
   std::array<int, 3> streams = plan.streams;
   for (int& stream : streams) {
@@ -64,7 +63,7 @@ struct Failure {
   give_up(report, false);
 }
 
-/// What the child reports; nothing once it is another program.
+/// The child's error report; none once exec has succeeded.
 Failure read_report(int report) {
   Failure failure;
   ssize_t count = 0;
@@ -76,7 +75,8 @@ Failure read_report(int report) {
 
 }  // namespace
 
-pid_t start_child(const std::vector<std::string>& arguments, const Setting& setting, int input) {
+pid_t start_child(const std::vector<std::string>& arguments, const ProgramOptions& options,
+                  int input) {
   std::vector<char*> argv;
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -92,9 +92,9 @@ pid_t start_child(const std::vector<std::string>& arguments, const Setting& sett
   }
   const Plan plan = {
       .arguments = argv.data(),
-      .folder = setting.folder.c_str(),
-      .streams = {input, setting.out != nullptr ? setting.out->number() : STDOUT_FILENO,
-                  setting.err != nullptr ? setting.err->number() : STDERR_FILENO},
+      .folder = options.folder.c_str(),
+      .streams = {input, options.out != nullptr ? options.out->number() : STDOUT_FILENO,
+                  options.err != nullptr ? options.err->number() : STDERR_FILENO},
       .parent = ::getpid(),
       .report = report[1]};
   const pid_t child = ::fork();
@@ -109,7 +109,7 @@ pid_t start_child(const std::vector<std::string>& arguments, const Setting& sett
     if (child > 0) {
       ::waitpid(child, nullptr, 0);
     }
-    fail(failure.in_folder ? fmt::format("enter the folder {}", setting.folder.string()) : run,
+    fail(failure.in_folder ? fmt::format("enter the folder {}", options.folder.string()) : run,
          failure.error);
   }
   return child;

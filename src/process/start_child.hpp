@@ -1,5 +1,5 @@
 #pragma once
-// A child process: another program in place of a copy of this one.
+// Starting another program in a child process.
 
 #include <sys/types.h>
 
@@ -10,8 +10,9 @@
 
 namespace clca::process {
 
-/// Starts the file `arguments[0]` with `input` as its standard input. It inherits no other file
-/// than its standard streams, and ends when the thread that calls this does. Throws ProcessError.
-pid_t start_child(const std::vector<std::string>& arguments, const Setting& setting, int input);
+/// Starts the file `arguments[0]` with standard input `input`. Throws ProcessError.
+/// It inherits no other files than its standard streams, and ends when the calling thread ends.
+pid_t start_child(const std::vector<std::string>& arguments, const ProgramOptions& options,
+                  int input);
 
 }  // namespace clca::process

@@ -63,12 +63,12 @@ void Annotator::draw_caption(const Caption& caption) {
   const double baseline = layout_.panel.y - em(0.8);
   const double room = layout_.text_right - layout_.text_left;
   font_.set_size(layout_.text_size);
-  // The title gives way only as far as the detail needs no more than its half.
+  // The title is shortened only as far as the detail needs, up to half the width.
   const std::string detail =
       font_.shortened(caption.detail, caption.title.empty() ? room : std::max(room / 2, 0.0));
   const double detail_width = font_.width(detail);
   font_.draw(*image_, layout_.text_right - detail_width, baseline, detail, kPaleInk);
-  // A title that does not fit becomes smaller before it is cut.
+  // A title that does not fit is first made smaller, then cut.
   const double title_room = detail.empty() ? room : room - detail_width - em(kGap);
   const double title_width = font_.width(caption.title);
   const double fitting = title_width > 0 ? 0.99 * title_room / title_width : kTitleSize;

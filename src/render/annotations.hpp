@@ -11,10 +11,10 @@
 
 namespace clca::render {
 
-/// Largest of 1, 2 and 5 times a power of ten that is not above `length` (which is positive).
+/// Largest of 1, 2 and 5 times a power of ten not above `length` (positive).
 double round_length(double length);
 
-/// A length in metres in the unit, of m, mm and µm, that makes it a number of 1 or more.
+/// A length given in metres, written in the largest of m, mm and µm that makes it at least 1.
 std::string metres_text(double length);
 
 /// Round numbers from `low` to `high`, at most `count` of them.
@@ -25,7 +25,7 @@ class Annotator {
   /// Throws RenderError when there is no font.
   Annotator() = default;
 
-  /// `fade`: of the colours of the picture that the legend explains, see Overlay.
+  /// `fade`: as Overlay::fade, for the colours of the legend.
   void draw(Image& image, const Layout& layout, const Caption& caption, const Legend& legend,
             double fade = 0);
 
@@ -35,7 +35,7 @@ class Annotator {
   static constexpr double kHalfLetter = 0.36;   // from the middle of a line down to its baseline
   static constexpr double kGap = 1.5;  // at least, between what stands on the left and on the right
 
-  /// A mark, a patch unless it has a stroke, and its label.
+  /// A legend entry: a colour patch or stroke, and its label.
   struct Entry {
     std::string label;
     double mark_width = 0;  ///< pixels
@@ -44,7 +44,7 @@ class Annotator {
   };
 
   void draw_caption(const Caption& caption);
-  /// Returns the left end, to keep clear of.
+  /// Returns its left end.
   double draw_scale_bar(double spacing);
   double draw_color_bar(const Legend::Bar& bar, double left, double right);
   Stroke key_stroke(const Legend::Line& line) const;

@@ -16,8 +16,8 @@ struct Part {
   std::uint64_t weight = 0;  ///< in parts of `to` to an original pixel
 };
 
-/// For each of `to` new pixels, which of `from` original ones it covers. The weights of one add up
-/// to `from`.
+/// For each of `to` new pixels, the original pixels (of `from`) that it covers. Weights sum to
+/// `from`.
 std::vector<std::vector<Part>> parts_of(int from, int to) {
   std::vector<std::vector<Part>> result(static_cast<std::size_t>(to));
   for (std::int64_t i = 0; i < to; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// Colours mixed in whole numbers: the same bits everywhere.
+// Blending of colours in integers: the same bits everywhere.
 
 #include "clca/render/image.hpp"
 #include "render/colors.hpp"
@@ -16,13 +16,13 @@ inline void blend(Rgb& pixel, Rgb ink, unsigned coverage) {
 
 /// A share as coverage: clamped, 0 for NaN.
 inline unsigned coverage_of(double share) {
-  // Not lround, which costs more than all the rest of a stroke's pixel.
+  // lround would cost more than the rest of the pixel.
   constexpr double kHalf = 0.5;
   const double scaled = 255 * (share < 1 ? share : 1.0) + kHalf;
   return share > 0 ? static_cast<unsigned>(scaled) : 0U;
 }
 
-/// `color` with so much paper over it.
+/// `color` blended with this share of white.
 inline Rgb faded(Rgb color, double share) {
   blend(color, kPaper, coverage_of(share));
   return color;

@@ -67,7 +67,7 @@ GridPoint grid_point_of(Axial point) {
 
 using Edge = std::pair<Axial, Axial>;
 
-/// Edges of one triangle only, from each start to its ends.
+/// Edges that belong to one triangle only: from each start point to its end points.
 std::multimap<Axial, Axial> boundary(const std::vector<SmallTriangle>& triangles) {
   std::vector<Edge> edges;
   for (const SmallTriangle& triangle : triangles) {
@@ -86,7 +86,7 @@ std::multimap<Axial, Axial> boundary(const std::vector<SmallTriangle>& triangles
   return result;
 }
 
-/// Takes a closed way out of `edges`.
+/// Removes a closed path from `edges` and returns it.
 std::vector<Axial> take_loop(std::multimap<Axial, Axial>& edges) {
   std::vector<Axial> loop;
   for (auto edge = edges.begin(); edge != edges.end(); edge = edges.find(loop.back())) {
@@ -108,7 +108,7 @@ Outline without_straight_corners(const std::vector<Axial>& loop) {
   return outline;
 }
 
-/// The triangles from `first` to `last`, without a gap above each other.
+/// The contiguous triangles from `first` to `last`, one above the other.
 Trapezoid column_piece(const SmallTriangle& first, const SmallTriangle& last) {
   const int left = first.cell.x;
   const int low = grid_point_of(first.cell).v;
@@ -119,7 +119,7 @@ Trapezoid column_piece(const SmallTriangle& first, const SmallTriangle& last) {
           .right_high = {left + 1, last.upper ? high + 1 : high - 1}};
 }
 
-/// Whether the edge from `a` to `b` goes straight on to `c`.
+/// Whether `a`, `b`, `c` are collinear in this order.
 bool straight(GridPoint a, GridPoint b, GridPoint c) {
   return (b.v - a.v) * (c.u - b.u) == (c.v - b.v) * (b.u - a.u);
 }

@@ -29,8 +29,7 @@ class Canvas {
 
   /// Throws RenderError when a picture of this size is more than the driver can draw.
   void require_size(int width, int height, int samples) const;
-  /// Red, green, blue and alpha of all samples by rows from the lower left one, until the next
-  /// call.
+  /// RGBA of all samples, row by row from the lower left. Valid until the next call.
   std::span<const std::uint8_t> read();
 
  private:

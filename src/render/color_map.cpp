@@ -45,7 +45,7 @@ Rgb palette_color(std::size_t number) {
 }
 
 Rgb map_color(double share) {
-  // Written so that no value, NaN included, leads out of the table.
+  // No value, not even NaN, may index outside the table.
   const double place = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
   const auto low = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
   const double part = place - static_cast<double>(low);

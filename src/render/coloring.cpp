@@ -23,8 +23,8 @@ Rgb mixed(Rgb color, Rgb other, double share) {
   return {mix(color.red, other.red), mix(color.green, other.green), mix(color.blue, other.blue)};
 }
 
-/// Dark and light by turns, along a colour map: layers that touch differ in lightness, and each
-/// still has a colour of its own.
+/// Alternately dark and light along a colour map: adjacent layers differ in lightness, and every
+/// layer has its own colour.
 Rgb layer_color(int layer, int layers) {
   const double share = layers > 1 ? static_cast<double>(layer) / (layers - 1) : 0.0;
   const Rgb color = map_color(0.08 + 0.72 * share);
@@ -45,7 +45,7 @@ std::vector<double> centroid_heights(std::span<const grains::Kind> kinds) {
 }
 
 Rgb id_color(std::size_t id) {
-  // Steps of the golden ratio round a circle never come close to a step shortly before.
+  // Steps of the golden ratio around the colour circle: recent colours are never close.
   constexpr double kGoldenRatio = 0.61803398874989484820;
   const double turn = static_cast<double>(id) * kGoldenRatio;
   const double place = (turn - std::floor(turn)) * 7;
@@ -138,8 +138,8 @@ Coloring color_by_displacement(double high) {
 
 Coloring color_by_force(int high) {
   constexpr Rgb kFree = {228, 230, 233};
-  constexpr int kHighest = 1000;
-  if (high < 1 || high > kHighest) {
+  constexpr int kMaxForceIndex = 1000;
+  if (high < 1 || high > kMaxForceIndex) {
     throw std::invalid_argument("the force at the end of the colour bar is 1 to 1000 sites");
   }
   Coloring result = {.rule = ByForce{}, .palette = {kFree}, .legend = {}};

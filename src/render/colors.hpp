@@ -11,8 +11,8 @@ inline constexpr Rgb kMovingWallColor = {112, 140, 86};
 inline constexpr Rgb kInk = {28, 31, 36};
 inline constexpr Rgb kPaleInk = {96, 102, 110};
 
-/// Colour of the outline around `fill` at this strength, from 0 (none) to 1, all in [0, 1]: a
-/// darker shade, but a paler one of colours so dark that it would not show.
+/// Colour of the outline of `fill`; strength and channels in [0, 1]. Darker than the fill, but
+/// lighter for very dark fills.
 inline constexpr const char* kOutlineColorSource = R"(
 vec3 outline_color(vec3 fill, float strength) {
   float lightness = dot(fill, vec3(0.299, 0.587, 0.114));

@@ -18,7 +18,7 @@ namespace clca::render {
 namespace {
 
 constexpr Rgb kMissing = {236, 238, 240};
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28U;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28U;
 
 // In text sizes.
 constexpr double kGap = 1.2;
@@ -35,7 +35,7 @@ int scaled_height(const Image& image, int cell_width) {
                                                   image.width)));
 }
 
-/// Where everything goes, in pixels.
+/// Layout of the sheet, in pixels.
 class Sheet {
  public:
   Sheet(const std::vector<LabelledImage>& images, int columns, int cell_width, bool titled)
@@ -43,7 +43,7 @@ class Sheet {
         cell_width_(cell_width),
         text_size_(std::clamp(static_cast<int>(std::lround(cell_width / 20.0)), 9, 24)) {
     std::int64_t top = titled ? em(kTitleStrip) : em(kGap);
-    // Of a row without any picture: nine sixteenths, of any width that fits an int.
+    // Height of a row without pictures: nine sixteenths of the width.
     int usual = std::max(1, cell_width / 16 * 9 + cell_width % 16 * 9 / 16);
     for (std::size_t first = 0; first < images.size();
          first += static_cast<std::size_t>(columns_)) {
@@ -74,7 +74,7 @@ class Sheet {
  private:
   std::size_t row(std::size_t number) const { return number / static_cast<std::size_t>(columns_); }
 
-  /// Of the highest picture of the row that begins with this one.
+  /// Height of the tallest picture of the row that starts with this one.
   std::optional<int> row_height(const std::vector<LabelledImage>& images, std::size_t first) const {
     std::optional<int> highest;
     const std::size_t end = std::min(first + static_cast<std::size_t>(columns_), images.size());
@@ -87,7 +87,7 @@ class Sheet {
   }
 
   static void require(std::int64_t width, std::int64_t height) {
-    if (height > kMostPixels / width) {
+    if (height > kMaxPixels / width) {
       throw RenderError(
           fmt::format("a contact sheet of {} x {} pixels is too large", width, height));
     }

@@ -12,8 +12,8 @@ namespace clca::render {
 
 namespace {
 
-/// Some address space has to be left before each use of the driver: where it finds no memory it
-/// crashes.
+/// The driver crashes when it runs out of memory, so some address space must be free before each
+/// use.
 void require_memory() {
   constexpr std::size_t kBytes = std::size_t{128} << 20U;
   void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// An off-screen OpenGL 3.3 core context. The only place that knows OSMesa: where it is no longer
-// shipped, EGL without a surface can stand here.
+// An off-screen OpenGL 3.3 core context. Only this file depends on OSMesa; surfaceless EGL could
+// replace it.
 
 #include <array>
 #include <cstdint>
@@ -20,7 +20,7 @@ class Context {
   /// Address of an OpenGL function, null when there is none of that name.
   static Function function(const char* name);
 
-  /// Makes a context the current one of this thread for its own life.
+  /// Makes a context current for this thread during its lifetime.
   class Current {
    public:
     explicit Current(Context& context);

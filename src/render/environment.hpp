@@ -1,12 +1,12 @@
 #pragma once
-// Settings of the OpenGL driver that come from the environment of the process.
+// Driver settings in the environment.
 
 #include <string>
 
 namespace clca::render {
 
-/// What is wrong with these values of GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH (null: unset), or
-/// nothing. Mesa crashes on values it does not know, so they are looked at before it starts.
+/// The problem with these values of GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH (null: unset), if
+/// any. Mesa crashes on unknown values, so they are checked first.
 std::string environment_problem(const char* driver, const char* vector_width);
 
 }  // namespace clca::render

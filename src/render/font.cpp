@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "clca/render/painter.hpp"
+#include "clca/text/utf8.hpp"
 #include "render/blend.hpp"
-#include "render/utf8.hpp"
 
 namespace clca::render {
 
@@ -39,9 +39,9 @@ void draw_bitmap(Image& image, int left, int top, const FT_Bitmap& bitmap, Rgb c
   }
 }
 
-/// Line breaks and other control characters have no place in a line of text.
+/// Control characters are not drawn.
 std::u32string printable(std::string_view text) {
-  std::u32string result = decode_utf8(text);
+  std::u32string result = text::decode_utf8(text);
   for (char32_t& letter : result) {
     letter = letter < U' ' || letter == 0x7F ? U' ' : letter;
   }
@@ -75,7 +75,7 @@ class Font::Impl {
     FT_Set_Char_Size(face_, 0, std::lround(pixels * kUnits), 72, 72);  // at 72 dpi, pixel = point
   }
 
-  /// Hands each glyph's bitmap to `use` (or only measures); returns where the pen ends.
+  /// Calls `use` with the bitmap of each glyph (or only measures). Returns the final pen position.
   template <class Use>
   FT_Pos walk(FT_Pos pen, std::u32string_view text, FT_Int32 flags, Use use) {
     for (const char32_t letter : text) {
@@ -123,13 +123,13 @@ std::string Font::shortened(std::string_view text, double room) const {
   if (width(text) <= room) {
     return std::string(text);
   }
-  std::u32string letters = decode_utf8(text);
+  std::u32string letters = text::decode_utf8(text);
   while (!letters.empty()) {
     letters.pop_back();
     while (!letters.empty() && letters.back() == U' ') {
       letters.pop_back();
     }
-    std::string candidate = encode_utf8(letters + U'…');
+    std::string candidate = text::encode_utf8(letters + U'…');
     if (width(candidate) <= room) {
       return candidate;
     }

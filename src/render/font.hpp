@@ -11,7 +11,7 @@ namespace clca::render {
 
 class Font {
  public:
-  /// DejaVu Sans. Throws RenderError when it is not there.
+  /// DejaVu Sans. Throws RenderError if it is missing.
   Font();
   ~Font();
   Font(const Font&) = delete;
@@ -19,13 +19,13 @@ class Font {
   Font(Font&&) noexcept;
   Font& operator=(Font&&) noexcept;
 
-  /// Pixels from line to line, about.
+  /// Approximate line spacing in pixels.
   void set_size(double pixels);
-  /// Pixels that `text` (UTF-8, one line) takes up.
+  /// Width of `text` (UTF-8, one line) in pixels.
   double width(std::string_view text) const;
-  /// Draws `text` from (x, baseline) to the right; what leaves the picture is cut off.
+  /// Draws `text` starting at (x, baseline); clipped to the picture.
   void draw(Image& image, double x, double baseline, std::string_view text, Rgb color) const;
-  /// `text`, or its beginning and an ellipsis, or nothing: no wider than `room` pixels.
+  /// `text` shortened with an ellipsis to at most `room` pixels; empty if nothing fits.
   std::string shortened(std::string_view text, double room) const;
 
  private:

@@ -9,15 +9,14 @@ namespace clca::render {
 
 namespace {
 
-constexpr int kLargestSupersampling = 4;
+constexpr int kMaxSupersampling = 4;
 
 double frame_thickness(const lattice::Lattice& lattice) {
   const double width = lattice.columns() * lattice::kColumnPitch;
   return std::max(1.0, 0.005 * std::max(width, static_cast<double>(lattice.rows())));
 }
 
-/// Outlines are thin, but not thinner than pixels can show, and fade out where sites become too
-/// small for them.
+/// Outlines are thin but at least a pixel wide, and fade out if sites become too small for them.
 void set_outline(Projection& projection, double pixels_per_spacing, int picture_height) {
   constexpr double kThin = 0.1;   // lattice spacings
   constexpr double kThick = 0.2;  // must stay below 0.4, where the lookup loses sight of the edge
@@ -36,9 +35,9 @@ lattice::Rectangle checked_view(const Style& style, const lattice::Lattice& latt
     throw RenderError(
         fmt::format("a picture of {} x {} pixels: at least 1 x 1", style.width, style.height));
   }
-  if (style.supersampling < 1 || style.supersampling > kLargestSupersampling) {
+  if (style.supersampling < 1 || style.supersampling > kMaxSupersampling) {
     throw RenderError(fmt::format("supersampling is {}: 1 to {} are allowed", style.supersampling,
-                                  kLargestSupersampling));
+                                  kMaxSupersampling));
   }
   const lattice::Rectangle view =
       style.view == lattice::Rectangle{} ? whole_box(lattice) : style.view;

@@ -1,5 +1,5 @@
 #pragma once
-// Which part of the plane a picture shows, and how large.
+// The part of the plane that a picture shows, and its scale.
 
 #include "clca/render/painter.hpp"
 #include "render/layout.hpp"
@@ -7,11 +7,10 @@
 
 namespace clca::render {
 
-/// The view of `style`, or the whole box where it has none. Throws RenderError for a style that
-/// makes no sense.
+/// The view of `style`, or the whole box if it has none. Throws RenderError for an invalid style.
 lattice::Rectangle checked_view(const Style& style, const lattice::Lattice& lattice);
 
-/// From the plane to `samples` samples along each axis of a pixel of the panel.
+/// Projection from the plane to `samples` samples per pixel along each axis.
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,
                          const lattice::Lattice& lattice, int picture_height);
 

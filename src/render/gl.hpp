@@ -1,5 +1,5 @@
 #pragma once
-// The OpenGL functions in use, loaded by name, and the few calls that are worth a wrapper.
+// The OpenGL functions used here, loaded by name, with a few wrappers.
 
 #include <GL/glcorearb.h>
 
@@ -55,7 +55,7 @@
 
 namespace clca::render {
 
-/// OpenGL objects live as long as their context; nothing here deletes them one by one.
+/// OpenGL objects live as long as their context and are not deleted one by one.
 struct Gl {
   /// Needs a current context. Throws RenderError when a function is missing.
   Gl();
@@ -67,10 +67,11 @@ struct Gl {
   GLint integer(GLenum name) const;
   GLuint buffer() const;
   GLuint vertex_array() const;
-  /// From the parts of two shaders in GLSL 3.30. Throws RenderError with the compiler's words.
+  /// Compiles a program from the parts of two shaders in GLSL 3.30. Throws RenderError with the
+  /// compiler's message.
   using Source = std::initializer_list<const char*>;
   GLuint program(Source vertex, Source fragment) const;
-  /// Throws RenderError that says what failed when OpenGL has met an error.
+  /// Throws RenderError with `what` if OpenGL has reported an error.
   void check(const char* what) const;
 };
 

@@ -11,10 +11,10 @@ namespace {
 constexpr double kMargin = 1.0;
 constexpr double kTopStrip = 2.4;
 constexpr double kBottomStrip = 3.0;
-constexpr double kLeastPanel = 6.0;
+constexpr double kMinPanel = 6.0;
 constexpr double kTextWidth = 44;  // enough for most captions and legends
 
-constexpr int kLeastTextSize = 9;  // pixels, below which letters cannot be read
+constexpr int kMinTextSize = 9;  // pixels, below which letters cannot be read
 constexpr double kTextSizesInHeight = 42;
 constexpr double kTextSizesInWidth = 50;  // matters in pictures narrower than 6:5
 
@@ -48,9 +48,9 @@ Layout fit(int width, int height, const lattice::Rectangle& view, int text_size)
 
 Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations) {
   const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
-  const int text_size = std::max(kLeastTextSize, static_cast<int>(std::lround(wanted)));
-  const bool room = width >= (2 * kMargin + kLeastPanel) * text_size &&
-                    height >= (kTopStrip + kBottomStrip + kLeastPanel) * text_size;
+  const int text_size = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));
+  const bool room = width >= (2 * kMargin + kMinPanel) * text_size &&
+                    height >= (kTopStrip + kBottomStrip + kMinPanel) * text_size;
   return fit(width, height, view, annotations && room ? text_size : 0);
 }
 

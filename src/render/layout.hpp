@@ -1,5 +1,5 @@
 #pragma once
-// Where the view and its annotations go in a picture.
+// Layout of view and annotations in a picture.
 
 #include "clca/lattice/region.hpp"
 
@@ -21,7 +21,7 @@ struct Layout {
   int text_right = 0;
 };
 
-/// Fits `view` into a picture of width x height pixels, beside room for annotations if asked for.
+/// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
 Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations);
 
 }  // namespace clca::render

@@ -21,7 +21,7 @@ constexpr double kTickLabelBaseline = 2.55;  // down from the lower edge of the 
 constexpr double kLegendPitch = 1.3;         // from line to line
 constexpr double kPatchRadius = 0.52;
 constexpr double kLineLength = 2.2;  // where the length tells nothing
-constexpr double kThickestLine = 0.9;
+constexpr double kMaxLineWidth = 0.9;
 constexpr double kBeforeLabel = 0.35;
 
 }  // namespace
@@ -59,7 +59,7 @@ double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double rig
 
 Stroke Annotator::key_stroke(const Legend::Line& line) const {
   const double length = line.length > 0 ? line.length * layout_.scale : em(kLineLength);
-  const double width = std::min(line.width * layout_.scale, em(kThickestLine));
+  const double width = std::min(line.width * layout_.scale, em(kMaxLineWidth));
   return {{0, 0}, {length, 0}, width, line.color, line.arrow};
 }
 

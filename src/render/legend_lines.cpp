@@ -4,12 +4,12 @@ namespace clca::render {
 
 namespace {
 
-/// Puts one item after the other, from line to line.
+/// Places items one after the other, line by line.
 class Line {
  public:
   Line(double gap, std::span<const double> rooms) : gap_(gap), rooms_(rooms) {}
 
-  /// False when there is no room left.
+  /// Returns false if there is no space left.
   bool add(std::optional<std::size_t> entry, double width) {
     while (line_ < rooms_.size() && left_ + width > rooms_[line_]) {
       ++line_;

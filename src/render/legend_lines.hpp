@@ -1,5 +1,5 @@
 #pragma once
-// Where the entries of a legend go when a line is short.
+// Line breaking of legend entries.
 
 #include <cstddef>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace clca::render {
 
-/// An entry of a legend, or the ellipsis that stands for those left out.
+/// A legend entry, or the ellipsis for omitted entries.
 struct LegendItem {
   std::optional<std::size_t> entry;  ///< none: the ellipsis
   double left = 0;                   ///< from the beginning of the line
@@ -17,9 +17,9 @@ struct LegendItem {
   bool operator==(const LegendItem&) const = default;
 };
 
-/// Sets entries as wide as `widths`, `gap` apart, in as few lines as need be; `rooms` are the
-/// widths of the lines. Where they are too many, an ellipsis takes the place of those before the
-/// last. Empty when there is no room even for that.
+/// Places entries of the given `widths`, `gap` apart, in as few lines as possible; `rooms` are the
+/// line widths.
+/// If there are too many, an ellipsis replaces those before the last. Empty if not even that fits.
 std::vector<LegendItem> legend_lines(std::span<const double> widths, double ellipsis, double gap,
                                      std::span<const double> rooms);
 

@@ -13,15 +13,15 @@ int pixel(double place) {
   return static_cast<int>(std::lround(place));
 }
 
-/// Distance from the middle in the norm whose unit ball is a hexagon standing on a corner, of
-/// circumradius 1: the form of particles.
+/// Distance from the middle in the norm whose unit ball is a hexagon of circumradius 1 standing on
+/// a corner, the shape of particles.
 double hexagonal_norm(double x, double y) {
   constexpr double kHalfRoot3 = 0.86602540378443864676;
   const double across = std::abs(x);
   return std::max(across, 0.5 * across + kHalfRoot3 * std::abs(y)) / kHalfRoot3;
 }
 
-/// One channel of a pixel of which `bare` and `dark` of `count` samples are paper and outline.
+/// One channel of a pixel with `bare` of `count` samples white and `dark` outline.
 std::uint8_t mixed(std::uint8_t paper, std::uint8_t ink, std::uint8_t outline, int bare, int dark,
                    int count) {
   const int sum = paper * bare + outline * dark + ink * (count - bare - dark);

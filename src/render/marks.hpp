@@ -5,10 +5,10 @@
 
 namespace clca::render {
 
-/// At least one pixel wide and high; what leaves the picture is cut off.
+/// At least one pixel wide and high; clipped to the picture.
 void fill_box(Image& image, double left, double top, double right, double bottom, Rgb color);
 
-/// A hexagon with the form of particles, `radius` from its middle to its corners, and its outline.
+/// A hexagon like that of particles, with outline; `radius` is the circumradius.
 void draw_hexagon(Image& image, double x, double y, double radius, double outline, Rgb color);
 
 }  // namespace clca::render

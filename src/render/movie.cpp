@@ -27,7 +27,7 @@ void append(Arguments& arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
-/// Half the colours, as players want it, on sides that can be halved; and which colours they are.
+/// Colour format that players expect: even sides, half chroma resolution, marked as such.
 Arguments video_arguments() {
   constexpr const char* kFilter =
       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,"
@@ -76,7 +76,7 @@ Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format
                          "pipe:0",
                          "-y"};
   append(arguments, format_arguments(format));
-  // The same bytes again: nothing of the time or the number of processors.
+  // Reproducible bytes: independent of time and number of processors.
   append(arguments, {"-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
                      "-map_metadata", "-1", "file:" + std::filesystem::absolute(file).string()});
   return arguments;
@@ -111,8 +111,8 @@ class Movie::Impl {
   Impl(const Arguments& arguments, int width, int height, const std::atomic<int>* stop)
       : width_(width),
         height_(height),
-        ffmpeg_(arguments, {.out = &complaints_,
-                            .err = &complaints_,
+        ffmpeg_(arguments, {.out = &errors_,
+                            .err = &errors_,
                             .fed = true,
                             .stop = stop,
                             .grace = std::chrono::seconds(5)}) {}
@@ -139,13 +139,13 @@ class Movie::Impl {
  private:
   [[noreturn]] void fail(int code) const {
     throw MovieError(
-        fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(complaints_.bytes())));
+        fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(errors_.bytes())));
   }
 
   int width_;
   int height_;
   bool any_ = false;
-  process::Transcript complaints_;
+  process::OutputCapture errors_;
   process::Program ffmpeg_;
 };
 

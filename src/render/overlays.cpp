@@ -16,24 +16,24 @@ namespace clca::render {
 namespace {
 
 constexpr double kForceFade = 0.55;
-constexpr double kThinnest = 0.25;  // lattice spacings
-constexpr double kThickest = 1.2;
+constexpr double kMinForceWidth = 0.25;  // lattice spacings
+constexpr double kMaxForceWidth = 1.2;
 constexpr Rgb kForceColor = {139, 0, 18};
 
 constexpr double kArrowFade = 0.6;
-constexpr double kLongestShare = 0.9;  // of a cell
-constexpr double kArrowWidth = 0.075;  // in cells
-constexpr double kPalest = 0.55;       // share of paper in the weakest arrows
+constexpr double kMaxArrowShare = 0.9;  // of a cell
+constexpr double kArrowWidth = 0.075;   // in cells
+constexpr double kPalest = 0.55;        // share of paper in the weakest arrows
 
 double force_width(double share) {
-  return kThinnest + (kThickest - kThinnest) * std::min(share, 1.0);
+  return kMinForceWidth + (kMaxForceWidth - kMinForceWidth) * std::min(share, 1.0);
 }
 
 Rgb arrow_color(double share) {
   return faded(kInk, kPalest * (1 - std::min(share, 1.0)));
 }
 
-/// Puts the strong ones last; equally strong ones stay in order.
+/// Stable sort by strength, strongest last.
 template <class Item, class StrengthOf>
 std::vector<Item> by_strength(std::span<const Item> items, StrengthOf strength_of) {
   std::vector<Item> sorted;
@@ -62,7 +62,7 @@ Overlay force_network(std::span<const ForceLine> lines, double strongest) {
 }
 
 Legend::Line force_key(double strongest, std::string label) {
-  return {std::move(label), strongest > 0 ? kThickest : kThinnest, 0, kForceColor, false};
+  return {std::move(label), strongest > 0 ? kMaxForceWidth : kMinForceWidth, 0, kForceColor, false};
 }
 
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double longest) {
@@ -70,7 +70,7 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double long
   if (!(longest > 0 && cell > 0)) {
     return overlay;
   }
-  const double scale = kLongestShare * cell / longest;
+  const double scale = kMaxArrowShare * cell / longest;
   for (const FieldArrow& arrow :
        by_strength(arrows, [](const FieldArrow& item) { return item.vector.norm(); })) {
     const Eigen::Vector2d half = scale / 2 * arrow.vector;
@@ -86,7 +86,7 @@ Legend::Line arrow_key(double cell, double longest, const std::string& unit) {
   }
   const double shown = round_length(longest);
   const double share = shown / longest;
-  return {fmt::format("{:g} {}", shown, unit), kArrowWidth * cell, kLongestShare * cell * share,
+  return {fmt::format("{:g} {}", shown, unit), kArrowWidth * cell, kMaxArrowShare * cell * share,
           arrow_color(share), true};
 }
 

@@ -11,9 +11,9 @@
 #include "render/framing.hpp"
 #include "render/layout.hpp"
 #include "render/polygon_painter.hpp"
-#include "render/seen_walls.hpp"
 #include "render/site_lookup.hpp"
 #include "render/strokes.hpp"
+#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 
@@ -30,7 +30,7 @@ void paste(const Image& panel, const PixelBox& place, Image& picture) {
 
 }  // namespace
 
-struct Exposure::Content {
+struct Capture::Content {
   std::shared_ptr<const SampleGrid> samples;  ///< without particles where there are polygons
   std::optional<PolygonPainter::Instances> polygons;
   std::vector<Rgb> palette;
@@ -58,10 +58,10 @@ class Painter::Impl {
     kind_count_ = kinds.size();
   }
 
-  Exposure expose(const grains::State& state, const grains::Occupancy& occupancy,
+  Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring) {
     require_match(state, coloring);
-    auto content = std::make_shared<Exposure::Content>();
+    auto content = std::make_shared<Capture::Content>();
     if (by_polygons(state)) {
       content->samples = backdrop(state, occupancy);
       content->polygons = polygons_->instances(projection_, state, occupancy, coloring);
@@ -72,17 +72,17 @@ class Painter::Impl {
     }
     content->palette = coloring.palette;
     content->legend = coloring.legend;
-    return Exposure(std::move(content));
+    return Capture(std::move(content));
   }
 
-  Image develop(const Exposure::Content& exposure, const Caption& caption, const Overlay& overlay,
-                double turn) {
+  Image rasterize(const Capture::Content& captured, const Caption& caption, const Overlay& overlay,
+                  double turn) {
     Image picture(style_.width, style_.height, kPaper);
-    Image panel = developed_panel(exposure);
+    Image panel = rasterized_panel(captured);
     draw_overlay(panel, overlay, projection_.corner, layout_.scale);
     paste(turn == 0 ? panel : turned(panel, turn, kPaper), layout_.panel, picture);
     if (annotator_) {
-      annotator_->draw(picture, layout_, caption, exposure.legend, overlay.fade);
+      annotator_->draw(picture, layout_, caption, captured.legend, overlay.fade);
     }
     return picture;
   }
@@ -93,7 +93,7 @@ class Painter::Impl {
       throw std::invalid_argument("the painter was made for another lattice or other kinds");
     }
     const std::size_t colors = coloring.palette.size();
-    if ((colors == 0 && !state.particles.empty()) || colors > kMostShades) {
+    if ((colors == 0 && !state.particles.empty()) || colors > kMaxShades) {
       throw std::invalid_argument("particles need a coloring of 1 to 32000 colours");
     }
   }
@@ -102,21 +102,21 @@ class Painter::Impl {
     if (style_.drawing != Drawing::automatic) {
       return style_.drawing == Drawing::polygons;
     }
-    // Behind polygons, walls are drawn by lookup, and those that move again and again.
+    // Walls behind polygons are drawn by lookup, moving ones each time.
     if (any_wall_moves(state)) {
       return false;
     }
-    // Both ways give the same picture. Measured with llvmpipe on one thread, a triangle of an
-    // instance costs as much as some 32 samples of the lookup; but that is developing only, and
-    // three quarters of a lookup are exposing, which a simulation waits for. So polygons may cost
-    // twice as much.
+    // Both ways give the same picture. With llvmpipe on one thread a triangle costs as much as
+    // about 32 lookup samples, but only in rasterize();
+    // three quarters of a lookup are in capture(), which the simulation waits for. So polygons may
+    // cost twice as much.
     constexpr std::size_t kSamplesPerTriangle = 16;
     const std::size_t samples =
         static_cast<std::size_t>(projection_.width) * static_cast<std::size_t>(projection_.height);
     return polygons_->need_at_most(samples / kSamplesPerTriangle, projection_, state);
   }
 
-  /// Walls rarely change, and looking them up costs as much as looking up everything.
+  /// Cached: walls rarely change, and their lookup costs as much as a full one.
   std::shared_ptr<const SampleGrid> backdrop(const grains::State& state,
                                              const grains::Occupancy& occupancy) {
     if (!backdrop_walls_ || !backdrop_walls_->match(state)) {
@@ -128,16 +128,16 @@ class Painter::Impl {
     return backdrop_;
   }
 
-  Image developed_panel(const Exposure::Content& exposure) {
-    const SampleGrid& samples = *exposure.samples;
-    const std::vector<Rgb> colors = colors_by_code(exposure.palette, projection_.outline_strength);
+  Image rasterized_panel(const Capture::Content& captured) {
+    const SampleGrid& samples = *captured.samples;
+    const std::vector<Rgb> colors = colors_by_code(captured.palette, projection_.outline_strength);
     const auto looked_up = [&](int x, int y) { return colors[samples.at(x, y)]; };
-    if (!exposure.polygons) {
+    if (!captured.polygons) {
       return mean_picture(layout_.panel.width, layout_.panel.height, style_.supersampling,
                           looked_up);
     }
     const Canvas::Session session(canvas_);
-    draw_polygons(*exposure.polygons);
+    draw_polygons(*captured.polygons);
     const std::span<const std::uint8_t> drawn = canvas_.read();
     return mean_picture(
         layout_.panel.width, layout_.panel.height, style_.supersampling, [&](int x, int y) {
@@ -149,7 +149,7 @@ class Painter::Impl {
         });
   }
 
-  /// Inside the box; what they leave free is transparent.
+  /// Draws the polygons; the rest is transparent.
   void draw_polygons(const PolygonPainter::Instances& instances) {
     const Gl& gl = canvas_.gl();
     gl.Disable(GL_SCISSOR_TEST);
@@ -167,13 +167,13 @@ class Painter::Impl {
   Layout layout_;
   Projection projection_;
   std::size_t kind_count_ = 0;
-  // Exposing changes these.
+  // Changed by capture().
   std::shared_ptr<const SampleGrid> backdrop_;
-  std::optional<SeenWalls> backdrop_walls_;  // those of the backdrop
-  // Developing changes these.
+  std::optional<WallsAppearance> backdrop_walls_;  // those of the backdrop
+  // Changed by rasterize().
   Canvas canvas_;
   std::optional<Annotator> annotator_;
-  // Neither.
+  // Constant.
   SiteLookup lookup_;
   std::optional<PolygonPainter> polygons_;
   GridPool grids_;
@@ -186,19 +186,19 @@ Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
-Exposure Painter::expose(const grains::State& state, const grains::Occupancy& occupancy,
+Capture Painter::capture(const grains::State& state, const grains::Occupancy& occupancy,
                          const Coloring& coloring) {
-  return impl_->expose(state, occupancy, coloring);
+  return impl_->capture(state, occupancy, coloring);
 }
 
-Image Painter::develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay,
-                       double turn) {
-  return impl_->develop(exposure.content(), caption, overlay, turn);
+Image Painter::rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay,
+                         double turn) {
+  return impl_->rasterize(captured.content(), caption, overlay, turn);
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,
                     const Coloring& coloring, const Caption& caption, const Overlay& overlay) {
-  return develop(expose(state, occupancy, coloring), caption, overlay);
+  return rasterize(capture(state, occupancy, coloring), caption, overlay);
 }
 
 }  // namespace clca::render

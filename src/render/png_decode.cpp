@@ -7,19 +7,19 @@
 #include <string_view>
 
 #include "clca/render/png.hpp"
+#include "clca/text/utf8.hpp"
 #include "render/png_error.hpp"
-#include "render/utf8.hpp"
 
 namespace clca::render {
 
 namespace {
 
-constexpr png_uint_32 kLargestSide = 1U << 20U;
-constexpr std::size_t kLargestText = 1U << 22U;
-constexpr png_uint_32 kMostChunks = 1000;
-constexpr std::size_t kMostInflated = 1040;  // times; deflate packs 1032 times at best
+constexpr png_uint_32 kMaxSide = 1U << 20U;
+constexpr std::size_t kMaxTextBytes = 1U << 22U;
+constexpr png_uint_32 kMaxChunks = 1000;
+constexpr std::size_t kMaxInflationRatio = 1040;  // times; deflate packs 1032 times at best
 
-/// Everything that libpng reads from or writes to; resized only outside of its calls.
+/// All memory that libpng reads or writes; resized only outside of its calls.
 struct ReadJob {
   std::span<const std::uint8_t> bytes;
   std::size_t place = 0;
@@ -37,8 +37,8 @@ void take(png_structp png, png_bytep data, png_size_t size) {
   job->place += size;
 }
 
-/// libpng allocates what a chunk claims to hold before it reads; here no chunk may claim more than
-/// the file has. Whether it is a PNG file at all is left to libpng.
+/// libpng allocates the claimed size of a chunk before reading it, so no chunk may claim more than
+/// the file has. libpng checks the rest.
 void require_honest_chunks(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kSignature = 8;
   constexpr std::size_t kFrame = 12;  // length, name, checksum
@@ -60,15 +60,15 @@ bool read_header(png_structp png, png_infop info, ReadJob& job) {
   if (setjmp(png_jmpbuf(png)) != 0) {
     return false;
   }
-  png_set_user_limits(png, kLargestSide, kLargestSide);
-  png_set_chunk_malloc_max(png, std::min(kLargestText, kMostInflated * job.bytes.size()));
-  png_set_chunk_cache_max(png, kMostChunks);
+  png_set_user_limits(png, kMaxSide, kMaxSide);
+  png_set_chunk_malloc_max(png, std::min(kMaxTextBytes, kMaxInflationRatio * job.bytes.size()));
+  png_set_chunk_cache_max(png, kMaxChunks);
   png_set_read_fn(png, &job, take);
   png_read_info(png, info);
   return true;
 }
 
-/// The same for the pixels, as RGBA8 into job.rows.
+/// The same for the pixels: reads RGBA8 into job.rows.
 bool read_pixels(png_structp png, png_infop info, ReadJob& job) {
   if (setjmp(png_jmpbuf(png)) != 0) {
     return false;
@@ -87,7 +87,7 @@ bool read_pixels(png_structp png, png_infop info, ReadJob& job) {
   return true;
 }
 
-/// Makes room for the pixels, once it is clear that the file can hold them.
+/// Allocates the pixels once the file is known to be large enough for them.
 void reserve(png_structp png, png_infop info, std::size_t max_pixels, ReadJob& job) {
   const std::size_t width = png_get_image_width(png, info);
   const std::size_t height = png_get_image_height(png, info);
@@ -95,7 +95,7 @@ void reserve(png_structp png, png_infop info, std::size_t max_pixels, ReadJob& j
     throw std::runtime_error("the picture in a PNG file is too large: " + std::to_string(width) +
                              " x " + std::to_string(height) + " pixels");
   }
-  if (png_get_rowbytes(png, info) > job.bytes.size() * kMostInflated / height) {
+  if (png_get_rowbytes(png, info) > job.bytes.size() * kMaxInflationRatio / height) {
     throw std::runtime_error("cannot read a PNG file: too short for its picture");
   }
   job.rgba.resize(4 * width * height);
@@ -125,7 +125,7 @@ std::string from_latin1(std::string_view text) {
   for (const char letter : text) {
     letters.push_back(static_cast<unsigned char>(letter));
   }
-  return encode_utf8(letters);
+  return text::encode_utf8(letters);
 }
 
 PngText text_of(png_structp png, png_infop info) {
@@ -140,7 +140,7 @@ PngText text_of(png_structp png, png_infop info) {
     }
     const bool utf8 = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
     text.emplace(from_latin1(chunk.key),
-                 utf8 ? encode_utf8(decode_utf8(chunk.text)) : from_latin1(chunk.text));
+                 utf8 ? text::encode_utf8(text::decode_utf8(chunk.text)) : from_latin1(chunk.text));
   }
   return text;
 }

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int kCompressionLevel = 3;  // many times faster than the default, hardly larger
 
-/// The colours of a picture that has 256 of them at most, and the number of each pixel's one.
+/// Palette of a picture with at most 256 colours, and the palette index of each pixel.
 struct Palette {
   std::vector<png_color> colors;
   std::vector<png_byte> numbers;
 };
 
-/// A small open-addressed table from colours to their numbers.
+/// A small open-addressing hash table from colours to indices.
 class ColorTable {
  public:
   static constexpr int kFull = -1;
@@ -105,7 +105,7 @@ std::vector<png_text> text_chunks(const PngText& text) {
   return chunks;
 }
 
-/// Everything that libpng reads while it writes; built before the first call that may long-jump.
+/// All data that libpng reads, built before the first call that may long-jump.
 struct WriteJob {
   const Image* image = nullptr;
   std::optional<Palette> palette;

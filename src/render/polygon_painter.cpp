@@ -40,7 +40,7 @@ const void* byte_offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
-/// The grid points that the canvas shows, seen from the anchor.
+/// The grid points on the canvas, relative to the anchor.
 struct GridWindow {
   GridPoint low, high;
 
@@ -108,7 +108,7 @@ PolygonPainter::Model PolygonPainter::model(const lattice::Shape& shape) const {
 
 bool PolygonPainter::need_at_most(std::size_t triangles, const Projection& projection,
                                   const grains::State& state) const {
-  // Not looked at one by one where they are more than that, be they present or not.
+  // With more particles than that there is no need to test each.
   if (state.particles.size() > triangles) {
     return false;
   }
@@ -127,7 +127,7 @@ PolygonPainter::Instances PolygonPainter::instances(const Projection& projection
   const GridWindow window(projection);
   const GridPoint anchor = grid_point(projection.anchor);
   const int columns = lattice_.columns();
-  // Where particles of a kind overlap, the lower id lies on top, as by lookup.
+  // Overlapping particles of a kind: the lower id lies on top, as in the lookup.
   const bool downwards = grains::may_overlap(state);
   const std::size_t count = state.particles.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -138,7 +138,7 @@ PolygonPainter::Instances PolygonPainter::instances(const Projection& projection
     }
     const Mesh& mesh = models_[particle.kind].mesh;
     const GridPoint home = grid_point({lattice_.wrapped(particle.column), particle.row});
-    // Across a periodic seam a particle shows at both ends of the box.
+    // At a periodic boundary a particle appears at both sides.
     const int first = lattice_.periodic() && home.u + mesh.high.u >= 2 * columns ? -1 : 0;
     const int last = lattice_.periodic() && home.u + mesh.low.u < -1 ? 1 : 0;
     for (int image = first; image <= last; ++image) {

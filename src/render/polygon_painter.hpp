@@ -26,10 +26,10 @@ class PolygonPainter {
   };
   using Instances = std::vector<std::vector<Instance>>;  ///< by kind
 
-  /// Whether drawing all particles takes no more than so many triangles. Soon knows where it does.
+  /// Whether drawing all particles takes at most this many triangles. Returns early if not.
   bool need_at_most(std::size_t triangles, const Projection& projection,
                     const grains::State& state) const;
-  /// Needs no OpenGL.
+  /// Does not call OpenGL.
   Instances instances(const Projection& projection, const grains::State& state,
                       const grains::Occupancy& occupancy, const Coloring& coloring) const;
   void draw(const Projection& projection, const Instances& instances) const;

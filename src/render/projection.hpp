@@ -18,8 +18,8 @@ struct SampleBox {
   int height = 0;
 };
 
-/// Shaders count in single precision, so places are given from an anchor site near the middle of
-/// the view: only the size of the view limits how exact they are.
+/// Positions are relative to an anchor site near the middle of the view, as shaders use single
+/// precision.
 struct Projection {
   int width = 0;  ///< samples
   int height = 0;
@@ -29,7 +29,7 @@ struct Projection {
   double outline_width = 0;     ///< lattice spacings
   double outline_strength = 0;  ///< 0 draws no outline, 1 the darkest one
 
-  /// Place of the lower left corner of the canvas seen from the anchor.
+  /// Lower left corner of the canvas relative to the anchor.
   Eigen::Vector2d corner_from_anchor() const { return corner - lattice::position(anchor); }
 
   /// The part of the plane that the canvas shows.
@@ -37,7 +37,8 @@ struct Projection {
     return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
   }
 
-  /// Factors and shift from a GridPoint seen from the anchor to clip space: scale u, v, shift u, v.
+  /// Scale and shift from a GridPoint (relative to the anchor) to clip space: scale u, v, shift u,
+  /// v.
   std::array<double, 4> clip_from_grid() const {
     const Eigen::Vector2d unit = position(GridPoint{1, 1});
     const Eigen::Vector2d shift = corner_from_anchor() * scale;
@@ -45,7 +46,7 @@ struct Projection {
             -2 * shift.y() / height - 1};
   }
 
-  /// The samples whose middle lies in `rectangle`.
+  /// The samples whose centre lies in `rectangle`.
   SampleBox samples_in(const lattice::Rectangle& rectangle) const {
     const auto first = [](double place, int count) {
       return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(count)));

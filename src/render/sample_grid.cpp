@@ -9,16 +9,16 @@ namespace clca::render {
 std::shared_ptr<SampleGrid> GridPool::take() {
   std::unique_ptr<SampleGrid> grid;
   {
-    const std::lock_guard lock(spare_->mutex);
-    if (!spare_->grids.empty()) {
-      grid = std::move(spare_->grids.back());
-      spare_->grids.pop_back();
+    const std::lock_guard lock(shared_->mutex);
+    if (!shared_->grids.empty()) {
+      grid = std::move(shared_->grids.back());
+      shared_->grids.pop_back();
     }
   }
   if (!grid) {
-    grid = std::make_unique<SampleGrid>(spare_->width, spare_->height);
+    grid = std::make_unique<SampleGrid>(shared_->width, shared_->height);
   }
-  return {grid.release(), [spare = spare_](SampleGrid* used) {
+  return {grid.release(), [spare = shared_](SampleGrid* used) {
             std::unique_ptr<SampleGrid> back(used);
             const std::lock_guard lock(spare->mutex);
             spare->grids.push_back(std::move(back));

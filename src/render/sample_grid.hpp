@@ -1,5 +1,5 @@
 #pragma once
-// What lies beneath every sample of a picture, before it has a colour.
+// The content of each sample of a picture, before colouring.
 
 #include <algorithm>
 #include <cstdint>
@@ -12,21 +12,21 @@
 
 namespace clca::render {
 
-/// What a sample shows: one of these, or a particle.
-enum class Ground : std::uint8_t { paper, wall, moving_wall };
-inline constexpr std::size_t kGrounds = 3;
+/// Content of a sample without a particle.
+enum class Background : std::uint8_t { paper, wall, moving_wall };
+inline constexpr std::size_t kBackgrounds = 3;
 
 using SampleCode = std::uint16_t;
 
-constexpr SampleCode code_of(Ground ground) {
+constexpr SampleCode code_of(Background ground) {
   return static_cast<SampleCode>(ground);
 }
-/// Of a particle, or of its outline.
+/// Code of a particle or its outline.
 constexpr SampleCode code_of(std::size_t shade, bool outlined) {
-  return static_cast<SampleCode>(kGrounds + 2 * shade + (outlined ? 1 : 0));
+  return static_cast<SampleCode>(kBackgrounds + 2 * shade + (outlined ? 1 : 0));
 }
 
-/// Samples up the columns, from the lower left one.
+/// Samples column by column from the lower left, upwards.
 class SampleGrid {
  public:
   SampleGrid(int width, int height)
@@ -48,32 +48,32 @@ class SampleGrid {
   std::vector<SampleCode> codes_;
 };
 
-/// Grids of one size that are used again and again: memory from the system is dear at first use.
-/// Grids may be given back by another thread, and outlive the pool.
+/// Grids of one size for reuse: fresh memory is slow at first use. Another thread may return a
+/// grid, even after the end of the pool.
 class GridPool {
  public:
-  GridPool(int width, int height) : spare_(std::make_shared<Spare>(width, height)) {}
+  GridPool(int width, int height) : shared_(std::make_shared<SharedGrids>(width, height)) {}
 
-  /// Goes back when it is no longer used.
+  /// Returns to the pool when it is no longer used.
   std::shared_ptr<SampleGrid> take();
 
  private:
-  struct Spare {
-    Spare(int grid_width, int grid_height) : width(grid_width), height(grid_height) {}
+  struct SharedGrids {
+    SharedGrids(int grid_width, int grid_height) : width(grid_width), height(grid_height) {}
 
     int width;
     int height;
     std::mutex mutex;
     std::vector<std::unique_ptr<SampleGrid>> grids;
   };
-  std::shared_ptr<Spare> spare_;
+  std::shared_ptr<SharedGrids> shared_;
 };
 
-/// Colours by code. `outline_strength`: see outline_color().
+/// Colour of each code. `outline_strength`: see outline_color().
 std::vector<Rgb> colors_by_code(std::span<const Rgb> palette, double outline_strength);
 
-/// Mean colours of `samples` x `samples` samples a pixel. `color_at(x, y)`: of a sample, from the
-/// lower left one.
+/// Picture with the mean colours of `samples` x `samples` samples per pixel. `color_at(x, y)`:
+/// colour of a sample, from the lower left.
 template <class ColorAt>
 Image mean_picture(int width, int height, int samples, ColorAt color_at) {
   constexpr int kBlock = 16;  // pixels side by side that share lines of memory, here and there

@@ -1,5 +1,5 @@
 #pragma once
-// The shade of a particle by each rule: a place in the palette of its coloring.
+// The shade of a particle by each rule: an index into the palette of its colouring.
 
 #include <algorithm>
 
@@ -7,13 +7,13 @@
 
 namespace clca::render {
 
-/// Of the colour map, finer than its colours are.
+/// Shades of the colour map, finer than visible steps.
 inline constexpr std::size_t kMapShades = 1025;
-/// Before the colours of ids repeat: three tints by turns along a Fibonacci number of steps of the
-/// golden ratio, which comes back to where it began but for 1/2000.
+/// Number of id colours before they repeat: three tints in turn, times a Fibonacci number of
+/// golden-ratio steps, which close the circle to 1/2000.
 inline constexpr std::size_t kIdShades = std::size_t{3} * 987;
 
-/// Those of a particle that is present.
+/// Shade of a present particle.
 struct Shading {
   const grains::State& state;
   const grains::Occupancy& occupancy;
@@ -53,7 +53,7 @@ struct Shading {
   }
 };
 
-/// Those beyond the end of the palette have its last colour.
+/// Values beyond the palette get its last colour.
 inline std::size_t in_palette(std::size_t shade, std::size_t colors) {
   return std::min(shade, colors - 1);
 }

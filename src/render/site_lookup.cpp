@@ -7,8 +7,8 @@
 
 #include "clca/parallel/first_failure.hpp"
 #include "clca/render/painter.hpp"
-#include "render/seen_walls.hpp"
 #include "render/shade.hpp"
+#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 
@@ -17,11 +17,11 @@ namespace {
 using grains::Owner;
 using lattice::Site;
 
-// All walls that stand are one owner, without seams between them, and all that move are another.
+// All standing walls count as one owner, so that no outlines separate them; so do all moving walls.
 constexpr Owner kStandingWall = grains::kBorder;
 constexpr Owner kMovingWall = grains::kBorder + 1;  // the code of no wall
 
-/// Owners of the sites of a state without its particles.
+/// Owners of the sites of a state, without particles.
 class WallSites {
  public:
   WallSites(const grains::State& state, const grains::Occupancy& occupancy)
@@ -45,9 +45,9 @@ class WallSites {
     return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
   }
   SampleCode code(Owner owner) const {
-    return code_of(owner == grains::kFree        ? Ground::paper
-                   : whole(owner) == kMovingWall ? Ground::moving_wall
-                                                 : Ground::wall);
+    return code_of(owner == grains::kFree        ? Background::paper
+                   : whole(owner) == kMovingWall ? Background::moving_wall
+                                                 : Background::wall);
   }
 
  private:
@@ -83,16 +83,16 @@ std::int64_t in_units(double value, int fraction_bits) {
 
 }  // namespace
 
-/// Some samples above each other, in arrays that vectors of the processor go along.
+/// A vertical block of samples, in arrays for vector instructions.
 struct SiteLookup::Block {
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMaxSamples = 16;
   template <class T>
-  using Each = std::array<T, kMost>;
+  using Each = std::array<T, kMaxSamples>;
 
   std::size_t count = 0;
   bool uniform = true;  ///< no sample has two owners
   Owner least = 0;
-  // Of the three corners a, b and c of the lattice triangle around a sample. That of a: the rest.
+  // Weight of corner a of the lattice triangle (a, b, c) around a sample.
   Each<Owner> a = {}, b = {}, c = {};
   Each<std::int32_t> weight_b = {}, weight_c = {};
   Each<std::int32_t> row = {};
@@ -106,29 +106,29 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
       projection_(projection),
       threads_(threads),
       box_(projection.samples_in(whole_box(lattice))),
-      // Weight grows by one over the altitude of a lattice triangle, which is the column pitch.
+      // The weight changes by one over the height of a lattice triangle, the column pitch.
       outline_width_(projection.outline_strength > 0
                          ? static_cast<std::int32_t>(in_units(
                                projection.outline_width / lattice::kColumnPitch, kFractionBits))
                          : 0) {
   for (int y = box_.y; y < box_.y + box_.height; ++y) {
     const double height = projection.corner.y() + (y + 0.5) / projection.scale;
-    const Place place = place_of(in_units(height, kFractionBits));
+    const GridCoordinate place = coordinate_of(in_units(height, kFractionBits));
     rows_.push_back(place.whole);
     parts_.push_back(place.part);
   }
 }
 
-SiteLookup::Place SiteLookup::place_of(std::int64_t units) {
+SiteLookup::GridCoordinate SiteLookup::coordinate_of(std::int64_t units) {
   return {static_cast<std::int32_t>(units >> kFractionBits),
           static_cast<std::int32_t>(units & (kOne - 1))};
 }
 
-SiteLookup::Pair SiteLookup::pair_at(int x) const {
+SiteLookup::ColumnPair SiteLookup::pair_at(int x) const {
   const double across = projection_.corner.x() + (x + 0.5) / projection_.scale;
   const std::int64_t column = in_units(across / lattice::kColumnPitch, kFractionBits);
-  const Place place = place_of(column);
-  // Beyond the border, owners go on for ever: floor and side walls have any thickness.
+  const GridCoordinate place = coordinate_of(column);
+  // Border owners extend to infinity: floor and side walls have any thickness.
   const auto in_memory = [this](int wanted) {
     return lattice_.periodic() ? wanted : std::clamp(wanted, -1, lattice_.columns());
   };
@@ -137,11 +137,11 @@ SiteLookup::Pair SiteLookup::pair_at(int x) const {
           .right = in_memory(place.whole + 1),
           .right_rows_more = lattice::is_odd(place.whole) ? 1 : 0,
           .part = place.part,
-          .lift = place_of((first_row << kFractionBits) - (column >> 1))};
+          .lift = coordinate_of((first_row << kFractionBits) - (column >> 1))};
 }
 
 template <class OwnerAt>
-void SiteLookup::take_corners(const Pair& pair, std::size_t first, Block& block,
+void SiteLookup::take_corners(const ColumnPair& pair, std::size_t first, Block& block,
                               OwnerAt owner_at) const {
 #pragma omp simd
   for (std::size_t i = 0; i < block.count; ++i) {
@@ -170,12 +170,12 @@ void SiteLookup::take_corners(const Pair& pair, std::size_t first, Block& block,
   block.uniform = unlike == 0;
 }
 
-/// Finds the owner of at least half of the weight, and whether the edge of its body is near.
+/// Finds the owner of at least half of the weight, and whether the edge of its shape is near.
 void SiteLookup::decide(Block& block) const {
   constexpr std::int32_t kHalf = kOne / 2;
   const std::int32_t width = outline_width_;
 #pragma omp simd
-  for (std::size_t i = 0; i < Block::kMost; ++i) {
+  for (std::size_t i = 0; i < Block::kMaxSamples; ++i) {
     const Owner a = block.a[i];
     const Owner b = block.b[i];
     const Owner c = block.c[i];
@@ -197,14 +197,14 @@ void SiteLookup::decide(Block& block) const {
 /// `sites` tells the owner of a place in memory, the owner that stands for several, and the code of
 /// its samples.
 template <class Sites>
-void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
+void SiteLookup::look_up_column(const Sites& sites, const ColumnPair& pair,
                                 const std::vector<bool>& empty, std::span<SampleCode> codes) const {
   Block block;
   Owner last = grains::kFree;
-  SampleCode last_code = code_of(Ground::paper);
+  SampleCode last_code = code_of(Background::paper);
   const auto look_up = [&](std::size_t first, std::size_t end, auto owner_at) {
     for (; first < end; first += block.count) {
-      block.count = std::min(Block::kMost, end - first);
+      block.count = std::min(Block::kMaxSamples, end - first);
       take_corners(pair, first, block, owner_at);
       if (block.uniform) {
         block.owner = block.a;
@@ -236,7 +236,7 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
     const Site site = {column, std::clamp(row, -1, lattice_.rows())};
     return row >= lattice_.rows() && !side ? grains::kFree : sites.owner(lattice_.index(site));
   };
-  // Between floor and lid nothing has to be asked but the owners.
+  // Inside the box only owners need to be read.
   const std::size_t floor = end_below(-1);
   const std::size_t lid = std::max(floor, end_below(lattice_.rows() - 2 - pair.right_rows_more));
   const std::size_t left = lattice_.index({pair.left, 0});
@@ -251,7 +251,7 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
     const std::size_t end = std::min(lid, (tile + 1) * kTileHeight);
     if (empty[tile]) {
       std::fill_n(codes.begin() + static_cast<std::ptrdiff_t>(first), end - first,
-                  code_of(Ground::paper));
+                  code_of(Background::paper));
     } else {
       look_up(first, end, between);
     }
@@ -260,12 +260,12 @@ void SiteLookup::look_up_column(const Sites& sites, const Pair& pair,
   look_up(lid, rows_.size(), near_border);
 }
 
-/// Much of a picture is empty, and seen to be so in a few words: which tiles, from below, of the
-/// columns of samples from `first` to `last`.
+/// Finds empty tiles with few word reads, for the columns of samples from `first` to `last`, from
+/// below.
 template <class Sites>
 std::vector<bool> SiteLookup::empty_tiles(const Sites& sites, int first, int last) const {
-  // The rows of a column are up to one lower than those of its samples, and those that are looked
-  // at up to three higher.
+  // Lattice rows of a column are up to one lower than its samples; rows that are read are up to
+  // three higher.
   constexpr int kBelow = 1;
   constexpr int kAbove = 3;
   const int left = pair_at(first).left;
@@ -287,10 +287,10 @@ void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
   const std::size_t above = below + rows_.size();
   const auto fill_column = [&](int x, const std::vector<bool>& empty) {
     const std::span<SampleCode> column = grid.column(x);
-    std::fill_n(column.begin(), below, code_of(Ground::paper));
+    std::fill_n(column.begin(), below, code_of(Background::paper));
     look_up_column(sites, pair_at(x), empty, column.subspan(below, rows_.size()));
     std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(above), column.size() - above,
-                code_of(Ground::paper));
+                code_of(Background::paper));
   };
   parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_)
@@ -305,7 +305,7 @@ void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
         if (x >= from && x < to) {
           fill_column(x, empty);
         } else {
-          std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Ground::paper));
+          std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Background::paper));
         }
       }
     });

@@ -22,7 +22,7 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-/// Where `slope` x + `start` lies in `range`.
+/// The x for which `slope` x + `start` is in `range`.
 Interval solve(double slope, double start, const Interval& range) {
   if (std::abs(slope) < 1e-9) {
     constexpr double kFar = std::numeric_limits<double>::max();

@@ -1,5 +1,5 @@
 #pragma once
-// The form of a stroke in pixels.
+// The coverage of a stroke in pixels.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace clca::render {
 
-/// The places from `low` to `high`, none when that is below.
+/// Real numbers from `low` to `high`; empty if high < low.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -16,17 +16,17 @@ struct Interval {
   bool empty() const { return !(low <= high); }
 };
 
-/// Tells which share of the pixel around a point the stroke covers; lengths in pixels.
+/// Gives the share of each pixel that the stroke covers; lengths in pixels.
 class StrokeMask {
  public:
   explicit StrokeMask(const Stroke& stroke);
 
-  /// From the line between the ends to the furthest pixel that the stroke touches.
+  /// Distance from the line between the ends to the furthest touched pixel.
   double reach() const { return std::max(half_width_, head_half_width_) + kRim; }
 
-  /// The stretch at the height `y` outside which the coverage is 0.
+  /// The interval at height `y` outside which the coverage is 0.
   Interval touched(double y) const;
-  /// A stretch at the height `y` in which the coverage is 1.
+  /// An interval at height `y` inside which the coverage is 1.
   Interval covered(double y) const;
 
   double coverage(double x, double y) const {
@@ -45,7 +45,7 @@ class StrokeMask {
   void shape_arrow();
   Interval stretch(double y, const Interval& along, double across) const;
 
-  /// The part of a pixel, `distance` from the middle of a band, that the band covers.
+  /// Covered share of a pixel at `distance` from the middle of a band.
   static double band_coverage(double distance, double half_width) {
     const double high = std::min(distance + 0.5, half_width);
     const double low = std::max(distance - 0.5, -half_width);

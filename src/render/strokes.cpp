@@ -11,23 +11,26 @@ namespace clca::render {
 
 namespace {
 
-constexpr double kFurthest = 1e12;  // pixels, which doubles still tell apart to a thousandth
-constexpr double kWidest = 1e6;
+constexpr double kMaxStrokeCoordinate =
+    1e12;  // pixels, which doubles still tell apart to a thousandth
+constexpr double kMaxStrokeWidth = 1e6;
 
 bool drawable(const Stroke& stroke) {
-  const auto near = [](double place) { return std::abs(place) < kFurthest; };  // false for NaN
+  const auto near = [](double place) {
+    return std::abs(place) < kMaxStrokeCoordinate;
+  };  // false for NaN
   return near(stroke.from.x()) && near(stroke.from.y()) && near(stroke.to.x()) &&
-         near(stroke.to.y()) && stroke.width > 0 && stroke.width < kWidest;
+         near(stroke.to.y()) && stroke.width > 0 && stroke.width < kMaxStrokeWidth;
 }
 
 /// Pixels of a row or rows of a picture.
-struct Span {
+struct PixelRange {
   int first = 0;
   int last = 0;  // exclusive
 };
 
-/// Those of `count` whose middle lies in `places`.
-Span span_of(const Interval& places, int count) {
+/// Pixels of `count` whose centre lies in `places`.
+PixelRange span_of(const Interval& places, int count) {
   if (places.empty()) {
     return {};
   }
@@ -39,8 +42,8 @@ Span span_of(const Interval& places, int count) {
 
 void draw_row(Image& image, int row, const StrokeMask& mask, Rgb color) {
   const double y = row + 0.5;
-  const Span touched = span_of(mask.touched(y), image.width);
-  const Span covered = span_of(mask.covered(y), image.width);
+  const PixelRange touched = span_of(mask.touched(y), image.width);
+  const PixelRange covered = span_of(mask.covered(y), image.width);
   for (int x = touched.first; x < touched.last; ++x) {
     if (x == covered.first && covered.first < covered.last) {
       std::fill(&image.at(x, row), &image.at(covered.last - 1, row) + 1, color);
@@ -77,7 +80,7 @@ void draw_stroke(Image& image, const Stroke& stroke) {
   if (high.x() + reach < 0 || low.x() - reach > image.width) {
     return;
   }
-  const Span rows = span_of({low.y() - reach, high.y() + reach}, image.height);
+  const PixelRange rows = span_of({low.y() - reach, high.y() + reach}, image.height);
   for (int row = rows.first; row < rows.last; ++row) {
     draw_row(image, row, mask, stroke.color);
   }

@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kUsualBytes = 14 << 20;       // of pictures: 19 MiB of page, in base64
-constexpr std::uintmax_t kMostAskedBytes = 192 << 20;  // where a number of pictures is asked for
-constexpr std::size_t kMostEnds = 12;
+constexpr std::uintmax_t kUsualBytes = 14 << 20;          // of pictures: 19 MiB of page, in base64
+constexpr std::uintmax_t kMaxRequestedBytes = 192 << 20;  // where a number of pictures is asked for
+constexpr std::size_t kMaxStageEnds = 12;
 
 struct Picture {
   fs::path file;
@@ -67,11 +67,11 @@ std::vector<std::uint64_t> stage_ends(const store::RunSummary& summary) {
   return ends;
 }
 
-/// The last picture of each stage, at most kMostEnds.
+/// The last picture of each stage, at most kMaxStageEnds.
 std::vector<Picture> end_pictures(const std::vector<Picture>& all,
                                   const std::vector<std::uint64_t>& ends) {
   std::vector<Picture> last;
-  for (const std::size_t stage : evenly(ends.size(), kMostEnds)) {
+  for (const std::size_t stage : evenly(ends.size(), kMaxStageEnds)) {
     for (const Picture& picture : all) {
       if (picture.step == ends[stage]) {
         last.push_back(picture);
@@ -91,7 +91,7 @@ std::uintmax_t bytes_of(const std::vector<Picture>& all, const std::vector<std::
   return sum;
 }
 
-/// Evenly chosen, as many as have no more than `bytes` in all.
+/// Evenly selected pictures with at most `bytes` in total.
 std::vector<std::size_t> chosen_pictures(const std::vector<Picture>& all, std::size_t most,
                                          std::uintmax_t bytes) {
   std::size_t count = std::min(all.size(), most);
@@ -109,13 +109,13 @@ std::uint32_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t plac
          (std::uint32_t{bytes[place + 2]} << 8U) | std::uint32_t{bytes[place + 3]};
 }
 
-/// Throws StoreError for what is no PNG; the place of width and height is fixed (ISO
-/// 15948, 11.2.2).
+/// Throws StoreError if it is no PNG. Width and height have fixed positions (ISO 15948, 11.2.2).
 std::vector<std::uint8_t> png_bytes(const fs::path& file) {
   constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  constexpr std::size_t kLeast = 57;  // header and end
-  std::vector<std::uint8_t> bytes = store::read_whole(file, store::kMostPictureBytes);
-  if (bytes.size() < kLeast || !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
+  constexpr std::size_t kMinPngBytes = 57;  // header and end
+  std::vector<std::uint8_t> bytes = store::read_whole(file, store::kMaxPictureBytes);
+  if (bytes.size() < kMinPngBytes ||
+      !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
     throw store::StoreError(fmt::format("{} is left out: it is no PNG", file.string()));
   }
   return bytes;
@@ -125,7 +125,7 @@ std::string data_url(const std::vector<std::uint8_t>& bytes) {
   return "data:image/png;base64," + base64(bytes);
 }
 
-/// Writes the pictures of a run; those that cannot be read are said and left out.
+/// Writes the pictures of a run. Unreadable ones are left out with a warning.
 class Writer {
  public:
   Writer(const store::RunSummary& summary, Warnings& warnings)
@@ -148,7 +148,7 @@ class Writer {
     }
   }
 
-  /// An entry of the list that the script steps through.
+  /// An entry of the picture list for the page script.
   void add_frame(std::string& list, const Picture& picture, const std::vector<Picture>& ends) {
     nlohmann::json entry = {{"step", picture.step}, {"stage", stage_at(picture.step)}};
     if (summary_.units) {
@@ -188,7 +188,7 @@ class Writer {
                               : summary_.stages[static_cast<std::size_t>(end - ends_.begin())].name;
   }
 
-  /// No text of a file may end the element that the list stands in.
+  /// File text must not close the element around the list.
   static std::string json_for_html(const nlohmann::json& value) {
     std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
@@ -221,7 +221,7 @@ std::string frames_html(const fs::path& run, const store::RunSummary& summary,
     return {};
   }
   Writer writer(summary, warnings);
-  std::uintmax_t budget = most ? kMostAskedBytes : kUsualBytes;
+  std::uintmax_t budget = most ? kMaxRequestedBytes : kUsualBytes;
   std::string ends_text;
   std::vector<Picture> ends = end_pictures(all, writer.ends());
   std::erase_if(ends, [&](const Picture& picture) {

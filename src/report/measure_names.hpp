@@ -1,5 +1,5 @@
 #pragma once
-// What the measures in run.json mean.
+// Names and meanings of the measures in run.json.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ struct MeasureName {
 /// `sites/time`, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
-/// None where the name is not known.
+/// None if the name is unknown.
 const MeasureName* find_measure_name(std::string_view key);
 
 }  // namespace clca::report

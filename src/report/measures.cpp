@@ -17,7 +17,7 @@ namespace {
 using store::MeasureValue;
 using store::StageSummary;
 
-constexpr std::size_t kMostStages = 16;
+constexpr std::size_t kMaxStages = 16;
 constexpr std::string_view kErrorEnding = "_se";
 
 MeasureValue value_in(const StageSummary& stage, const std::string& name) {
@@ -26,7 +26,7 @@ MeasureValue value_in(const StageSummary& stage, const std::string& name) {
   return found == stage.measures.end() ? MeasureValue() : found->second;
 }
 
-/// As they come, standard errors apart, which stand beside what they belong to.
+/// Measures in order; standard errors are shown beside their measure.
 std::vector<std::string> measure_keys(const std::vector<StageSummary>& stages) {
   std::vector<std::string> names;
   std::set<std::string> known;
@@ -40,11 +40,11 @@ std::vector<std::string> measure_keys(const std::vector<StageSummary>& stages) {
   return names;
 }
 
-/// Decimals that all numbers of a row share: two significant ones of the least standard error,
-/// where there are errors.
+/// Decimals shared by a row: two significant digits of the smallest standard error, if there are
+/// errors.
 int row_decimals(const std::vector<StageSummary>& stages, const std::string& name) {
   std::vector<double> numbers;
-  double least_error = 0;
+  double min_error = 0;
   for (const StageSummary& stage : stages) {
     const MeasureValue value = value_in(stage, name);
     if (const auto* number = std::get_if<double>(&value)) {
@@ -52,13 +52,13 @@ int row_decimals(const std::vector<StageSummary>& stages, const std::string& nam
     }
     const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
     if (const auto* size = std::get_if<double>(&error); size != nullptr && *size > 0) {
-      least_error = least_error > 0 ? std::min(least_error, *size) : *size;
+      min_error = min_error > 0 ? std::min(min_error, *size) : *size;
     }
   }
-  constexpr int kMostDecimals = 7;
-  return least_error > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(least_error))), 0,
-                                      kMostDecimals)
-                         : decimals_for(numbers);
+  constexpr int kMaxDecimals = 7;
+  return min_error > 0
+             ? std::clamp(1 - static_cast<int>(std::floor(std::log10(min_error))), 0, kMaxDecimals)
+             : decimals_for(numbers);
 }
 
 std::string value_html(const StageSummary& stage, const std::string& name, int decimals) {
@@ -99,7 +99,7 @@ std::string row_html(const std::vector<StageSummary>& stages, const std::string&
 
 std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {
   std::vector<StageSummary> shown;
-  for (const std::size_t number : evenly(stages.size(), kMostStages)) {
+  for (const std::size_t number : evenly(stages.size(), kMaxStages)) {
     shown.push_back(stages[number]);
   }
   return shown;
@@ -128,13 +128,13 @@ std::string measures_html(const store::RunSummary& summary) {
   if (summary.stages.empty()) {
     return {};
   }
-  constexpr std::size_t kMostMeasures = 200;
+  constexpr std::size_t kMaxMeasures = 200;
   const std::vector<StageSummary> stages = shown_stages(summary.stages);
   std::string html =
       R"(<div class="wide" tabindex="0" role="region" aria-label="Measures"><table>)";
   html += head_html(stages, summary.units);
   std::vector<std::string> keys = measure_keys(stages);
-  keys.resize(std::min(keys.size(), kMostMeasures));
+  keys.resize(std::min(keys.size(), kMaxMeasures));
   for (const std::string& key : keys) {
     html += row_html(stages, key, summary.units);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "clca/text/message.hpp"
 #include "embedded.hpp"
 #include "report/text.hpp"
 
@@ -12,7 +13,7 @@ namespace clca::report {
 
 namespace {
 
-constexpr std::size_t kMostSceneText = 256 << 10;
+constexpr std::size_t kMaxSceneText = 256 << 10;
 
 struct Section {
   const char* id = "";
@@ -21,7 +22,7 @@ struct Section {
 };
 
 std::string head_html(const std::string& title) {
-  // Nothing is fetched, whatever a file of the run may have smuggled in.
+  // Forbids all loading, whatever the files of the run contain.
   return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -95,26 +96,12 @@ std::string warnings_html(const Warnings& warnings) {
                              items);
 }
 
-/// For the shell, in quotes where it has other signs than those of plain names.
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos && word[0] != '-') {
-    return word;
-  }
-  std::string quoted = "'./";
-  for (const char letter : word) {
-    quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
-  }
-  return quoted + "'";
-}
-
-/// The scene as a file to save, without which the command has nothing to run.
+/// The scene as a download, needed for the command.
 std::string scene_html(const Page& page, const store::RunSummary& summary) {
   if (page.scene_text.empty()) {
     return {};
   }
-  if (page.scene_text.size() > kMostSceneText) {
+  if (page.scene_text.size() > kMaxSceneText) {
     return "<p>The scene is too long to be shown here; it is in <code>scene.yaml</code> beside "
            "this page.</p>\n";
   }
@@ -138,14 +125,14 @@ std::string repeat_html(const Page& page, const store::RunSummary& summary) {
       R"(<p>The same scene and seed give the same bits: clca {} on the scene below {}.</p>
 <pre>clca run {} --seed {} -o {}</pre>
 {})",
-      escaped(summary.version), result, escaped(shell_word(summary.scene + ".yaml")), summary.seed,
-      escaped(shell_word(summary.scene)), scene_html(page, summary));
+      escaped(summary.version), result, escaped(text::shell_word(summary.scene + ".yaml")),
+      summary.seed, escaped(text::shell_word(summary.scene)), scene_html(page, summary));
 }
 
 std::string files_html(const Page& page) {
-  constexpr std::size_t kMost = 100;
+  constexpr std::size_t kMaxItems = 100;
   std::string items;
-  for (std::size_t i = 0; i < std::min(page.files.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(page.files.size(), kMaxItems); ++i) {
     items += fmt::format("<li><code>{}</code></li>", escaped(page.files[i]));
   }
   return items.empty()
@@ -154,7 +141,7 @@ std::string files_html(const Page& page) {
                    R"(<p>The tables that this page is drawn from lie in the run folder:</p>
 <ul class="files">{}{}</ul>
 )",
-                   items, page.files.size() > kMost ? "<li>…</li>" : "");
+                   items, page.files.size() > kMaxItems ? "<li>…</li>" : "");
 }
 
 std::string navigation_html(const std::vector<Section>& sections) {
@@ -170,8 +157,7 @@ std::string navigation_html(const std::vector<Section>& sections) {
 std::string to_html(const Page& page, const store::RunSummary& summary, const Warnings& warnings) {
   std::vector<Section> sections = {{"pictures", "Pictures", page.frames},
                                    {"measures", "Measures", page.measures},
-                                   {"curves", "Curves", page.charts},
-                                   {"maps", "Maps", page.maps},
+                                   {"figures", "Figures", page.figures},
                                    {"walls", "Walls", page.walls},
                                    {"repeat", "How to repeat it", repeat_html(page, summary)},
                                    {"files", "Tables", files_html(page)}};

@@ -1,24 +1,23 @@
 #pragma once
-// The page as a whole.
+// The complete page.
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/store/summary.hpp"
-#include "report/tables.hpp"
+#include "report/folder.hpp"
 
 namespace clca::report {
 
-/// What the page is made of. Parts that are empty are left out.
+/// The parts of the page. Empty parts are left out.
 struct Page {
   std::string title;       ///< of the scene
   std::string scene_text;  ///< scene.yaml
   std::string frames;      ///< HTML, as what follows
   std::string measures;
   std::string walls;
-  std::string charts;
-  std::string maps;
+  std::string figures;
   std::vector<std::string> files;  ///< tables that lie beside the page
 };
 

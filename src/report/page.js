@@ -74,39 +74,6 @@
   if (!go()) show(frames.length - 1);
 })();
 
-// Shows the values of a chart where the pointer is.
-document.querySelectorAll('figure.chart').forEach(function (figure) {
-  const data = JSON.parse(figure.querySelector('script').textContent);
-  const svg = figure.querySelector(':scope > svg');
-  const cursor = svg.querySelector('.cursor');
-  const outputs = figure.querySelectorAll('output');
-
-  function nearest(points, x) {
-    let best = null;
-    points.forEach(function (point) {
-      if (!best || Math.abs(point[0] - x) < Math.abs(best[0] - x)) best = point;
-    });
-    return best;
-  }
-
-  svg.addEventListener('pointermove', function (event) {
-    const box = svg.getBoundingClientRect();
-    const x = (event.clientX - box.left) / box.width * svg.viewBox.baseVal.width;
-    const near = 0.02 * (data.right - data.left);
-    const inside = x >= data.left - near && x <= data.right + near;
-    cursor.setAttribute('d', inside ? 'M' + x.toFixed(1) + ' ' + data.top + 'V' + data.bottom : '');
-    outputs.forEach(function (output) {
-      const point = inside ? nearest(data.curves[output.dataset.curve], x) : null;
-      const shown = point && Math.abs(point[0] - x) <= near;
-      output.textContent = shown ? point[2] + ' at ' + point[1] : '';
-    });
-  });
-  svg.addEventListener('pointerleave', function () {
-    cursor.setAttribute('d', '');
-    outputs.forEach(function (output) { output.textContent = ''; });
-  });
-});
-
 // What is folded is printed, too.
 window.addEventListener('beforeprint', function () {
   document.querySelectorAll('details').forEach(function (details) { details.open = true; });

@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "scene/text.hpp"
+#include "clca/text/message.hpp"
+#include "clca/text/utf8.hpp"
 
 namespace clca::report {
 
@@ -58,7 +59,7 @@ std::string scientific(double number) {
                      power_of_ten(exponent));
 }
 
-/// Too large, or with fewer than three digits of it to be seen.
+/// Too large, or too small to show three digits.
 bool is_scientific(double number, int decimals) {
   const double size = std::abs(number);
   return size >= kTooLarge || (size < kTooSmall && size > 0 && size * std::pow(10, decimals) < 100);
@@ -71,10 +72,10 @@ std::string escaped(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = scene::character_length(text, i);
+    const std::size_t length = text::character_length(text, i);
     const std::string_view sign = text.substr(i, std::max<std::size_t>(length, 1));
     const bool is_layout = sign == "\n" || sign == "\t";
-    if (length == 0 || (!is_layout && scene::is_control(scene::character_at(text, i, length)))) {
+    if (length == 0 || (!is_layout && text::is_control(text::character_at(text, i)))) {
       result += kUnknown;
     } else {
       const std::string_view replaced = entity(sign.front());

@@ -1,5 +1,5 @@
 #pragma once
-// Text and numbers as the page shows them.
+// Formatting of text and numbers for the page.
 
 #include <cstdint>
 #include <span>

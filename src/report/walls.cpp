@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "clca/store/file.hpp"
+#include "clca/store/table.hpp"
+#include "clca/text/name.hpp"
+#include "report/folder.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
 
@@ -9,23 +13,29 @@ namespace clca::report {
 
 namespace {
 
-constexpr std::size_t kMostWalls = 100;
+namespace fs = std::filesystem;
+using text::is_file_name;
+
+constexpr std::size_t kMaxWalls = 100;
 
 /// Numbers in the form of the table itself, which is the shortest.
 std::string cell_html(const std::string& cell) {
   return fmt::format("<td>{}</td>", cell.empty() ? "–" : escaped(cell));
 }
 
-std::string table_html(const RunTable& table) {
-  const store::ReadTable& cells = table.cells();
+fs::path table_of(const fs::path& run, const std::string& stage) {
+  return run / fmt::format("walls-{}.csv", stage);
+}
+
+std::string table_html(const std::string& stage, const store::ReadTable& cells) {
   std::string html = fmt::format(
       R"(<h3>At the end of stage {}</h3><div class="wide" tabindex="0" role="region" aria-label="Walls"><table><thead><tr>)",
-      escaped(table.label()));
+      escaped(stage));
   for (const std::string& name : cells.names) {
     html += fmt::format(R"(<th scope="col">{}</th>)", escaped(name));
   }
   html += "</tr></thead><tbody>";
-  for (std::size_t row = 0; row < std::min(cells.rows(), kMostWalls); ++row) {
+  for (std::size_t row = 0; row < std::min(cells.rows(), kMaxWalls); ++row) {
     html += fmt::format(R"(<tr><th scope="row">{}</th>)", escaped(cells.cells.front()[row]));
     for (std::size_t column = 1; column < cells.names.size(); ++column) {
       html += cell_html(cells.cells[column][row]);
@@ -37,12 +47,25 @@ std::string table_html(const RunTable& table) {
 
 }  // namespace
 
-std::string walls_html(const Tables& tables) {
-  constexpr std::size_t kMostColumns = 30;
+std::string walls_html(const fs::path& run, const store::RunSummary& summary, Warnings& warnings) {
+  constexpr std::size_t kMaxTables = 24;
+  constexpr std::size_t kMaxColumns = 30;
+  constexpr double kMaxBytes = 64 << 20;  // a table takes up to 40 times that in memory
+  std::vector<std::string> stages;
+  for (const store::StageSummary& stage : summary.stages) {
+    if (is_file_name(stage.name) && fs::is_regular_file(table_of(run, stage.name))) {
+      stages.push_back(stage.name);
+    }
+  }
   std::string html;
-  for (const RunTable& table : tables.find_all("walls")) {
-    if (table.cells().rows() > 0 && table.cells().names.size() <= kMostColumns) {
-      html += table_html(table);
+  for (const std::size_t number : evenly(stages.size(), kMaxTables)) {
+    try {
+      const auto table = store::read_table(table_of(run, stages[number]), kMaxBytes);
+      if (table.rows() > 0 && table.names.size() <= kMaxColumns) {
+        html += table_html(stages[number], table);
+      }
+    } catch (const store::StoreError& error) {
+      warnings.add(error.what());
     }
   }
   return html;

@@ -23,7 +23,7 @@ std::string description(const store::EarlierRun& earlier) {
                      earlier.when.empty() ? "" : " ", earlier.when);
 }
 
-/// Makes the first of FOLDER, FOLDER-2, ... that is not there.
+/// Makes the first of FOLDER, FOLDER-2, ... that does not exist.
 fs::path made_free(const fs::path& folder) {
   const fs::path wanted = folder.has_filename() ? folder : folder.parent_path();
   if (wanted.has_parent_path()) {
@@ -41,8 +41,7 @@ fs::path made_free(const fs::path& folder) {
   }
 }
 
-/// Throws where the folder `below` cannot be used, or holds files of the user's that begin and end
-/// as those of a run.
+/// Throws if the folder `below` cannot be used, or contains user files named like those of a run.
 void require_no_foreign(const store::OutputFolder& folder, const std::string& below,
                         const std::string& begin, const std::string& end) {
   const fs::path path = folder.path(below);
@@ -82,8 +81,8 @@ store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
     const std::string run = description(*earlier);
     if (earlier->unfinished && !options.overwrite) {
       throw UnfinishedRunError(
-          fmt::format("{}: there is a run that can go on ({}): clca resume goes on with it, "
-                      "--overwrite begins anew, --keep runs in another folder",
+          fmt::format("{}: there is an unfinished run ({}): continue it with clca resume, "
+                      "replace it with --overwrite, or run in another folder with --keep",
                       path.string(), run));
     }
     if (events.message) {

@@ -8,9 +8,9 @@
 
 namespace clca::run {
 
-/// Takes the folder of `options` over for a run that begins with `start`, and removes what an
-/// earlier run has left there. `files` are names that the run may write. Throws UnfinishedRunError
-/// and store::StoreError before anything is changed.
+/// Prepares the folder of `options` for a run that starts with `start`, and removes the files of an
+/// earlier run. `files`: names that the run may write.
+/// Throws UnfinishedRunError and store::StoreError before it changes anything.
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
                            const store::Checkpoint& start, const std::vector<std::string>& files);
 

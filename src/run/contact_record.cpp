@@ -8,8 +8,8 @@ namespace clca::run {
 
 namespace {
 
-/// Whether the stage may end after as many more steps as the window has, or fewer. Where that takes
-/// a bed at rest it may only if `quiet`.
+/// Whether the stage may end within the next window of steps. A bed at rest ends it only if
+/// `quiet`.
 bool may_end_soon(const scene::Stage& stage, std::uint64_t steps, std::uint64_t window,
                   bool quiet) {
   if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
@@ -52,7 +52,7 @@ std::vector<contact::Force> ForceWindow::means() const {
   return contact::means(all);
 }
 
-bool ForceWindow::is_of(const grains::State& state) const {
+bool ForceWindow::belongs_to(const grains::State& state) const {
   const auto all_sound = [&](const contact::ForceSums& sums) {
     return (sums.steps > 0 || sums.sums.empty()) &&
            std::all_of(sums.sums.begin(), sums.sums.end(),

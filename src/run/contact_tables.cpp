@@ -42,14 +42,14 @@ std::optional<measure::ForceDistribution> distribution(const Forces& forces) {
   return measure::force_distribution(strengths, measure::Strength::averaged);
 }
 
-/// What a grain has to do with its contacts.
-struct Load {
+/// Number of contacts and sum of normal forces of a grain.
+struct GrainLoad {
   std::uint64_t contacts = 0;
   double normal = 0;
 };
 
-std::vector<Load> loads(const grains::State& state, const Forces& forces) {
-  std::vector<Load> result(state.particles.size());
+std::vector<GrainLoad> loads(const grains::State& state, const Forces& forces) {
+  std::vector<GrainLoad> result(state.particles.size());
   const auto add = [&](std::size_t id, const contact::Force& force) {
     ++result[id].contacts;
     result[id].normal += force.along_normal;
@@ -69,8 +69,8 @@ std::string contact_forces_csv(const scene::Scene& scene, const Forces& forces) 
   store::Table table(
       {"first", "second", "x", "y", "normal_x", "normal_y", "normal_force", "shear_force"});
   for (const contact::Force& force : forces) {
-    table.add_row({std::uint64_t{force.upper}, body_name(scene, force.other), force.place.x(),
-                   force.place.y(), force.normal.x(), force.normal.y(), force.along_normal,
+    table.add_row({std::uint64_t{force.upper}, body_name(scene, force.other), force.point.x(),
+                   force.point.y(), force.normal.x(), force.normal.y(), force.along_normal,
                    force.along_shear});
   }
   return table.to_csv();
@@ -88,7 +88,7 @@ std::string force_distribution_csv(const Forces& forces) {
 
 std::string grain_loads_csv(const scene::Scene& scene, const Model& model, const Forces& forces) {
   const grains::State& state = model.state();
-  const std::vector<Load> all = loads(state, forces);
+  const std::vector<GrainLoad> all = loads(state, forces);
   const std::vector<double> residuals =
       contact::residuals(state, forces, gravity_direction(model.vessel()));
   store::Table table({"id", "species", "x", "y", "contacts", "normal_force", "residual"});

@@ -1,6 +1,5 @@
 #pragma once
-// What a stage of the contact model leaves of forces. All forces in weights of a grain of mean
-// mass, as they are given.
+// Force tables of a stage of the contact model. Forces are in weights of a grain of mean mass.
 
 #include <string>
 #include <vector>

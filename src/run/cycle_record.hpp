@@ -1,5 +1,6 @@
 #pragma once
-// cycles.csv and the convection of a stage: what each cycle of the walls that go to and fro leaves.
+// cycles.csv and the convection of a stage: results of each cycle of periodic walls or of the
+// vessel.
 
 #include <optional>
 #include <string>
@@ -24,27 +25,26 @@ class CycleRecord {
 
   void begin_stage(const scene::Scene& scene, const scene::Stage& stage, const grains::State& state,
                    const contact::Vessel& vessel);
-  /// Makes ready for a stage that goes on; what fields() lists has still to be loaded.
+  /// Prepares for resuming a stage; the members listed by fields() are loaded afterwards.
   void resume_stage(const scene::Scene& scene, const scene::Stage& stage,
                     const grains::State& state);
   /// Call after each step.
   void after_step(const grains::State& state, const contact::Vessel& vessel);
 
-  /// Completed in this stage by all walls that go to and fro and by the vessel. A wave counts from
-  /// where it stood when the stage began; a shake that was held on its way completes that cycle
-  /// first.
+  /// Cycles completed in this stage by all periodic walls and the vessel. A wave counts from its
+  /// position at the start of the stage; an interrupted shake completes its cycle first.
   std::uint64_t cycles() const { return cycles_; }
-  /// Null when no wall goes to and fro in this stage and the vessel rests or tilts.
+  /// Null if no wall is periodic in this stage and the vessel does not turn or shake.
   const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
   double cell() const { return cell_; }
   store::Table& table() { return table_; }
   /// Columns x, y, dx, dy (mean displacement per cycle, lattice spacings), weight (sites).
   std::string convection_csv() const;
 
-  /// False where this was not recorded in a run that has come to `now`.
+  /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("cycles", &CycleRecord::cycles_),
                            field("at_start", &CycleRecord::at_start_),
                            field("convection", &CycleRecord::convection_));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "clca/fields/fields.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/model.hpp"
 
@@ -13,28 +13,28 @@ namespace clca::run {
 class EnergyRecord {
  public:
   void begin_stage(const scene::Stage& stage, const Model& model);
-  /// Call after each step, which left `report`.
+  /// Call after each step with its report.
   void after_step(const Model& model, const Model::Report& report, std::uint64_t steps_in_stage);
-  /// Takes the last look at a stage.
+  /// Updates the balance at the end of a stage.
   void end_stage(const Model& model);
 
-  /// Kinetic and potential energy at the start of the stage and what sources brought since, less
-  /// what outlets took and what there is now.
+  /// Dissipated energy: initial energy of the stage plus that of sources, minus that taken by
+  /// outlets and the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// What has grown by more than 0.5 % of the start. Told once in a run.
+  /// A warning if the energy has grown by more than 0.5 % of its initial value. Given once per run.
   struct Growth {
     double start = 0;   ///< of the stage
     double lowest = 0;  ///< since then
     double now = 0;
   };
   std::optional<Growth> take_warning();
-  /// The largest growth above the lowest before, over the energy at the start; none where sources,
-  /// walls or the vessel did work, or there was no energy.
+  /// Largest rise above an earlier minimum, relative to the initial energy. None if sources, walls
+  /// or the vessel did work, or there was no energy.
   std::optional<double> growth() const;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
         field("gained", &EnergyRecord::gained_), field("lowest", &EnergyRecord::lowest_),

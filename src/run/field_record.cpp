@@ -66,7 +66,7 @@ void FieldRecord::end_window(const grains::State& state) {
   }
   const std::uint64_t steps = state.step - window_begin_;
   if (steps == fields_.every) {
-    fluctuations_.add(window_->journeys(state), measure::Grid(state.lattice, fields_.cell));
+    fluctuations_.add(window_->displacements(state), measure::Grid(state.lattice, fields_.cell));
   }
   fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
   steps_ += steps;
@@ -81,10 +81,10 @@ double FieldRecord::fluctuation_energy() const {
 
 std::string FieldRecord::fluctuation_csv() const {
   store::Table table({"lower", "upper", "share", "share_local", "reference"});
-  const boltzmann::Bins& bins = fluctuations_.bins();
+  const statistics::Bins& bins = fluctuations_.bins();
   const std::vector<double> shares = fluctuations_.shares();
   const std::vector<double> local = fluctuations_.local_shares();
-  const std::vector<double> reference = boltzmann::chi_square_shares(bins, 2);
+  const std::vector<double> reference = statistics::chi_square_shares(bins, 2);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     const bool is_last = bin + 1 == bins.count();
     table.add_row({bins.lower(bin),

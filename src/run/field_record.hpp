@@ -1,11 +1,11 @@
 #pragma once
-// fields.csv: packing, velocity and its fluctuation on a grid, window after window; and how the
-// energies of the fluctuations are distributed.
+// fields.csv: packing, velocity and fluctuation on a grid, for each window, and the distribution of
+// fluctuation energies.
 
 #include <optional>
 #include <string>
 
-#include "clca/measure/fields.hpp"
+#include "clca/measure/field_grid.hpp"
 #include "clca/measure/fluctuation.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
@@ -21,26 +21,26 @@ class FieldRecord {
  public:
   FieldRecord(const scene::Fields& fields, const std::optional<scene::Conversion>& conversion);
 
-  /// Also of a stage that goes on; what fields() lists has then still to be loaded.
+  /// Also for a resumed stage; the members listed by fields() are loaded afterwards.
   void begin_stage(const std::string& stage, const grains::State& state);
   /// Call after each step: ends a window when it is due.
   void after_step(const grains::State& state);
-  /// Ends the last window, however short.
+  /// Ends the last window, even if it is short.
   void end_stage(const grains::State& state);
 
   /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
   double fluctuation_energy() const;
   store::Table& table() { return table_; }
 
-  /// Of the whole windows of the stage; a last one cut short is not like them.
+  /// Over the complete windows of the stage.
   const measure::Fluctuations& fluctuations() const { return fluctuations_; }
   /// Columns lower, upper (of the energy X; none for the last bin), share, share_local, reference.
   std::string fluctuation_csv() const;
 
-  /// False where this was not recorded in a run that has come to `now`.
+  /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("window", &FieldRecord::window_),
                            field("fluctuations", &FieldRecord::fluctuations_),
                            field("window_begin", &FieldRecord::window_begin_),

@@ -9,21 +9,21 @@ namespace clca::run {
 
 namespace {
 
-/// Wants to go on and cannot.
+/// Whether a wall is stalled: it is due to move and blocked.
 bool is_stalled(const grains::Wall& wall) {
   return wall.present && wall.travel.active && wall.travel.stalled_since &&
          !grains::is_over(*wall.motion, wall.travel);
 }
 
-/// What several walls say together; none where no wall says anything.
-struct WallsTogether {
+/// Combined results of several walls; none if there are none.
+struct CombinedWalls {
   std::optional<double> depth;          // of the deepest, lattice spacings
   std::optional<double> stalled_since;  // of the first to stall, step
 };
 
-WallsTogether together(const grains::State& state, const measure::ForceSummary& summary,
+CombinedWalls combined(const grains::State& state, const measure::ForceSummary& summary,
                        const std::vector<double>& surface_at_start) {
-  WallsTogether result;
+  CombinedWalls result;
   for (const measure::WallForce& wall : summary.walls) {
     const grains::Wall& one = state.walls[wall.wall];
     if (!one.present) {
@@ -49,7 +49,7 @@ void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
   const auto contacts = measure::contacts(state, model.occupancy());
   const auto summary = measure::force_summary(state, model.occupancy(), contacts);
   const auto distribution = record.distribution(contacts);
-  const WallsTogether walls = together(state, summary, surface_at_start);
+  const CombinedWalls walls = combined(state, summary, surface_at_start);
   const auto add = [&](const char* name, const store::MeasureValue& value) {
     results.emplace_back(name, value);
   };

@@ -1,5 +1,5 @@
 #pragma once
-// The measures of what walls press into.
+// Measures of the forces of pushing walls.
 
 #include <string>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace clca::run {
 
-/// Adds the force index, its distribution and how far walls have come and since when they stall.
+/// Adds the index of force, its distribution, how far walls have moved and since when they are
+/// stalled.
 void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
                const std::vector<double>& surface_at_start, const ForceRecord& record);
 
-/// A line for each wall that wants to go on and cannot: since when, how far it has come, what
-/// overlaps.
+/// One line per stalled wall: since when, its travel, its overlaps.
 std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
                                      const std::vector<double>& surface_at_start);
 

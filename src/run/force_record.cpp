@@ -30,7 +30,7 @@ void ForceRecord::after_step(const Model& model, std::uint64_t steps_in_stage) {
 }
 
 std::optional<measure::ForceDistribution> ForceRecord::distribution(
-    const std::vector<measure::Contact>& contacts) const {
+    const std::vector<measure::OverlapContact>& contacts) const {
   if (sampling_) {
     return measure::force_distribution(measure::strengths(average_.means()),
                                        measure::Strength::averaged);
@@ -39,14 +39,14 @@ std::optional<measure::ForceDistribution> ForceRecord::distribution(
 }
 
 std::string ForceRecord::contacts_csv(const scene::Scene& scene,
-                                      const std::vector<measure::Contact>& contacts) const {
+                                      const std::vector<measure::OverlapContact>& contacts) const {
   struct Row {
-    const measure::Contact* now = nullptr;
+    const measure::OverlapContact* now = nullptr;
     double mean_sites = kNothing;
     double share = kNothing;
   };
   std::map<Pair, Row> rows;
-  for (const measure::Contact& contact : contacts) {
+  for (const measure::OverlapContact& contact : contacts) {
     rows[{contact.first, contact.second}].now = &contact;
   }
   for (const measure::ForceAverage::Mean& mean : average_.means()) {
@@ -57,12 +57,12 @@ std::string ForceRecord::contacts_csv(const scene::Scene& scene,
   store::Table table(
       {"first", "second", "x", "y", "sites", "depth", "source", "mean_sites", "share"});
   for (const auto& [pair, row] : rows) {
-    const measure::Contact* now = row.now;
+    const measure::OverlapContact* now = row.now;
     const std::string source =
         now != nullptr && now->source ? scene.walls[*now->source].name : std::string();
     table.add_row({std::uint64_t{pair.first}, name_of(scene, pair.second),
-                   now != nullptr ? now->place.x() : kNothing,
-                   now != nullptr ? now->place.y() : kNothing,
+                   now != nullptr ? now->point.x() : kNothing,
+                   now != nullptr ? now->point.y() : kNothing,
                    static_cast<std::uint64_t>(now != nullptr ? now->sites : 0),
                    static_cast<std::uint64_t>(now != nullptr ? now->depth : 0), source,
                    row.mean_sites, row.share});
@@ -81,7 +81,7 @@ std::string distribution_csv(const std::optional<measure::ForceDistribution>& di
 }
 
 std::string loads_csv(const scene::Scene& scene, const grains::State& state,
-                      const std::vector<measure::Contact>& contacts) {
+                      const std::vector<measure::OverlapContact>& contacts) {
   const std::vector<double> sites = measure::force_indices(state.particles.size(), contacts);
   std::vector<std::uint64_t> pushes(state.particles.size(), 0);
   for (const grains::Push& push : state.pushes) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which frames of a trajectory are drawn.
+// Selection of trajectory frames for drawing.
 
 #include <cstdint>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace clca::run {
 
-/// Places in `frames`, ascending. As in a run, each stage begins and ends with a picture, those
-/// between are at least `every` steps apart, and a step is drawn once: as the stage that ends there
-/// leaves it.
+/// Selected indices into `frames`, ascending. Each stage begins and ends with a picture, the others
+/// are at least `every` steps apart. A step shared by two stages is drawn once, as the end of the
+/// first.
 std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
                                       std::uint64_t every);
 
-/// Whether item `number` of `count` is one of at most `most`, two or more, that lie evenly among
-/// them, the first and the last included.
+/// Whether item `number` of `count` is among at most `most` (two or more) evenly spaced ones,
+/// including first and last.
 bool is_among(std::size_t number, std::size_t count, std::size_t most);
 
 }  // namespace clca::run

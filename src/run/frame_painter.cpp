@@ -12,9 +12,9 @@ namespace clca::run {
 
 namespace {
 
-// Fixed, so that pictures of a sequence compare.
-constexpr int kHighestIndex = 8;  // overlapped sites
-constexpr double kLoad = 2;       // of a grain, in strongest forces of a contact
+// Fixed, so that pictures of a sequence are comparable.
+constexpr int kMaxForceIndex = 8;  // overlapped sites
+constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
 
 render::Drawing drawing_of(scene::Drawing drawing) {
   switch (drawing) {
@@ -40,7 +40,7 @@ render::Painter make_painter(const scene::Scene& scene, const grains::State& sta
   try {
     return {style, state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
-    throw ScenePlaceError(fmt::format("{}: error: {}", frames.place, error.what()));
+    throw SceneRunError(fmt::format("{}: error: {}", frames.location, error.what()));
   }
 }
 
@@ -84,10 +84,10 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
       strongest_force_(strongest_force(scene)),
       painter_(make_painter(scene, state, threads)) {}
 
-Negative FramePainter::expose(const View& view, const PictureHistory& history) {
+CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
-  Drawn drawn = overlay_of(frames_.overlay, view, strongest_force_);
+  DrawnOverlay drawn = overlay_of(frames_.overlay, view, strongest_force_);
   colors.legend.lines = std::move(drawn.keys);
   render::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;
@@ -97,7 +97,7 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
     text["Time"] = conversion_->time_text(step);
     when = "t = " + text["Time"];
   }
-  return {.exposure = painter_.expose(view.state, view.occupancy, colors),
+  return {.capture = painter_.capture(view.state, view.occupancy, colors),
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = scene_.units ? scene_.units->spacing : 0},
@@ -106,9 +106,9 @@ Negative FramePainter::expose(const View& view, const PictureHistory& history) {
           .text = std::move(text)};
 }
 
-Picture FramePainter::develop(const Negative& negative) {
-  return {painter_.develop(negative.exposure, negative.caption, negative.overlay, negative.turn),
-          negative.caption.detail, negative.text};
+Picture FramePainter::rasterize(const CapturedFrame& frame) {
+  return {painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
+          frame.caption.detail, frame.text};
 }
 
 render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
@@ -126,7 +126,7 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
       return view.forces != nullptr
                  ? render::color_by_load(contact::loads(state.particles.size(), *view.forces),
                                          kLoad * strongest_force_)
-                 : render::color_by_force(kHighestIndex);
+                 : render::color_by_force(kMaxForceIndex);
     case scene::ColorBy::species:
       break;
   }

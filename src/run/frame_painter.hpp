@@ -1,5 +1,5 @@
 #pragma once
-// Draws states as a scene wants its pictures: while it runs, and from a trajectory.
+// Draws states as the scene specifies, during a run or from a trajectory.
 
 #include <cstdint>
 #include <optional>
@@ -7,9 +7,9 @@
 
 #include "clca/contact/force.hpp"
 #include "clca/contact/vessel.hpp"
-#include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
@@ -19,16 +19,16 @@
 
 namespace clca::run {
 
-/// What there is to draw.
+/// Everything that a picture shows.
 struct View {
   const grains::State& state;
-  const grains::Occupancy& occupancy;
+  grains::Occupancy occupancy;
   const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
   const std::vector<contact::Force>* forces = nullptr;  ///< of the contact model
   contact::Angle angle = 0;                             ///< of the vessel
 };
 
-/// What the pictures so far leave to those that come: goes into a checkpoint.
+/// What later pictures need to know of earlier ones; part of a checkpoint.
 struct PictureHistory {
   std::string stage;
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
@@ -36,20 +36,21 @@ struct PictureHistory {
   std::optional<std::uint64_t> last_step;  ///< that was drawn
 
   static constexpr auto fields() {
-    return std::make_tuple(fields::field("stage", &PictureHistory::stage),
-                           fields::field("displacement_scale", &PictureHistory::displacement_scale),
-                           fields::field("layers", &PictureHistory::layers),
-                           fields::field("last_step", &PictureHistory::last_step));
+    return std::make_tuple(
+        reflection::field("stage", &PictureHistory::stage),
+        reflection::field("displacement_scale", &PictureHistory::displacement_scale),
+        reflection::field("layers", &PictureHistory::layers),
+        reflection::field("last_step", &PictureHistory::last_step));
   }
 };
 
-/// Sets what the pictures of a stage have in common, by a look at all particles. `state`: as the
-/// stage begins, with the origins marked.
+/// Sets what all pictures of a stage share. `state`: at the start of the stage, with the origins
+/// marked.
 void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state);
 
-/// A picture before it is developed, with what is written around it.
-struct Negative {
-  render::Exposure exposure;
+/// A captured picture with its annotations, not yet rasterized.
+struct CapturedFrame {
+  render::Capture capture;
   render::Caption caption;
   render::Overlay overlay;
   double turn = 0;  ///< degrees anticlockwise
@@ -62,19 +63,19 @@ struct Picture {
   render::PngText text;
 };
 
-/// Where a picture comes from, without stage and step.
+/// Provenance of a picture, without stage and step.
 render::PngText scene_text(const scene::Scene& scene);
 
-/// One thread may expose the next picture while another one develops.
+/// One thread may capture the next picture while another rasterizes.
 class FramePainter {
  public:
-  /// `scene` has frames and outlives this. `threads` share the work of exposing. Throws
-  /// ScenePlaceError when the driver cannot draw what it asks for.
+  /// `scene` has frames and outlives this object. `threads`: for captures. Throws SceneRunError if
+  /// the driver cannot draw it.
   FramePainter(const scene::Scene& scene, const grains::State& state, int threads);
 
-  /// Takes what the picture needs of the state, which may go on then.
-  Negative expose(const View& view, const PictureHistory& history);
-  Picture develop(const Negative& negative);
+  /// Reads what the picture needs; the state may change afterwards.
+  CapturedFrame capture(const View& view, const PictureHistory& history);
+  Picture rasterize(const CapturedFrame& frame);
 
  private:
   render::Coloring coloring(const View& view, const PictureHistory& history) const;

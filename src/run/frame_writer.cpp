@@ -9,14 +9,14 @@
 namespace clca::run {
 
 namespace {
-constexpr std::size_t kMostWaiting = 2;
+constexpr std::size_t kMaxWaiting = 2;
 }
 
 FrameWriter::FrameWriter() {
   try {
     thread_ = std::thread([this] { work(); });
   } catch (const std::system_error&) {
-    // Where no more threads can be had, whoever has a picture writes it.
+    // Without a further thread the caller writes the picture.
   }
 }
 
@@ -39,7 +39,7 @@ void FrameWriter::write(store::OutputFolder folder, std::string name,
     return;
   }
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return jobs_.size() < kMostWaiting || failure_; });
+  changed_.wait(lock, [this] { return jobs_.size() < kMaxWaiting || failure_; });
   rethrow_failure();
   jobs_.push_back(std::move(job));
   changed_.notify_all();

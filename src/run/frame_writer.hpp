@@ -1,5 +1,5 @@
 #pragma once
-// Develops, encodes and writes pictures beside the simulation.
+// Rasterizes, encodes and writes pictures in the background.
 
 #include <condition_variable>
 #include <deque>
@@ -14,18 +14,18 @@
 
 namespace clca::run {
 
-/// One thread of its own, where it can be had, that takes pictures in the order they come. At most
-/// a few wait; then the run waits too, so that memory stays bounded.
+/// Uses a thread of its own if possible and keeps the order of pictures. If a few are waiting the
+/// caller waits too, so that memory stays bounded.
 class FrameWriter {
  public:
   FrameWriter();
-  /// Writes what is waiting.
+  /// Writes the waiting pictures.
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// `picture` is called once, on that thread. Rethrows what went wrong with an earlier one, or,
-  /// without a thread of its own, with this one.
+  /// Calls `picture` once, on that thread. Rethrows the error of an earlier picture or, without a
+  /// thread, of this one.
   void write(store::OutputFolder folder, std::string name, std::function<Picture()> picture);
   /// Waits until everything is written. Rethrows likewise.
   void finish();

@@ -9,21 +9,22 @@
 namespace clca::run {
 
 std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
-  struct Candidate {
+  struct ObservationTime {
     GasTime time;
     bool is_said;  // by the scene; a multiple may miss it by rounding
   };
-  std::vector<Candidate> all = {{{scene.until, true, false}, true}};
+  std::vector<ObservationTime> all = {{{scene.until, true, false}, true}};
   for (const double time : scene.histograms) {
     all.push_back({{time, false, true}, true});
   }
   for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
     all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
   }
-  std::sort(all.begin(), all.end(),
-            [](const Candidate& a, const Candidate& b) { return a.time.time < b.time.time; });
+  std::sort(all.begin(), all.end(), [](const ObservationTime& a, const ObservationTime& b) {
+    return a.time.time < b.time.time;
+  });
   std::vector<GasTime> times;
-  for (const Candidate& next : all) {
+  for (const ObservationTime& next : all) {
     if (times.empty() ||
         next.time.time - times.back().time > scene::kSameTime * scene.series_every) {
       times.push_back(next.time);
@@ -54,12 +55,12 @@ boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
   return {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness};
 }
 
-boltzmann::Bins bins_of(const scene::BoltzmannScene& scene) {
+statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
   if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
-    return boltzmann::Bins::uniform(uniform->width, uniform->end);
+    return statistics::Bins::uniform(uniform->width, uniform->end);
   }
-  return boltzmann::Bins::equiprobable(std::get<scene::QuantileBins>(scene.bins).count,
-                                       kGasDegrees);
+  return statistics::Bins::equiprobable(std::get<scene::QuantileBins>(scene.bins).count,
+                                        kGasDegrees);
 }
 
 double relative_temperature(double temperature, double start) {
@@ -91,16 +92,17 @@ void GasMember::count() {
   hash = boltzmann::hash(*gas);
 }
 
-GasCarrier::GasCarrier(const scene::BoltzmannScene& scene)
+GasIntegrator::GasIntegrator(const scene::BoltzmannScene& scene)
     : scene_(scene),
       times_(gas_times(scene)),
       lasting_times_(lasting_times(scene)),
-      keeps_lasting_(scene::lasting_bytes(scene) > 0),
+      keeps_lasting_(scene::retained_gas_bytes(scene) > 0),
       bins_(bins_of(scene)),
-      reference_(boltzmann::chi_square_shares(bins_, kGasDegrees)) {}
+      reference_(statistics::chi_square_shares(bins_, kGasDegrees)) {}
 
-void GasCarrier::carry(GasMember& member, double restitution, std::uint64_t seed, int threads,
-                       const std::function<bool(const GasMember&)>& keeps_on) const {
+void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64_t seed,
+                              int threads,
+                              const std::function<bool(const GasMember&)>& keep_going) const {
   if (member.observations.size() == times_.size()) {
     return;
   }
@@ -115,16 +117,16 @@ void GasCarrier::carry(GasMember& member, double restitution, std::uint64_t seed
   const boltzmann::Process process = {
       .law = law_of(scene_, restitution), .scheme = scene_.scheme, .shear_rate = scene_.shear_rate};
   boltzmann::Gas& gas = *member.gas;
-  // A cold gas comes from one time to the next in a single step, which nothing can stop.
-  while (member.observations.size() < times_.size() && keeps_on(member)) {
+  // A cold gas may take a single step between two times, which cannot be interrupted.
+  while (member.observations.size() < times_.size() && keep_going(member)) {
     const GasTime& next = times_[member.observations.size()];
     boltzmann::advance(gas, process, seed, next.time, threads,
-                       [&](const boltzmann::Gas& /*gas*/) { return keeps_on(member); });
+                       [&](const boltzmann::Gas& /*gas*/) { return keep_going(member); });
     if (gas.time < next.time) {
       break;
     }
     member.observations.push_back(observe(gas, next.in_histograms));
-    keep_lasting(member);
+    retain_gas(member);
   }
   member.count();
   if (member.observations.size() == times_.size()) {
@@ -132,13 +134,13 @@ void GasCarrier::carry(GasMember& member, double restitution, std::uint64_t seed
   }
 }
 
-void GasCarrier::keep_lasting(GasMember& member) const {
+void GasIntegrator::retain_gas(GasMember& member) const {
   if (keeps_lasting_ && member.observations.size() == lasting_times_) {
-    member.lasting = member.gas;
+    member.retained = member.gas;
   }
 }
 
-GasObservation GasCarrier::observe(const boltzmann::Gas& gas, bool in_histograms) const {
+GasObservation GasIntegrator::observe(const boltzmann::Gas& gas, bool in_histograms) const {
   GasObservation observation;
   observation.moments = boltzmann::moments(gas.motions);
   observation.collisions = gas.collisions_per_particle();
@@ -152,8 +154,8 @@ GasObservation GasCarrier::observe(const boltzmann::Gas& gas, bool in_histograms
   return observation;
 }
 
-double GasCarrier::distance(const std::vector<double>& shares) const {
-  return boltzmann::hellinger_distance(shares, reference_);
+double GasIntegrator::distance(const std::vector<double>& shares) const {
+  return statistics::hellinger_distance(shares, reference_);
 }
 
 }  // namespace clca::run

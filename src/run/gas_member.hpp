@@ -1,24 +1,24 @@
 #pragma once
-// One gas of an ensemble, carried through all the times at which something is read off.
+// One gas of an ensemble and its observations.
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "clca/boltzmann/distribution.hpp"
 #include "clca/boltzmann/gas.hpp"
 #include "clca/boltzmann/observation.hpp"
 #include "clca/boltzmann/scheme.hpp"
-#include "clca/fields/fields.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/scene/boltzmann.hpp"
+#include "clca/statistics/distribution.hpp"
 
 namespace clca::run {
 
-/// Of the chi-square distribution that energies in space are held against.
+/// Degrees of freedom of the chi-square distribution of energies in space.
 inline constexpr int kGasDegrees = 3;
 
-/// When a gas is looked at.
+/// A time of observation.
 struct GasTime {
   double time = 0;
   bool in_series = false;
@@ -27,22 +27,21 @@ struct GasTime {
   bool operator==(const GasTime&) const = default;
 };
 
-/// Times of the series (from 0, the end included) and of the histograms, ascending, each once.
+/// Times of the series (from 0 to the end) and of the histograms, ascending, without duplicates.
 std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene);
 
-/// How many of the first times two scenes share, that is gases, too, as they are cut there: the
-/// kind of energies that is read off has to be the same.
+/// Number of initial observation times that two scenes share, including the kind of observation and
+/// the steps up to then.
 std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other);
 
-/// How many of the first times the scene shares with one that only goes on longer: all, or all but
-/// the end.
+/// Number of initial times shared with a scene that only runs longer: all, or all but the end.
 std::size_t lasting_times(const scene::BoltzmannScene& scene);
 
 boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution);
 
-boltzmann::Bins bins_of(const scene::BoltzmannScene& scene);
+statistics::Bins bins_of(const scene::BoltzmannScene& scene);
 
-/// Over that at time 0; NaN where there was none.
+/// Ratio to the value at time 0; NaN if that is zero.
 double relative_temperature(double temperature, double start);
 
 /// One quantity of a row of series.csv.
@@ -51,7 +50,7 @@ struct GasColumn {
   double value;
 };
 
-/// What was read off a gas at one time.
+/// Observation of a gas at one time.
 struct GasObservation {
   boltzmann::Moments moments;
   double collisions = 0;  ///< per particle
@@ -63,7 +62,7 @@ struct GasObservation {
   std::vector<GasColumn> columns(const GasObservation& start, bool sheared) const;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("moments", &GasObservation::moments),
                            field("collisions", &GasObservation::collisions),
                            field("dh_translational", &GasObservation::dh_translational),
@@ -72,52 +71,52 @@ struct GasObservation {
   }
 };
 
-/// A gas of an ensemble, as far as it has come.
+/// A gas of an ensemble and its observations so far.
 struct GasMember {
   std::vector<GasObservation> observations;  ///< at the first of the times, all at the end
   std::optional<boltzmann::Gas> gas;         ///< while it is under way
-  /// As it was at the last time that a longer run has, too, once it has come there: from here on
-  /// the end of the run may be moved. None where runs do not keep it.
-  std::optional<boltzmann::Gas> lasting;
+  /// The gas at the last time shared with a longer run, from where the end can be moved. None if
+  /// the run does not keep it.
+  std::optional<boltzmann::Gas> retained;
   std::uint64_t steps = 0;  ///< this and the rest: of the gas when count() was called
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
 
-  /// Takes the numbers of the gas.
+  /// Adds an observation of the gas.
   void count();
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(
         field("observations", &GasMember::observations), field("gas", &GasMember::gas),
-        field("lasting", &GasMember::lasting), field("steps", &GasMember::steps),
+        field("lasting", &GasMember::retained), field("steps", &GasMember::steps),
         field("participations", &GasMember::participations), field("hash", &GasMember::hash));
   }
 };
 
-/// What carries the members of a scene through its times.
-class GasCarrier {
+/// Advances the members of a scene through its observation times.
+class GasIntegrator {
  public:
-  explicit GasCarrier(const scene::BoltzmannScene& scene);
+  explicit GasIntegrator(const scene::BoltzmannScene& scene);
 
-  /// From where the member stands, or from the beginning, to the end; stops where `keeps_on`, asked
-  /// before each time and after each step, says no. The bits do not depend on stops and threads.
-  void carry(GasMember& member, double restitution, std::uint64_t seed, int threads,
-             const std::function<bool(const GasMember&)>& keeps_on) const;
+  /// Advances a member to the end, or until `keep_going`, called before each time and after each
+  /// step, returns false. The result does not depend on stops or threads.
+  void integrate(GasMember& member, double restitution, std::uint64_t seed, int threads,
+                 const std::function<bool(const GasMember&)>& keep_going) const;
 
   const std::vector<GasTime>& times() const { return times_; }
 
  private:
   GasObservation observe(const boltzmann::Gas& gas, bool in_histograms) const;
   double distance(const std::vector<double>& shares) const;
-  /// Keeps the gas where the scene wants it.
-  void keep_lasting(GasMember& member) const;
+  /// Keeps a copy of the gas if the scene needs one.
+  void retain_gas(GasMember& member) const;
 
   const scene::BoltzmannScene& scene_;
   std::vector<GasTime> times_;
   std::size_t lasting_times_;
   bool keeps_lasting_;
-  boltzmann::Bins bins_;
+  statistics::Bins bins_;
   std::vector<double> reference_;
 };
 

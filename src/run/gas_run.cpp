@@ -17,19 +17,19 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "run/begin.hpp"
+#include "run/checkpoint_writer.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_slots.hpp"
 #include "run/log.hpp"
+#include "run/memory_reserve.hpp"
 #include "run/meter.hpp"
-#include "run/reserve.hpp"
-#include "run/saver.hpp"
 #include "run/startable.hpp"
 
 namespace clca::run {
 
 namespace {
 
-constexpr double kLeastSeconds = 1e-9;
+constexpr double kMinSeconds = 1e-9;
 
 std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
@@ -44,11 +44,11 @@ class GasRun {
         events_(events),
         folder_(std::move(folder)),
         log_(folder_, course.log_bytes, events),
-        carrier_(scene),
+        integrator_(scene),
         course_(std::move(course)),
-        cases_told_(std::exchange(course_.cases_ended, 0)),
+        cases_logged_(std::exchange(course_.cases_ended, 0)),
         seconds_before_(course_.wall_seconds),
-        saver_(scene.checkpoint) {}
+        checkpoint_writer_(scene.checkpoint) {}
 
   store::RunSummary execute();
 
@@ -56,7 +56,7 @@ class GasRun {
   void run_cases();
   void run_case(GasCase& one);
   /// True while the run goes on; shows progress from the thread that called run().
-  bool keeps_on(const boltzmann::Gas& gas, double restitution);
+  bool keep_going(const boltzmann::Gas& gas, double restitution);
   void show_progress(const boltzmann::Gas& gas, double restitution);
   void finish_case(const GasCase& one);
   /// Writes a checkpoint; no gas may change meanwhile.
@@ -81,7 +81,7 @@ class GasRun {
            (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
   }
   bool complete(const GasCase& one) const {
-    return one.at(carrier_.times().size() - 1).size() == one.members.size();
+    return one.at(integrator_.times().size() - 1).size() == one.members.size();
   }
   double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
   /// By one collision.
@@ -99,20 +99,21 @@ class GasRun {
   store::RunFolder folder_;
   Log log_;
   WallClock wall_clock_;  // since this run began or went on
-  Ticker ticker_{events_.progress_interval};
-  GasCarrier carrier_;
+  IntervalTimer timer_{events_.progress_interval};
+  GasIntegrator integrator_;
   GasCourse course_;
-  std::uint64_t cases_told_;  // by the lines of log.txt that were there
-  double seconds_before_;     // of this run when it last saved itself
+  std::uint64_t cases_logged_;  // by the lines of log.txt that were there
+  double seconds_before_;       // of this run when it last saved itself
   std::vector<store::StageSummary> stages_;
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::atomic<std::uint64_t> gases_done_ = 0;
-  Forecast forecast_;
+  TimeEstimate forecast_;
   bool complete_ = true;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
-  Reserve reserve_;
-  Saver saver_;  // last: at the end it waits for its thread, which uses the rest
+  MemoryReserve reserve_;
+  CheckpointWriter
+      checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 store::RunSummary GasRun::execute() {
@@ -147,7 +148,7 @@ void GasRun::warn() {
       fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato, whose bias "
                   "grows with it: elastic spheres heat {} until time {}; 0.025 or less is "
                   "what it was made for",
-                  scene_.place, literal->time_step, bias, scene_.until));
+                  scene_.location, literal->time_step, bias, scene_.until));
 }
 
 void GasRun::run_cases() {
@@ -167,7 +168,7 @@ void GasRun::run_cases() {
     finish_case(one);
     write_tables(scene_, course_.cases, folder_);
   }
-  saver_.finish();
+  checkpoint_writer_.finish();
 }
 
 void GasRun::run_case(GasCase& one) {
@@ -175,11 +176,11 @@ void GasRun::run_case(GasCase& one) {
   for (const GasMember& member : one.members) {
     collisions_ += collisions(member);
   }
-  forecast_ = Forecast();
+  forecast_ = TimeEstimate();
   const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
   const int outer = std::min(options_.threads, members);
   const int inner = std::max(1, options_.threads / outer);
-  GasSlots slots(one.members, saver_, [this] { save(); });
+  GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
   parallel::FirstFailure failure;
   const auto carry = [&](int i) {
     if (stop_asked()) {
@@ -188,11 +189,11 @@ void GasRun::run_case(GasCase& one) {
     const auto number = static_cast<std::uint64_t>(i);
     GasMember member = slots.begin(number);
     collisions_ -= collisions(member);
-    carrier_.carry(member, one.restitution, boltzmann::member_seed(scene_.seed, number), inner,
-                   [&](const GasMember& now) {
-                     slots.after_step(number, now);
-                     return !failure.failed() && keeps_on(*now.gas, one.restitution);
-                   });
+    integrator_.integrate(member, one.restitution, boltzmann::member_seed(scene_.seed, number),
+                          inner, [&](const GasMember& now) {
+                            slots.after_step(number, now);
+                            return !failure.failed() && keep_going(*now.gas, one.restitution);
+                          });
     collisions_ += collisions(member);
     ++gases_done_;
     slots.end(number, std::move(member));
@@ -211,8 +212,8 @@ void GasRun::run_case(GasCase& one) {
   failure.rethrow();
 }
 
-bool GasRun::keeps_on(const boltzmann::Gas& gas, double restitution) {
-  if (omp_get_thread_num() == 0 && ticker_.due()) {
+bool GasRun::keep_going(const boltzmann::Gas& gas, double restitution) {
+  if (omp_get_thread_num() == 0 && timer_.due()) {
     show_progress(gas, restitution);
   }
   return !stop_asked();
@@ -251,7 +252,7 @@ void GasRun::finish_case(const GasCase& one) {
                      .steps = steps,
                      .ended = ended,
                      .measures = gas_measures(scene_, one)});
-  if (++course_.cases_ended > cases_told_) {
+  if (++course_.cases_ended > cases_logged_) {
     log_.info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
                           one.restitution, one.members.size(), scene_.particles, steps, ended));
   }
@@ -265,14 +266,15 @@ void GasRun::save() {
                                   .scene = scene::to_yaml(scene_),
                                   .summary = store::to_json(summary("running")),
                                   .fields = {}};
-  fields::encode(kSavedGases, course_, checkpoint.fields);
-  saver_.save(folder_.files(), std::move(checkpoint), [] {});
+  reflection::encode(kSavedGases, course_, checkpoint.fields);
+  checkpoint_writer_.save(folder_.files(), std::move(checkpoint), [] {});
 }
 
 store::RunSummary GasRun::summary(const std::string& status) const {
   store::RunSummary summary = provenance();
   summary.kind = "boltzmann";
   summary.scene = scene_.name;
+  summary.title = scene_.title;
   summary.seed = scene_.seed;
   summary.threads = options_.threads;
   summary.status = status;
@@ -280,7 +282,7 @@ store::RunSummary GasRun::summary(const std::string& status) const {
   summary.steps = steps_;
   summary.wall_seconds = wall_seconds();
   summary.step_seconds = wall_seconds();
-  summary.rate = collisions_ / std::max(wall_seconds(), kLeastSeconds);
+  summary.rate = collisions_ / std::max(wall_seconds(), kMinSeconds);
   summary.state_hash = hash_.value();
   summary.stages = stages_;
   return summary;
@@ -290,6 +292,7 @@ store::Checkpoint start_checkpoint(const scene::BoltzmannScene& scene, const Run
   store::RunSummary summary = provenance();
   summary.kind = "boltzmann";
   summary.scene = scene.name;
+  summary.title = scene.title;
   summary.seed = scene.seed;
   summary.threads = options.threads;
   summary.status = "running";

@@ -1,5 +1,5 @@
 #pragma once
-// Runs of the Boltzmann equation that go on.
+// Resuming runs of the Boltzmann equation.
 
 #include "clca/run/run.hpp"
 

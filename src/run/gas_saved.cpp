@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clca/fields/columns.hpp"
+#include "clca/reflection/columns.hpp"
 #include "run/saved.hpp"
 
 namespace clca::run {
@@ -14,11 +14,11 @@ namespace {
 
 void require_of_run(bool holds, const char* reason) {
   if (!holds) {
-    throw fields::Mismatch(reason);
+    throw reflection::Mismatch(reason);
   }
 }
 
-/// Whether a checkpoint may be of a run of a scene.
+/// Whether a checkpoint can be from a run of a scene.
 class GasCheck {
  public:
   explicit GasCheck(const scene::BoltzmannScene& scene)
@@ -51,15 +51,16 @@ class GasCheck {
       check(member.observations[i], times_[i]);
     }
     if (member.gas) {
-      require_of_run(seen < times_.size(), "a gas goes on beyond the end");
+      require_of_run(seen < times_.size(), "a gas is beyond the end");
       check(*member.gas, seen == 0 ? 0 : times_[seen - 1].time, times_[seen].time);
     } else {
       require_of_run(seen == 0 || seen == times_.size(), "a gas is missing");
     }
-    if (member.lasting) {
-      require_of_run(lasting_times_ > 0 && seen >= lasting_times_, "a gas is ahead of its time");
+    if (member.retained) {
+      require_of_run(lasting_times_ > 0 && seen >= lasting_times_,
+                     "a gas is kept for an end that it has not reached");
       const double time = times_[lasting_times_ - 1].time;
-      check(*member.lasting, time, time);
+      check(*member.retained, time, time);
     }
   }
 
@@ -75,10 +76,10 @@ class GasCheck {
                    "a gas has another number of particles");
     require_of_run(gas.time >= from && gas.time <= to, "a gas is at another time");
     // Powers up to the fourth, summed up, must not overflow.
-    constexpr double kGreatestSpeed = 1e70;
-    require_of_run(gas.thermal_speed >= 0 && gas.thermal_speed <= kGreatestSpeed &&
-                       (gas.motions.abs() <= kGreatestSpeed).all(),
-                   "a gas moves at speeds that are none");
+    constexpr double kMaxSpeed = 1e70;
+    require_of_run(gas.thermal_speed >= 0 && gas.thermal_speed <= kMaxSpeed &&
+                       (gas.motions.abs() <= kMaxSpeed).all(),
+                   "a speed of a gas is not finite or too large");
   }
 
   const scene::BoltzmannScene& scene_;
@@ -87,10 +88,10 @@ class GasCheck {
   std::size_t bins_;
 };
 
-/// Gases of a run whose end is moved.
-class EndMover {
+/// Moves gases back if the end of the run changes.
+class EndChange {
  public:
-  EndMover(const scene::BoltzmannScene& old_scene, const scene::BoltzmannScene& scene)
+  EndChange(const scene::BoltzmannScene& old_scene, const scene::BoltzmannScene& scene)
       : lasting_times_(lasting_times(old_scene)),
         shared_times_(shared_times(gas_times(old_scene), gas_times(scene))),
         until_(scene.until) {}
@@ -102,16 +103,17 @@ class EndMover {
       return;
     }
     if (lasting_times_ > shared_times_) {
-      throw fields::Mismatch(fmt::format("its gases are beyond {}, or on the way there", until_));
+      throw reflection::Mismatch(
+          fmt::format("its gases are beyond {}, or in a step that leads beyond it", until_));
     }
-    if (!member.lasting) {
-      throw fields::Mismatch(
+    if (!member.retained) {
+      throw reflection::Mismatch(
           "it has not kept its gases as they were before the end (output.checkpoint: none, or more "
           "than 1 GiB of them)");
     }
     member.observations.resize(lasting_times_);
-    member.gas = std::move(member.lasting);
-    member.lasting.reset();
+    member.gas = std::move(member.retained);
+    member.retained.reset();
   }
 
  private:
@@ -122,13 +124,13 @@ class EndMover {
 
 void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const SavedRun& saved) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
-  const EndMover move(old_scene, scene);
+  const EndChange move(old_scene, scene);
   try {
     for (GasCase& one : course.cases) {
       std::for_each(one.members.begin(), one.members.end(), move);
     }
-  } catch (const fields::Mismatch& error) {
-    throw store::StoreError(fmt::format("cannot go on in {} until {}: {}",
+  } catch (const reflection::Mismatch& error) {
+    throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
                                         saved.folder.path().string(), scene.until, error.what()));
   }
   course.cases_ended = 0;
@@ -142,10 +144,10 @@ GasCourse saved_course(const SavedRun& saved) {
       scene::parse_any(checkpoint.scene, (saved.folder.path() / store::kSceneFile).string()));
   GasCourse course;
   try {
-    fields::decode(kSavedGases, checkpoint.fields, saved.most_bytes, course);
+    reflection::decode(kSavedGases, checkpoint.fields, saved.max_bytes, course);
     GasCheck{old_scene}(course);
-  } catch (const fields::Mismatch& error) {
-    throw not_of_this_run(saved.folder.path(), error.what());
+  } catch (const reflection::Mismatch& error) {
+    throw mismatched_checkpoint(saved.folder.path(), error.what());
   }
   if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {
     move_end(course, old_scene, saved);

@@ -1,5 +1,5 @@
 #pragma once
-// What a run of the Boltzmann equation keeps in its checkpoint.
+// The checkpoint content of a Boltzmann run.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace clca::run {
 
-/// How far a run has come.
+/// Progress of a run.
 struct GasCourse {
   std::uint64_t cases_ended = 0;  ///< of which log.txt tells already
   double wall_seconds = 0;
@@ -16,7 +16,7 @@ struct GasCourse {
   std::vector<GasCase> cases;  ///< all that have begun, in the order of the scene
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("cases_ended", &GasCourse::cases_ended),
                            field("wall_seconds", &GasCourse::wall_seconds),
                            field("log_bytes", &GasCourse::log_bytes),
@@ -26,10 +26,10 @@ struct GasCourse {
 
 inline constexpr const char* kSavedGases = "gases";
 
-/// The course that `saved` has in its checkpoint, so that it can go on with its scene: gases that
-/// came to the end which the scene had then, or are on the way to it, stand where they last were
-/// as in a run with the end that it has now. Throws store::StoreError for a checkpoint that no run
-/// of the scene has saved, and where an end is asked for to which it cannot go on.
+/// Loads the checkpoint for resuming with its scene. Gases at or on the way to a previous end go
+/// back to the last time shared with the new one.
+/// Throws store::StoreError for a checkpoint that no run of the scene can have saved, and for an
+/// end that it cannot continue to.
 GasCourse saved_course(const SavedRun& saved);
 
 }  // namespace clca::run

@@ -7,7 +7,7 @@ namespace clca::run {
 
 GasMember GasSlots::begin(std::size_t number) {
   const std::lock_guard lock(mutex_);
-  under_way_[number] = collecting_;
+  running_[number] = collecting_;
   return std::exchange(members_[number], {});
 }
 
@@ -17,36 +17,36 @@ void GasSlots::after_step(std::size_t number, const GasMember& member) {
     return;  // a step later will do
   }
   if (!collecting_) {
-    if (!saver_.due(member.gas->step)) {
+    if (!checkpoint_writer_.due(member.gas->step)) {
       return;
     }
     collecting_ = true;
-    for (auto& [_, awaited] : under_way_) {
+    for (auto& [_, awaited] : running_) {
       awaited = true;
     }
   }
-  if (std::exchange(under_way_[number], false)) {
+  if (std::exchange(running_[number], false)) {
     members_[number] = member;
-    save_when_all_are_there();
+    save_when_complete();
   }
 }
 
 void GasSlots::end(std::size_t number, GasMember member) {
   const std::lock_guard lock(mutex_);
   members_[number] = std::move(member);
-  under_way_.erase(number);
-  save_when_all_are_there();
+  running_.erase(number);
+  save_when_complete();
 }
 
-void GasSlots::save_when_all_are_there() {
-  const bool complete = collecting_ && std::none_of(under_way_.begin(), under_way_.end(),
+void GasSlots::save_when_complete() {
+  const bool complete = collecting_ && std::none_of(running_.begin(), running_.end(),
                                                     [](const auto& one) { return one.second; });
   if (!complete) {
     return;
   }
   collecting_ = false;
   save_();
-  for (const auto& [number, _] : under_way_) {
+  for (const auto& [number, _] : running_) {
     members_[number] = {};  // its thread has the gas itself
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where the gases of an ensemble leave what a checkpoint takes of them.
+// Collects copies of the gases of an ensemble for a checkpoint.
 
 #include <cstdint>
 #include <functional>
@@ -7,36 +7,36 @@
 #include <mutex>
 #include <vector>
 
+#include "run/checkpoint_writer.hpp"
 #include "run/gas_member.hpp"
-#include "run/saver.hpp"
 
 namespace clca::run {
 
-/// When it is time for a checkpoint, each gas that is under way leaves a copy of itself after its
-/// next step, from its own thread; the last to do so saves. As gases know nothing of each other,
-/// the copies may be of different moments.
+/// When a checkpoint is due, each running gas stores a copy after its next step, from its own
+/// thread; the last one saves.
+/// Gases are independent, so the copies may be from different times.
 class GasSlots {
  public:
-  /// `save` writes all of `members`; it is called by one thread at a time, while nobody changes
-  /// them.
-  GasSlots(std::vector<GasMember>& members, Saver& saver, std::function<void()> save)
-      : members_(members), saver_(saver), save_(std::move(save)) {}
+  /// `save` writes all `members`; called by one thread at a time while no member changes.
+  GasSlots(std::vector<GasMember>& members, CheckpointWriter& checkpoint_writer,
+           std::function<void()> save)
+      : members_(members), checkpoint_writer_(checkpoint_writer), save_(std::move(save)) {}
 
-  /// Takes a member out, to be carried on.
+  /// Moves a member out, to be advanced.
   GasMember begin(std::size_t number);
   void after_step(std::size_t number, const GasMember& member);
-  /// Puts it back.
+  /// Moves it back.
   void end(std::size_t number, GasMember member);
 
  private:
-  void save_when_all_are_there();
+  void save_when_complete();
 
   std::vector<GasMember>& members_;
-  Saver& saver_;
+  CheckpointWriter& checkpoint_writer_;
   std::function<void()> save_;
   std::mutex mutex_;
   bool collecting_ = false;
-  std::map<std::size_t, bool> under_way_;  // and whether its copy is still to come
+  std::map<std::size_t, bool> running_;  // and whether its copy is still to come
 };
 
 }  // namespace clca::run

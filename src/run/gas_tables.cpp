@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "clca/boltzmann/closure.hpp"
+#include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
 
@@ -33,7 +34,7 @@ void add_columns(std::vector<std::string>& columns, const std::string& name, boo
   }
 }
 
-void add_cells(Row& row, const Estimate& value, bool with_error) {
+void add_cells(Row& row, const statistics::Sample& value, bool with_error) {
   row.emplace_back(value.mean);
   if (with_error) {
     row.emplace_back(value.standard_error);
@@ -42,7 +43,7 @@ void add_cells(Row& row, const Estimate& value, bool with_error) {
 
 struct NamedEstimate {
   const char* name;
-  Estimate value;
+  statistics::Sample value;
 };
 
 /// The columns of series.csv at one time, over the ensemble.
@@ -57,7 +58,7 @@ std::vector<NamedEstimate> series_estimates(const GasCase& one, std::size_t plac
     for (const auto& member : members) {
       values.push_back(member[column].value);
     }
-    estimates.push_back({members.front()[column].name, estimate(values)});
+    estimates.push_back({members.front()[column].name, statistics::sample(values)});
   }
   return estimates;
 }
@@ -90,8 +91,8 @@ std::string series_csv(const scene::BoltzmannScene& scene, const std::vector<Gas
 void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, const GasCase& one,
                    std::size_t place, const char* energy,
                    std::vector<double> boltzmann::EnergyShares::*kind) {
-  const boltzmann::Bins bins = bins_of(scene);
-  const std::vector<double> reference = boltzmann::chi_square_shares(bins, kGasDegrees);
+  const statistics::Bins bins = bins_of(scene);
+  const std::vector<double> reference = statistics::chi_square_shares(bins, kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
     for (const GasMember* member : one.at(place)) {
@@ -102,7 +103,7 @@ void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, cons
     row.emplace_back(energy);
     row.emplace_back(bins.lower(bin));
     row.emplace_back(open ? std::numeric_limits<double>::quiet_NaN() : bins.upper(bin));
-    add_cells(row, estimate(values), scene.ensemble > 1);
+    add_cells(row, statistics::sample(values), scene.ensemble > 1);
     row.emplace_back(reference[bin]);
     table.add_row(std::move(row));
   }
@@ -140,7 +141,7 @@ std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<Ga
     for (const GasMember* member : one.at(0)) {
       spins.push_back(member->observations.front().moments.rotational);
     }
-    const boltzmann::Temperatures start = {1, estimate(spins).mean};
+    const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
     boltzmann::Temperatures now = start;
     double since = 0;
     for (const GasTime& time : gas_times(scene)) {
@@ -200,21 +201,6 @@ std::vector<const GasMember*> GasCase::at(std::size_t place) const {
   return those;
 }
 
-Estimate estimate(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  double sum = 0;
-  for (const double value : values) {
-    sum += value;
-  }
-  const double mean = sum / count;
-  double squares = 0;
-  for (const double value : values) {
-    squares += (value - mean) * (value - mean);
-  }
-  return {mean, values.size() > 1 ? std::sqrt(squares / (count * (count - 1)))
-                                  : std::numeric_limits<double>::quiet_NaN()};
-}
-
 std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene) {
   std::vector<std::string> names = {store::table_name("series"), store::table_name("closure")};
   for (const GasTime& time : gas_times(scene)) {
@@ -248,7 +234,7 @@ std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene
                                               const GasCase& one) {
   std::vector<store::NamedMeasure> measures = {
       {"restitution", one.restitution},
-      {"hellinger_floor", boltzmann::hellinger_floor(bins_of(scene).count(), scene.particles)}};
+      {"hellinger_floor", statistics::hellinger_floor(bins_of(scene).count(), scene.particles)}};
   const std::size_t reached = one.observations();
   if (reached == 0) {
     return measures;

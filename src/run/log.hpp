@@ -1,5 +1,5 @@
 #pragma once
-// What happened during a run, line by line: to log.txt and to whoever listens.
+// The log of a run: log.txt and a callback.
 
 #include <cstdint>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace clca::run {
 
-/// A log that cannot be written (a full disk) does not stop what can be.
+/// Failure to write (full disk) does not stop the run.
 class Log {
  public:
-  /// Keeps the first `kept` bytes of the file. Throws store::StoreError when it has less.
+  /// Keeps the first `kept` bytes of the file. Throws store::StoreError if it has less.
   Log(const store::RunFolder& folder, std::uint64_t kept, const RunEvents& events)
       : file_(folder.files(), store::kLogFile, kept), events_(events) {}
 
-  /// Bytes of the lines so far, all of which are in the file.
+  /// Bytes written so far.
   std::uint64_t bytes() const { return file_.bytes(); }
 
   void info(const std::string& line);

@@ -1,5 +1,5 @@
 #pragma once
-// How fast a run goes and how long it may still take. Nothing here touches the result.
+// Speed and remaining time of a run. Does not affect results.
 
 #include <chrono>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace clca::run {
 
-/// Seconds since it was made.
+/// Seconds since construction.
 class WallClock {
  public:
   double seconds() const {
@@ -18,7 +18,7 @@ class WallClock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Adds up the time between start() and stop().
+/// Accumulates the time between start() and stop().
 class Stopwatch {
  public:
   void start() { since_ = Clock::now(); }
@@ -32,10 +32,10 @@ class Stopwatch {
   Clock::duration total_{};
 };
 
-/// True at most once per `interval`, so that a report costs nothing.
-class Ticker {
+/// Timer that is due at most once per `interval`.
+class IntervalTimer {
  public:
-  explicit Ticker(std::chrono::milliseconds interval) : interval_(interval) {}
+  explicit IntervalTimer(std::chrono::milliseconds interval) : interval_(interval) {}
 
   bool due() {
     const auto now = std::chrono::steady_clock::now();
@@ -51,15 +51,15 @@ class Ticker {
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + interval_;
 };
 
-/// Guesses the time to the end of a stage from how far it has come.
-class Forecast {
+/// Estimates the remaining time of a stage from its progress.
+class TimeEstimate {
  public:
-  /// Takes the part of the stage that is done, in [0, 1].
+  /// `done`: share of the stage, in [0, 1].
   void update(double done) { done_ = done; }
-  /// None in the first moments of a stage.
+  /// None at the very start of a stage.
   std::optional<double> seconds_left() const {
-    constexpr double kLeastDone = 1e-3;
-    if (done_ < kLeastDone) {
+    constexpr double kMinDone = 1e-3;
+    if (done_ < kMinDone) {
       return std::nullopt;
     }
     return clock_.seconds() * (1 - done_) / done_;

@@ -15,18 +15,19 @@ constexpr const char* kState = "state";
 std::variant<automaton::Automaton, contact::ContactModel> make_model(
     const scene::Scene& scene, ModelState state, const Model::Options& options) {
   if (auto* grains = std::get_if<grains::State>(&state)) {
-    if (options.reference) {
-      throw ScenePlaceError("--engine reference: error: only model contact has this engine");
-    }
-    return automaton::Automaton(std::move(*grains), scene.rules, {.threads = options.threads});
+    automaton::Options model = {.threads = options.threads, .reference = options.reference};
+    model.parallel_from = options.parallel_from.value_or(model.parallel_from);
+    return automaton::Automaton(std::move(*grains), scene.rules, model);
   }
   std::vector<std::optional<double>> friction;
   for (const scene::Wall& wall : scene.walls) {
     friction.push_back(wall.friction);
   }
-  return contact::ContactModel(
-      std::get<contact::State>(std::move(state)), scene::contact_parameters(scene),
-      {.wall_friction = friction, .reference = options.reference, .threads = options.threads});
+  contact::Options model = {
+      .wall_friction = friction, .reference = options.reference, .threads = options.threads};
+  model.split_from = options.parallel_from.value_or(model.split_from);
+  return contact::ContactModel(std::get<contact::State>(std::move(state)),
+                               scene::contact_parameters(scene), model);
 }
 
 }  // namespace
@@ -46,11 +47,11 @@ ModelState first_state(const scene::Scene& scene) {
   return grains;
 }
 
-ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
-                       double most_bytes) {
+ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
+                       double max_bytes) {
   const grains::State beginning = initial_state(scene);
   ModelState saved = first_state(scene);
-  std::visit([&](auto& state) { fields::decode(kState, columns, most_bytes, state); }, saved);
+  std::visit([&](auto& state) { reflection::decode(kState, columns, max_bytes, state); }, saved);
   grains::check_reachable(grains_of(saved), beginning);
   return saved;
 }
@@ -74,9 +75,8 @@ const grains::State& Model::state() const {
   return std::get<automaton::Automaton>(model_).state();
 }
 
-const grains::Occupancy& Model::occupancy() const {
-  return std::visit([](const auto& model) -> const grains::Occupancy& { return model.occupancy(); },
-                    model_);
+grains::Occupancy Model::occupancy() const {
+  return std::visit([](const auto& model) { return model.occupancy(); }, model_);
 }
 
 std::uint64_t Model::hash() const {
@@ -84,8 +84,9 @@ std::uint64_t Model::hash() const {
   return contact != nullptr ? contact::hash(contact->state()) : grains::hash(state());
 }
 
-void Model::save(fields::Columns& columns) const {
-  std::visit([&](const auto& model) { fields::encode(kState, model.state(), columns); }, model_);
+void Model::save(reflection::Columns& columns) const {
+  std::visit([&](const auto& model) { reflection::encode(kState, model.state(), columns); },
+             model_);
 }
 
 std::optional<contact::Energy> Model::energy() const {

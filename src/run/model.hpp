@@ -1,5 +1,5 @@
 #pragma once
-// The grains of a run, whichever model moves them.
+// The model that moves the grains of a run.
 
 #include <Eigen/Core>
 #include <optional>
@@ -10,56 +10,57 @@
 #include "clca/automaton/automaton.hpp"
 #include "clca/contact/contact_model.hpp"
 #include "clca/contact/force.hpp"
-#include "clca/fields/columns.hpp"
+#include "clca/reflection/columns.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::run {
 
-/// What a run changes, by model.
+/// The state of either model.
 using ModelState = std::variant<grains::State, contact::State>;
 
 const grains::State& grains_of(const ModelState& state);
 
-/// As a scene begins.
+/// The initial state of a scene.
 ModelState first_state(const scene::Scene& scene);
 
-/// As a checkpoint has it. Throws fields::Mismatch or std::invalid_argument for what no run of the
-/// scene can have saved.
-ModelState saved_state(const scene::Scene& scene, const fields::Columns& columns,
-                       double most_bytes);
+/// The state in a checkpoint. Throws reflection::Mismatch or std::invalid_argument if no run of the
+/// scene can have saved it.
+ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
+                       double max_bytes);
 
-/// Whether a vessel stands at an angle or moves in some stage.
+/// Whether the vessel is tilted or moves in some stage.
 bool has_vessel(const scene::Scene& scene);
 
 class Model {
  public:
   struct Options {
     int threads = 1;
-    bool reference = false;  ///< steps as the model is defined; of the contact model
+    bool reference = false;                         ///< steps as the model is defined
+    std::optional<std::size_t> parallel_from = {};  ///< see RunOptions
   };
   struct Report {
     std::size_t moved = 0;
     std::size_t emitted = 0;
     bool settled = false;
-    // Of the contact model; see contact::StepReport.
+    // Contact model only; see contact::StepReport.
     bool quiet = false;
     double energy_gained = 0;
   };
 
-  /// Throws as the models do, and ScenePlaceError for a reference of the automaton.
+  /// Throws as the models do.
   Model(const scene::Scene& scene, ModelState state, const Options& options);
 
   const grains::State& state() const;
-  const grains::Occupancy& occupancy() const;
+  grains::Occupancy occupancy() const;
   std::uint64_t hash() const;
   /// Saves the state for saved_state().
-  void save(fields::Columns& columns) const;
-  // Of the contact model; none of the automaton.
+  void save(reflection::Columns& columns) const;
+  // Contact model only; none for the automaton.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
-  /// By id, lattice spacings a step; empty of the automaton.
+  /// By id, lattice spacings per step; empty for the automaton.
   std::vector<Eigen::Vector2d> velocities() const;
-  /// Upright and at rest, of the automaton.
+  /// Upright and at rest for the automaton.
   contact::Vessel vessel() const;
 
   Report step();
@@ -69,7 +70,7 @@ class Model {
   bool insert_wall(std::size_t wall);
   void set_motion(std::size_t wall, bool active);
   void set_source(std::size_t source, bool open);
-  /// Moves the vessel as a stage says; nothing of the automaton.
+  /// Sets the vessel motion of a stage; no effect for the automaton.
   void set_vessel(const scene::Stage& stage);
   void mark_origins();
 

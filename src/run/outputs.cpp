@@ -38,7 +38,7 @@ std::vector<std::string> Outputs::file_names() const {
   return names;
 }
 
-void Outputs::Growing::take(store::Table& table, std::size_t least) {
+void Outputs::GrowingTable::take(store::Table& table, std::size_t least) {
   if (table.waiting() > 0 && table.waiting() >= least) {
     const std::string header = file.bytes() == 0 ? table.header() : "";
     file.append(header + table.take());
@@ -54,11 +54,11 @@ void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
   folder_ = &folder;
   last_picture_only_ = history.last_picture_only;
   series_file_.emplace(
-      Growing{{folder.files(), store::table_name("series"), history.series_bytes}});
+      GrowingTable{{folder.files(), store::table_name("series"), history.series_bytes}});
   cycles_file_.emplace(
-      Growing{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
+      GrowingTable{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
   fields_file_.emplace(
-      Growing{{folder.files(), store::table_name("fields"), history.fields_bytes}});
+      GrowingTable{{folder.files(), store::table_name("fields"), history.fields_bytes}});
   if (scene_.output.trajectory) {
     trajectory_.emplace(folder.files(), scene_, state, history.trajectory);
     trajectory_step_ = history.trajectory_step;
@@ -73,7 +73,7 @@ void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
   }
 }
 
-OutputHistory Outputs::settle(Records& records) {
+OutputHistory Outputs::flush(Records& records) {
   write_rows(records, 0);
   OutputHistory history = {.series_bytes = series_file_->file.bytes(),
                            .cycles_bytes = cycles_file_->file.bytes(),
@@ -170,16 +170,16 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   const auto write = [&](const char* kind, const std::string& csv) {
     folder_->files().write(store::table_name(kind, stage.name), csv);
   };
-  if (wants(scene::Measure::profile)) {
+  if (requests(scene::Measure::profile)) {
     write("profile", profile_table(history.profile_at_start, measure::surface_profile(state)));
   }
-  if (wants(scene::Measure::convection) && records.cycles().convection() != nullptr) {
+  if (requests(scene::Measure::convection) && records.cycles().convection() != nullptr) {
     write("convection", records.cycles().convection_csv());
   }
   if (records.fields() && records.fields()->fluctuations().samples() > 0) {
     write("fluctuation", records.fields()->fluctuation_csv());
   }
-  if (wants(scene::Measure::force) && records.contacts()) {
+  if (requests(scene::Measure::force) && records.contacts()) {
     const std::vector<contact::Force> forces = records.contacts()->at_end(model);
     write("contacts", contact_forces_csv(scene_, forces));
     write("forces", force_distribution_csv(forces));
@@ -187,7 +187,7 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
     write("walls", wall_loads_csv(scene_, forces));
     write("stress", stress_csv(state, forces, records.cycles().cell()));
   }
-  if (wants(scene::Measure::force) && records.forces()) {
+  if (requests(scene::Measure::force) && records.forces()) {
     const auto contacts = measure::contacts(state, model.occupancy());
     const auto summary = measure::force_summary(state, model.occupancy(), contacts);
     write("contacts", records.forces()->contacts_csv(scene_, contacts));
@@ -197,7 +197,7 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   }
 }
 
-bool Outputs::wants(scene::Measure measure) const {
+bool Outputs::requests(scene::Measure measure) const {
   const auto& wanted = scene_.measures;
   return std::find(wanted.begin(), wanted.end(), measure) != wanted.end();
 }

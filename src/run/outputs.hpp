@@ -1,6 +1,5 @@
 #pragma once
-// Everything that a run writes besides its scene, summary and checkpoints: pictures, tables, the
-// trajectory.
+// Pictures, tables and trajectory of a run.
 
 #include <optional>
 
@@ -17,7 +16,7 @@
 
 namespace clca::run {
 
-/// How far what a run writes step by step has come.
+/// How much the run has written; part of a checkpoint.
 struct OutputHistory {
   std::uint64_t series_bytes = 0;
   std::uint64_t cycles_bytes = 0;
@@ -29,7 +28,7 @@ struct OutputHistory {
   bool last_picture_only = false;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("series_bytes", &OutputHistory::series_bytes),
                            field("cycles_bytes", &OutputHistory::cycles_bytes),
                            field("fields_bytes", &OutputHistory::fields_bytes),
@@ -43,35 +42,35 @@ struct OutputHistory {
 
 class Outputs {
  public:
-  /// Finds out whether the pictures can be drawn; touches no file. Throws ScenePlaceError.
+  /// Checks that the pictures can be drawn. Touches no file. Throws SceneRunError.
   Outputs(const scene::Scene& scene, const grains::State& state, const RunOptions& options);
-  /// Names of the tables and of the trajectory that the scene may ask for.
+  /// File names of the tables and trajectory that the scene may produce.
   std::vector<std::string> file_names() const;
 
-  /// From here on files go to `folder`, which must outlive this object; `state` is one of the run.
+  /// Starts writing to `folder`, which must outlive this object. `state`: of the run.
   void open(const store::RunFolder& folder, const grains::State& state);
-  /// The same for a run that goes on: what came after `history` is removed.
+  /// The same for a resumed run: removes what was written after `history`.
   void reopen(const store::RunFolder& folder, const grains::State& state,
               const OutputHistory& history);
   void begin_stage(const scene::Stage& stage, const Model& model, const Records& records);
   void after_step(const scene::Stage& stage, const Model& model, Records& records,
                   std::uint64_t steps_in_stage, std::size_t moving);
-  /// The last picture of the stage, its tables, and those of the run so far.
+  /// Writes the last picture of the stage, its tables, and those of the run so far.
   void end_stage(const scene::Stage& stage, const Model& model, Records& records,
                  std::size_t moving, const StageHistory& history);
-  /// Writes all that is waiting and tells how far it has come.
-  OutputHistory settle(Records& records);
-  /// Has the tables that grow on the disk. May be called from another thread than the rest.
+  /// Writes all pending output and returns how much has been written.
+  OutputHistory flush(Records& records);
+  /// Syncs the growing tables to disk. Thread-safe.
   void sync() const;
-  /// Waits until all is written.
+  /// Waits until everything is written.
   void finish();
 
  private:
-  /// A table that grows row by row.
-  struct Growing {
+  /// A table written row by row.
+  struct GrowingTable {
     store::GrowingFile file;
 
-    /// Writes the rows that have come, when there are `least` bytes of them.
+    /// Writes pending rows if they have at least `least` bytes.
     void take(store::Table& table, std::size_t least);
   };
 
@@ -80,7 +79,7 @@ class Outputs {
   void write_rows(Records& records, std::size_t least);
   void add_to_trajectory(const scene::Stage& stage, const Model& model, const Records& records,
                          bool begins);
-  bool wants(scene::Measure measure) const;
+  bool requests(scene::Measure measure) const;
 
   const scene::Scene& scene_;
   bool last_picture_only_;
@@ -89,9 +88,9 @@ class Outputs {
   std::optional<SeriesTable> series_;
   std::optional<store::TrajectoryWriter> trajectory_;
   std::optional<std::uint64_t> trajectory_step_;
-  std::optional<Growing> series_file_;
-  std::optional<Growing> cycles_file_;
-  std::optional<Growing> fields_file_;
+  std::optional<GrowingTable> series_file_;
+  std::optional<GrowingTable> cycles_file_;
+  std::optional<GrowingTable> fields_file_;
 };
 
 }  // namespace clca::run

@@ -5,21 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clca/grains/separation.hpp"
 #include "clca/measure/contacts.hpp"
 #include "clca/scene/contact.hpp"
+#include "grains/internal/separation.hpp"
 
 namespace clca::run {
 
 namespace {
 
-// Fixed, so that pictures of a sequence compare: more sites than this in one contact are rare.
-constexpr double kStrongest = 6;  // sites
-// Cells where grains come by only now and then say little.
-constexpr double kLeastWeight = 0.2;  // of the fullest cell's
-constexpr double kShortest = 1e-3;    // spacings per cycle
+// Fixed, so that pictures of a sequence are comparable. More sites in one contact are rare.
+constexpr double kMaxOverlapSites = 6;  // sites
+// Cells rarely visited by grains have too large errors.
+constexpr double kMinWeight = 0.2;         // of the fullest cell's
+constexpr double kMinDisplacement = 1e-3;  // spacings per cycle
 
-/// Centre of a grain that touches `first`, across a periodic seam where that is nearer.
+/// Centre of the periodic image of a grain nearest to `first`.
 Eigen::Vector2d far_centre(const grains::State& state, const grains::Particle& first,
                            std::size_t second) {
   const grains::Particle& other = state.particles[second];
@@ -27,25 +27,25 @@ Eigen::Vector2d far_centre(const grains::State& state, const grains::Particle& f
   return lattice::position(first.site()) + lattice::position(apart) + state.shape(other).centroid();
 }
 
-/// From centre to centre; a wall is met where it overlaps.
-render::ForceLine line_of(const grains::State& state, const measure::Contact& contact) {
+/// A line from centre to centre, or to the overlap with a wall.
+render::ForceLine line_of(const grains::State& state, const measure::OverlapContact& contact) {
   const Eigen::Vector2d from = grains::centre(state, state.particles[contact.first]);
   const auto sites = static_cast<double>(contact.sites);
   if (!grains::is_particle(contact.second)) {
-    return {.from = from, .to = contact.place, .strength = sites};
+    return {.from = from, .to = contact.point, .strength = sites};
   }
   const Eigen::Vector2d to =
       far_centre(state, state.particles[contact.first], static_cast<std::size_t>(contact.second));
   return {.from = from, .to = to, .strength = sites};
 }
 
-/// From centre to centre, or to a wall.
-Drawn contact_forces(const View& view, double strongest) {
+/// Lines from centre to centre, or to the wall.
+DrawnOverlay contact_forces(const View& view, double strongest) {
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : *view.forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
     const Eigen::Vector2d from = grains::centre(view.state, upper);
-    Eigen::Vector2d to = force.place;
+    Eigen::Vector2d to = force.point;
     if (grains::is_particle(force.other)) {
       to = far_centre(view.state, upper, static_cast<std::size_t>(force.other));
     }
@@ -55,13 +55,14 @@ Drawn contact_forces(const View& view, double strongest) {
           {render::force_key(strongest, fmt::format("{:g} grain weights", strongest))}};
 }
 
-Drawn overlaps(const View& view) {
+DrawnOverlay overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
-  for (const measure::Contact& contact : measure::contacts(view.state, view.occupancy)) {
+  for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
     lines.push_back(line_of(view.state, contact));
   }
-  return {render::force_network(lines, kStrongest),
-          {render::force_key(kStrongest, fmt::format("{:g} overlapped sites", kStrongest))}};
+  return {render::force_network(lines, kMaxOverlapSites),
+          {render::force_key(kMaxOverlapSites,
+                             fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
 }
 
 double heaviest(const std::vector<measure::Arrow>& arrows) {
@@ -72,15 +73,15 @@ double heaviest(const std::vector<measure::Arrow>& arrows) {
   return most;
 }
 
-Drawn arrows(const CycleRecord& cycles) {
+DrawnOverlay arrows(const CycleRecord& cycles) {
   const measure::Convection* convection = cycles.convection();
   if (convection == nullptr || convection->cycles() == 0) {
     return {};
   }
   const std::vector<measure::Arrow> all = convection->arrows();
-  const double enough = kLeastWeight * heaviest(all);
+  const double enough = kMinWeight * heaviest(all);
   std::vector<render::FieldArrow> field;
-  double longest = kShortest;
+  double longest = kMinDisplacement;
   for (const measure::Arrow& arrow : all) {
     if (arrow.weight >= enough) {
       field.push_back({arrow.centre, arrow.displacement});
@@ -108,12 +109,12 @@ double strongest_force(const scene::Scene& scene) {
   return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
 }
 
-Drawn overlay_of(scene::Overlay overlay, const View& view, double strongest_force) {
+DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, double strongest_force) {
   switch (overlay) {
     case scene::Overlay::forces:
       return view.forces != nullptr ? contact_forces(view, strongest_force) : overlaps(view);
     case scene::Overlay::arrows:
-      return view.cycles != nullptr ? arrows(*view.cycles) : Drawn();
+      return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::none:
       break;
   }

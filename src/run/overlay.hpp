@@ -1,5 +1,5 @@
 #pragma once
-// What a picture shows of forces and convection.
+// Forces and convection in pictures.
 
 #include <vector>
 
@@ -10,18 +10,17 @@
 
 namespace clca::run {
 
-struct Drawn {
+struct DrawnOverlay {
   render::Overlay overlay;
   std::vector<render::Legend::Line> keys;
 };
 
-/// The force network of the contacts or the present overlaps, or the mean displacement per cycle in
-/// this stage. `strongest_force`: of the contact model, drawn as the widest line.
-Drawn overlay_of(scene::Overlay overlay, const View& view, double strongest_force);
+/// The force network of contacts or overlaps, or the mean displacement per cycle.
+/// `strongest_force`: contact model, drawn as the widest line.
+DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, double strongest_force);
 
-/// Frames::force_scale, or a force in weights of a grain that few in the beds of a scene of the
-/// contact model exceed: twice the weight of a column of grains as high as the fall height, rounded
-/// to 1, 2 or 5 times a power of ten.
+/// Frames::force_scale or, by default, twice the weight of a column of grains as high as the fall
+/// height, rounded to 1, 2 or 5 times a power of ten. Few forces exceed it.
 double strongest_force(const scene::Scene& scene);
 
 }  // namespace clca::run

@@ -14,14 +14,14 @@ namespace clca::run {
 
 namespace {
 
-constexpr std::size_t kMostRows = 6;  // of a sheet
+constexpr std::size_t kMaxRows = 6;  // of a sheet
 
 int cell_width(int columns) {
   constexpr int kSheet = 1920;  // pixels, about
   return std::clamp(kSheet / columns, 240, 640);
 }
 
-/// Throws store::StoreError where `file` could not be written.
+/// Throws store::StoreError if `file` could not be written.
 void check_writable(const std::filesystem::path& file) {
   store::named_file(file).create();
 }
@@ -57,7 +57,7 @@ void MovieTarget::add(const render::Image& image) {
   naming_file([&] { movie_.add(image); });
 }
 
-/// A failure names the movie: ffmpeg knows only the temporary file.
+/// Errors name the movie, as ffmpeg only knows the temporary file.
 template <class Act>
 void MovieTarget::naming_file(Act act) {
   try {
@@ -82,7 +82,7 @@ SheetTarget::SheetTarget(const scene::Scene& scene, std::filesystem::path file, 
 }
 
 bool SheetTarget::shows(std::size_t number) const {
-  return is_among(number, pictures_, kMostRows * static_cast<std::size_t>(columns_));
+  return is_among(number, pictures_, kMaxRows * static_cast<std::size_t>(columns_));
 }
 
 void SheetTarget::add(const Picture& picture) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where pictures that are drawn again go: files, a movie, a contact sheet.
+// Targets for redrawn pictures: files, a movie, a contact sheet.
 
 #include <filesystem>
 #include <optional>
@@ -14,10 +14,10 @@
 
 namespace clca::run {
 
-/// One picture after the other into a file of its own.
+/// Writes each picture to its own file.
 class FilesTarget {
  public:
-  /// `step`: of the first picture, to find out whether it can be written. Throws store::StoreError.
+  /// `step`: of the first picture, to check that it can be written. Throws store::StoreError.
   FilesTarget(const scene::Scene& scene, store::OutputFolder folder, std::uint64_t step);
   void add(Picture picture, std::uint64_t step);
   void finish() { writer_.finish(); }
@@ -28,10 +28,10 @@ class FilesTarget {
   FrameWriter writer_;
 };
 
-/// A movie that appears when it is whole.
+/// A movie file that appears when it is complete.
 class MovieTarget {
  public:
-  /// Throws RedrawError for an ending that is none of a movie, render::MovieError,
+  /// Throws RedrawError for a file ending that is no movie format, render::MovieError,
   /// store::StoreError.
   MovieTarget(const scene::Frames& frames, const std::filesystem::path& file, int frames_per_second,
               const std::atomic<int>* stop);
@@ -47,14 +47,14 @@ class MovieTarget {
   render::Movie movie_;
 };
 
-/// A contact sheet, of some of the pictures where there are many.
+/// A contact sheet; of many pictures a selection.
 class SheetTarget {
  public:
-  /// `pictures`: that will come. Throws RedrawError for an ending other than .png,
+  /// `pictures`: their total number. Throws RedrawError for an ending other than .png,
   /// store::StoreError.
   SheetTarget(const scene::Scene& scene, std::filesystem::path file, int columns,
               std::size_t pictures);
-  /// Whether the picture of this number, from 0, has a place.
+  /// Whether this picture (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const;
   void add(const Picture& picture);
   void finish();
@@ -70,14 +70,14 @@ class SheetTarget {
 
 class PictureTargets {
  public:
-  /// `step`: of the first of so many `pictures`. Throws as the targets do.
+  /// `step`: of the first picture; `pictures`: their number. Throws as the targets.
   PictureTargets(const scene::Scene& scene, const RedrawOptions& options, std::size_t pictures,
                  std::uint64_t step);
 
-  /// Whether anybody wants the picture of this number, from 0.
+  /// Whether any target uses this picture (numbered from 0).
   bool want(std::size_t number) const;
   void add(Picture picture, std::size_t number, std::uint64_t step);
-  /// Writes what has come so far, whole.
+  /// Completes all files with the pictures so far.
   void finish();
 
  private:

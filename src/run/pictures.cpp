@@ -21,15 +21,15 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
   if (pictures_show_forces(scene_)) {
     forces = records.contacts()->of_picture(model);
   }
-  Negative negative = painter_.expose({.state = state,
-                                       .occupancy = model.occupancy(),
-                                       .cycles = &records.cycles(),
-                                       .forces = forces ? &*forces : nullptr,
-                                       .angle = model.vessel().angle},
-                                      history_);
+  CapturedFrame frame = painter_.capture({.state = state,
+                                          .occupancy = model.occupancy(),
+                                          .cycles = &records.cycles(),
+                                          .forces = forces ? &*forces : nullptr,
+                                          .angle = model.vessel().angle},
+                                         history_);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step),
-                [this, negative = std::move(negative)] { return painter_.develop(negative); });
+                [this, frame = std::move(frame)] { return painter_.rasterize(frame); });
 }
 
 }  // namespace clca::run

@@ -1,7 +1,7 @@
 #pragma once
-// Draws the frames that a scene asks for.
+// Draws the frames that a scene requests.
 
-#include "clca/fields/fields.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_painter.hpp"
@@ -13,18 +13,17 @@ namespace clca::run {
 
 class Pictures {
  public:
-  /// Throws ScenePlaceError when the driver cannot draw what the scene asks for.
+  /// Throws SceneRunError if the driver cannot draw them.
   Pictures(const scene::Scene& scene, const grains::State& state, int threads);
 
-  /// Sets what the stage's pictures have in common; call when the origins are marked.
+  /// Sets what all pictures of the stage share; call after marking the origins.
   void begin_stage(const scene::Stage& stage, const grains::State& state);
-  /// Takes what the picture needs of the state; drawing and writing it is for another thread. A
-  /// step is drawn once.
+  /// Captures the state; drawing and writing happen on another thread. A step is drawn once.
   void draw(const Model& model, const Records& records, const store::RunFolder& folder);
   /// Waits until all pictures are written.
   void finish() { writer_.finish(); }
 
-  /// What a checkpoint keeps, and a run that goes on puts back.
+  /// Part of a checkpoint, restored on resume.
   PictureHistory& history() { return history_; }
 
  private:

@@ -13,11 +13,11 @@ constexpr const char* kContacts = "records/contacts";
 constexpr const char* kEnergy = "records/energy";
 
 template <class Record>
-void load(const char* path, const fields::Columns& columns, double most_bytes, Record& record,
+void load(const char* path, const reflection::Columns& columns, double max_bytes, Record& record,
           const grains::State& now) {
-  fields::decode(path, columns, most_bytes, record);
+  reflection::decode(path, columns, max_bytes, record);
   if (!record.precedes(now)) {
-    throw fields::Mismatch(std::string(path) + " is not of this run");
+    throw reflection::Mismatch(std::string(path) + " is not of this run");
   }
 }
 
@@ -66,35 +66,35 @@ void Records::after_step(const scene::Stage& stage, const Model& model, const Mo
   }
 }
 
-void Records::save(fields::Columns& columns) const {
-  fields::encode(kCycles, cycles_, columns);
+void Records::save(reflection::Columns& columns) const {
+  reflection::encode(kCycles, cycles_, columns);
   if (fields_) {
-    fields::encode(kFields, *fields_, columns);
+    reflection::encode(kFields, *fields_, columns);
   }
   if (forces_) {
-    fields::encode(kForces, *forces_, columns);
+    reflection::encode(kForces, *forces_, columns);
   }
   if (contacts_) {
-    fields::encode(kContacts, *contacts_, columns);
-    fields::encode(kEnergy, *energy_, columns);
+    reflection::encode(kContacts, *contacts_, columns);
+    reflection::encode(kEnergy, *energy_, columns);
   }
 }
 
 void Records::resume_stage(const scene::Stage& stage, const Model& model,
-                           const fields::Columns& columns, double most_bytes) {
+                           const reflection::Columns& columns, double max_bytes) {
   const grains::State& now = model.state();
   cycles_.resume_stage(scene_, stage, now);
-  load(kCycles, columns, most_bytes, cycles_, now);
+  load(kCycles, columns, max_bytes, cycles_, now);
   if (fields_) {
     fields_->begin_stage(stage.name, now);
-    load(kFields, columns, most_bytes, *fields_, now);
+    load(kFields, columns, max_bytes, *fields_, now);
   }
   if (forces_) {
-    load(kForces, columns, most_bytes, *forces_, now);
+    load(kForces, columns, max_bytes, *forces_, now);
   }
   if (contacts_) {
-    load(kContacts, columns, most_bytes, *contacts_, now);
-    fields::decode(kEnergy, columns, most_bytes, *energy_);
+    load(kContacts, columns, max_bytes, *contacts_, now);
+    reflection::decode(kEnergy, columns, max_bytes, *energy_);
   }
 }
 

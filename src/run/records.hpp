@@ -1,9 +1,9 @@
 #pragma once
-// What is gathered step by step while a stage runs, for its measures, tables and pictures.
+// Data gathered during a stage, for its measures, tables and pictures.
 
 #include <optional>
 
-#include "clca/fields/columns.hpp"
+#include "clca/reflection/columns.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/contact_record.hpp"
 #include "run/cycle_record.hpp"
@@ -25,21 +25,21 @@ class Records {
 
   const CycleRecord& cycles() const { return cycles_; }
   const std::optional<FieldRecord>& fields() const { return fields_; }
-  /// The rows of cycles.csv and, where there is one, fields.csv that came since they were taken.
+  /// New rows of cycles.csv and, if requested, fields.csv.
   store::Table& cycle_rows() { return cycles_.table(); }
   store::Table* field_rows() { return fields_ ? &fields_->table() : nullptr; }
-  /// None where no wall lets overlap.
+  /// None if no wall may overlap particles.
   const std::optional<ForceRecord>& forces() const { return forces_; }
-  // Of the contact model.
+  // Contact model only.
   const std::optional<ContactRecord>& contacts() const { return contacts_; }
   std::optional<EnergyRecord>& energy() { return energy_; }
   const std::optional<EnergyRecord>& energy() const { return energy_; }
 
-  void save(fields::Columns& columns) const;
-  /// Goes on with a stage. Throws fields::Mismatch for what no run can have recorded that has come
-  /// to the state of `automaton`.
-  void resume_stage(const scene::Stage& stage, const Model& model, const fields::Columns& columns,
-                    double most_bytes);
+  void save(reflection::Columns& columns) const;
+  /// Resumes a stage. Throws reflection::Mismatch for data that no run which reached this state can
+  /// have recorded.
+  void resume_stage(const scene::Stage& stage, const Model& model,
+                    const reflection::Columns& columns, double max_bytes);
 
  private:
   const scene::Scene& scene_;
@@ -50,7 +50,7 @@ class Records {
   std::optional<EnergyRecord> energy_;
 };
 
-/// True when some wall of the scene moves and lets particles overlap.
+/// True if some wall of the scene moves and may overlap particles.
 bool has_overlaps(const scene::Scene& scene);
 
 }  // namespace clca::run

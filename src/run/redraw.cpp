@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Frame = store::Trajectory::Frame;
 
-/// The scene, if the run can be drawn so.
+/// The scene, if the run can be drawn.
 const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& options) {
   std::error_code unknown;
   if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {
@@ -35,7 +35,7 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
     throw RedrawError(fmt::format(
         "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
         "with the overlay none or forces",
-        scene.output.frames->place));
+        scene.output.frames->location));
   }
   const auto& trajectory = scene.output.trajectory;
   if (pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
@@ -43,7 +43,7 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
     throw RedrawError(fmt::format(
         "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
         "output.trajectory.contacts: true",
-        scene.output.frames->place, overlay ? "overlay" : "color_by",
+        scene.output.frames->location, overlay ? "overlay" : "color_by",
         overlay ? "with the overlay none" : "by another colour"));
   }
   const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
@@ -55,7 +55,7 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
   return scene;
 }
 
-/// What the options leave of the frames that the scene wants.
+/// The frames selected by scene and options.
 std::vector<std::size_t> chosen(const scene::Scene& scene, const RedrawOptions& options,
                                 const std::vector<Frame>& frames) {
   if (frames.empty()) {
@@ -74,7 +74,7 @@ std::vector<std::size_t> chosen(const scene::Scene& scene, const RedrawOptions& 
   return result;
 }
 
-/// The vessel at the start of each stage that has frames, which follows from the scene.
+/// The vessel at the start of each stage, as follows from the scene.
 std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
   std::vector<contact::Vessel> result;
   std::uint64_t start = 0;
@@ -124,7 +124,7 @@ class Redraw::Impl {
 Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
     : scene_(drawable(scene, options)),
       options_(options),
-      trajectory_(options.run, scene_, initial_state(scene_), options.most_bytes),
+      trajectory_(options.run, scene_, initial_state(scene_), options.max_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
       painter_(scene_, initial_state(scene_), 1),
       targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step),
@@ -134,16 +134,16 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
-  Ticker ticker(events.progress_interval);
-  Forecast forecast;
+  IntervalTimer timer(events.progress_interval);
+  TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < chosen_.size() && !stop_asked(); ++number) {
     if (targets_.want(number)) {
       draw_frame(number);
     }
-    if (events.progress && ticker.due()) {
-      forecast.update(static_cast<double>(number + 1) / static_cast<double>(chosen_.size()));
-      events.progress({number + 1, chosen_.size(), forecast.seconds_left()});
+    if (events.progress && timer.due()) {
+      estimate.update(static_cast<double>(number + 1) / static_cast<double>(chosen_.size()));
+      events.progress({number + 1, chosen_.size(), estimate.seconds_left()});
     }
   }
   if (number > 0) {
@@ -164,7 +164,7 @@ void Redraw::Impl::draw_frame(std::size_t number) {
                      .occupancy = occupancy,
                      .forces = has_forces ? &forces : nullptr,
                      .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
-  targets_.add(painter_.develop(painter_.expose(view, history_)), number, state.step);
+  targets_.add(painter_.rasterize(painter_.capture(view, history_)), number, state.step);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {

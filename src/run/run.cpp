@@ -14,16 +14,16 @@
 #include "clca/scene/walls.hpp"
 #include "clca/store/file.hpp"
 #include "run/begin.hpp"
+#include "run/checkpoint_writer.hpp"
 #include "run/force_measures.hpp"
 #include "run/frame_painter.hpp"
 #include "run/gas_run.hpp"
 #include "run/log.hpp"
+#include "run/memory_reserve.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
 #include "run/records.hpp"
-#include "run/reserve.hpp"
 #include "run/saved.hpp"
-#include "run/saver.hpp"
 #include "run/stage.hpp"
 #include "run/startable.hpp"
 
@@ -47,7 +47,7 @@ class Run {
     log_.emplace(*folder_, 0, events);
   }
 
-  /// Goes on with `saved`, which `parts` are of.
+  /// Resumes `saved`; `parts` belong to it.
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
       : Run(scene, options, events, std::move(parts.state)) {
@@ -64,17 +64,19 @@ class Run {
         events_(events),
         conversion_(scene::conversion(scene)),
         model_(scene, std::move(state),
-               {.threads = options.threads, .reference = options.reference}),
+               {.threads = options.threads,
+                .reference = options.reference,
+                .parallel_from = options.parallel_from}),
         outputs_(scene, model_.state(), options),
         records_(scene),
-        saver_(scene.output.checkpoint) {}
+        checkpoint_writer_(scene.output.checkpoint) {}
 
-  /// Takes over where `saved` was.
+  /// Restores the state of `saved`.
   void go_on(SavedRun& saved, SavedParts& parts);
   void run_stages();
   void begin_stage();
   void run_stage();
-  /// Steps until the stage ends; returns why.
+  /// Runs steps until the stage ends; returns the reason.
   StageEnd run_steps();
   void step();
   void warn_of_energy();
@@ -88,8 +90,7 @@ class Run {
   void write_summary(const std::string& status) const {
     folder_->files().write(store::kSummaryFile, store::to_json(summary(status)));
   }
-  /// A disk that is full for the rest may be so for the summary, and so memory: the first error is
-  /// the one to tell.
+  /// If writing the summary fails too (full disk, no memory), the first error is reported.
   void note_failure(const std::exception& failure) {
     reserve_.reset();
     try {
@@ -120,18 +121,19 @@ class Run {
   Records records_;
   std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
   std::optional<Log> log_;
-  Ticker ticker_{events_.progress_interval};
+  IntervalTimer timer_{events_.progress_interval};
   RunCourse course_;
   StageHistory history_;
   bool in_stage_ = false;  // one that goes on
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
-  Reserve reserve_;
-  Saver saver_;  // last: at the end it waits for its thread, which uses the rest
+  MemoryReserve reserve_;
+  CheckpointWriter
+      checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 store::RunSummary Run::execute() {
-  // Before the scene: a run that is done and goes on is not done with another scene.
+  // Before scene.yaml: the old summary must not be combined with the new scene.
   write_summary("running");
   folder_->files().write(store::kSceneFile, scene::to_yaml(scene_));
   try {
@@ -153,7 +155,7 @@ void Run::go_on(SavedRun& saved, SavedParts& parts) {
   course_ = parts.course;
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
-  records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.most_bytes);
+  records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.max_bytes);
   log_.emplace(*folder_, course_.log_bytes, events_);
   outputs_.reopen(*folder_, model_.state(), parts.outputs);
   in_stage_ = true;
@@ -171,7 +173,7 @@ void Run::run_stages() {
     ++course_.stage;
   }
   outputs_.finish();
-  saver_.finish();
+  checkpoint_writer_.finish();
 }
 
 void Run::begin_stage() {
@@ -199,8 +201,8 @@ void Run::run_stage() {
 }
 
 StageEnd Run::run_steps() {
-  Forecast forecast;
-  double most_moving = 0;
+  TimeEstimate estimate;
+  double max_moving = 0;
   while (true) {
     if (const auto ended = stage_end(stage(), model_.state(), history_)) {
       return *ended;
@@ -211,12 +213,12 @@ StageEnd Run::run_steps() {
     step();
     const auto particles = static_cast<double>(model_.state().particles.size());
     const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
-    most_moving = std::max(most_moving, moving_share);
-    if (ticker_.due()) {
-      forecast.update(done_share(stage(), history_, moving_share, most_moving));
-      show_progress(moving_share, forecast.seconds_left());
+    max_moving = std::max(max_moving, moving_share);
+    if (timer_.due()) {
+      estimate.update(done_share(stage(), history_, moving_share, max_moving));
+      show_progress(moving_share, estimate.seconds_left());
     }
-    if (saver_.due(model_.state().step)) {
+    if (checkpoint_writer_.due(model_.state().step)) {
       save();
     }
   }
@@ -280,18 +282,18 @@ store::Checkpoint Run::checkpoint() const {
 }
 
 void Run::save() {
-  const OutputHistory outputs = outputs_.settle(records_);
+  const OutputHistory outputs = outputs_.flush(records_);
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
   course.log_bytes = log_->bytes();
   store::Checkpoint saved = checkpoint();
   model_.save(saved.fields);
-  fields::encode(kSavedCourse, course, saved.fields);
-  fields::encode(kSavedHistory, history_, saved.fields);
-  fields::encode(kSavedOutputs, outputs, saved.fields);
+  reflection::encode(kSavedCourse, course, saved.fields);
+  reflection::encode(kSavedHistory, history_, saved.fields);
+  reflection::encode(kSavedOutputs, outputs, saved.fields);
   records_.save(saved.fields);
-  saver_.save(folder_->files(), std::move(saved), [this] { outputs_.sync(); });
+  checkpoint_writer_.save(folder_->files(), std::move(saved), [this] { outputs_.sync(); });
 }
 
 void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
@@ -312,6 +314,7 @@ store::RunSummary Run::summary(const std::string& status) const {
   store::RunSummary summary = provenance();
   summary.kind = kind_of(scene_);
   summary.scene = scene_.name;
+  summary.title = scene_.title;
   summary.seed = scene_.seed;
   summary.threads = options_.threads;
   summary.status = status;
@@ -326,22 +329,22 @@ store::RunSummary Run::summary(const std::string& status) const {
   return summary;
 }
 
-/// Throws store::StoreError for a checkpoint that no run of the scene has saved.
+/// Throws store::StoreError for a checkpoint that no run of the scene can have saved.
 std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& options,
                                  const RunEvents& events, SavedRun& saved) {
   const std::filesystem::path folder = saved.folder.path();
   try {
     return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
-  } catch (const fields::Mismatch& error) {
-    throw not_of_this_run(folder, error.what());
+  } catch (const reflection::Mismatch& error) {
+    throw mismatched_checkpoint(folder, error.what());
   } catch (const std::invalid_argument& error) {
-    throw not_of_this_run(folder, error.what());
+    throw mismatched_checkpoint(folder, error.what());
   }
 }
 
 }  // namespace
 
-void check_beginning(const scene::Scene& scene) {
+void check_start(const scene::Scene& scene) {
   scene::check_room(scene);
   Model model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());

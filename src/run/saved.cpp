@@ -13,7 +13,7 @@ namespace clca::run {
 
 namespace {
 
-/// A plain number means steps, the end of a gas its time.
+/// A plain number means steps or, for a gas, its end time.
 scene::Override until_override(const scene::AnyScene& scene, const std::string& until) {
   const auto* automaton = std::get_if<scene::Scene>(&scene);
   if (automaton == nullptr) {
@@ -24,7 +24,7 @@ scene::Override until_override(const scene::AnyScene& scene, const std::string& 
                      plain ? fmt::format("{{steps: {}}}", until) : until);
 }
 
-/// A scene by its resolved text, and what to call it.
+/// A scene from its resolved text, with its name.
 struct SavedScene {
   std::string text;
   std::string name;
@@ -40,7 +40,7 @@ scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path
   return scene;
 }
 
-/// The summary of a run that needs no going on: it is done, and no other end is asked for.
+/// The summary of a finished run, unless another end is requested.
 std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
   std::error_code unknown;
   if (!std::filesystem::exists(folder.path() / store::kSummaryFile, unknown)) {
@@ -50,32 +50,33 @@ std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
   return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
 }
 
-/// Whether the next run has begun to replace the one that has left its run.json.
-bool is_about_to_start(const store::RunFolder& folder, double most_bytes) {
+/// Whether a new run has started to replace the one that wrote run.json.
+bool is_about_to_start(const store::RunFolder& folder, double max_bytes) {
   try {
-    const auto found = store::read_checkpoint(folder.path(), most_bytes);
+    const auto found = store::read_checkpoint(folder.path(), max_bytes);
     return found && found->checkpoint.is_start();
   } catch (const store::StoreError&) {  // it is older and damaged: it is not needed
     return false;
   }
 }
 
-store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double most_bytes) {
-  if (auto found = store::read_checkpoint(folder.path(), most_bytes)) {
+store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double max_bytes) {
+  if (auto found = store::read_checkpoint(folder.path(), max_bytes)) {
     return *std::move(found);
   }
-  throw store::StoreError(fmt::format(
-      "cannot go on in {}: it has no checkpoint; a run with output.checkpoint: none keeps none",
-      folder.path().string()));
+  throw store::StoreError(
+      fmt::format("cannot resume the run in {}: it has no checkpoint; a run with "
+                  "output.checkpoint: none keeps none",
+                  folder.path().string()));
 }
 
-/// Throws ScenePlaceError for an end that the last stage has passed.
+/// Throws SceneRunError for an end that the last stage has passed.
 void require_ahead(const std::string& until, const scene::Stage& stage,
                    const StageHistory& history) {
   const auto steps = scene::steps_of(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
   if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
-    throw ScenePlaceError(fmt::format(
+    throw SceneRunError(fmt::format(
         "--until {}: error: stage {} has passed this end: it is at step {}{}", until, stage.name,
         history.steps, cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
   }
@@ -83,61 +84,63 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
 
 }  // namespace
 
-SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
+SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until) {
   SavedRun run = {.folder = store::RunFolder::for_resumed_run(folder),
                   .scene = {},
                   .checkpoint = {},
                   .finished = {},
-                  .most_bytes = most_bytes,
+                  .max_bytes = max_bytes,
                   .until = until,
                   .warning = ""};
   auto done = until ? std::nullopt : finished(run.folder);
-  if (done && !is_about_to_start(run.folder, most_bytes)) {
+  if (done && !is_about_to_start(run.folder, max_bytes)) {
     run.finished = std::move(done);
     return run;
   }
-  store::FoundCheckpoint found = found_checkpoint(run.folder, most_bytes);
+  store::FoundCheckpoint found = found_checkpoint(run.folder, max_bytes);
   run.checkpoint = std::move(found.checkpoint);
   run.warning = std::move(found.warning);
   const SavedScene saved = {run.checkpoint.scene, run.checkpoint.scene_name};
   if (!text::is_file_name(saved.name)) {
-    throw store::StoreError(
-        fmt::format("cannot go on in {}: '{}' cannot name a file", folder.string(), saved.name));
+    throw store::StoreError(fmt::format("cannot resume the run in {}: '{}' cannot name a file",
+                                        folder.string(), saved.name));
   }
   run.scene = parse_saved(saved, folder / store::kSceneFile, until);
   return run;
 }
 
-store::StoreError not_of_this_run(const std::filesystem::path& folder, const std::string& reason) {
-  store::StoreError error(fmt::format("cannot go on in {}: its checkpoint is not of this run: {}",
-                                      folder.string(), reason));
+store::StoreError mismatched_checkpoint(const std::filesystem::path& folder,
+                                        const std::string& reason) {
+  store::StoreError error(
+      fmt::format("cannot resume the run in {}: its checkpoint is not of this run: {}",
+                  folder.string(), reason));
   return error;
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
-  SavedParts parts = {.state = saved_state(scene, saved.checkpoint.fields, saved.most_bytes),
+  SavedParts parts = {.state = saved_state(scene, saved.checkpoint.fields, saved.max_bytes),
                       .course = {},
                       .history = {},
                       .outputs = {},
                       .stages = {}};
-  const fields::Columns& columns = saved.checkpoint.fields;
-  fields::decode(kSavedCourse, columns, saved.most_bytes, parts.course);
-  fields::decode(kSavedHistory, columns, saved.most_bytes, parts.history);
-  fields::decode(kSavedOutputs, columns, saved.most_bytes, parts.outputs);
+  const reflection::Columns& columns = saved.checkpoint.fields;
+  reflection::decode(kSavedCourse, columns, saved.max_bytes, parts.course);
+  reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);
+  reflection::decode(kSavedOutputs, columns, saved.max_bytes, parts.outputs);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
   if (!parts.history.outflow.precedes(grains)) {
-    throw fields::Mismatch("what has left is not of this run");
+    throw reflection::Mismatch("what has left is not of this run");
   }
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
-    throw fields::Mismatch("its stages are others");
+    throw reflection::Mismatch("its stages are others");
   }
   const std::string& pictured = parts.outputs.pictures.stage;
   if (!pictured.empty() && pictured != scene.stages[parts.course.stage].name) {
-    throw fields::Mismatch("its pictures are of another stage");
+    throw reflection::Mismatch("its pictures are of another stage");
   }
   if (saved.until && parts.course.stage + 1 == scene.stages.size()) {
     require_ahead(*saved.until, scene.stages.back(), parts.history);

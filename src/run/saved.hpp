@@ -1,5 +1,5 @@
 #pragma once
-// What a run of grains keeps in its checkpoint, besides its records and outputs.
+// The checkpoint content of a run of grains, without records and outputs.
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
@@ -9,7 +9,7 @@
 
 namespace clca::run {
 
-/// How far a run has come.
+/// Progress of a run.
 struct RunCourse {
   std::uint64_t stage = 0;   ///< that it is in, from 0
   std::uint64_t moving = 0;  ///< particles, in the last step
@@ -19,7 +19,7 @@ struct RunCourse {
   std::uint64_t log_bytes = 0;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(
         field("stage", &RunCourse::stage), field("moving", &RunCourse::moving),
         field("updates", &RunCourse::updates), field("wall_seconds", &RunCourse::wall_seconds),
@@ -31,7 +31,7 @@ inline constexpr const char* kSavedCourse = "course";
 inline constexpr const char* kSavedHistory = "stage";
 inline constexpr const char* kSavedOutputs = "outputs";
 
-/// What of a checkpoint is not left to records.
+/// The parts of a checkpoint that are not records.
 struct SavedParts {
   ModelState state;
   RunCourse course;
@@ -40,10 +40,11 @@ struct SavedParts {
   std::vector<store::StageSummary> stages;  ///< those that have ended
 };
 
-/// Throws fields::Mismatch or std::invalid_argument for what no run of the scene can have saved.
+/// Throws reflection::Mismatch or std::invalid_argument if no run of the scene can have saved it.
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved);
 
-/// What is wrong with a checkpoint, as an error of its folder.
-store::StoreError not_of_this_run(const std::filesystem::path& folder, const std::string& reason);
+/// The error for an invalid checkpoint in this folder.
+store::StoreError mismatched_checkpoint(const std::filesystem::path& folder,
+                                        const std::string& reason);
 
 }  // namespace clca::run

@@ -47,14 +47,14 @@ std::vector<std::string> columns(const scene::Scene& scene) {
   return names;
 }
 
-/// Sites that overlap by wall: in all contacts that began there.
+/// Overlapping sites per wall: of all contacts that began there.
 std::vector<std::uint64_t> indices(const Model& model) {
   const grains::State& state = model.state();
   std::vector<std::uint64_t> sites(state.walls.size(), 0);
   if (state.pushes.empty()) {
     return sites;
   }
-  for (const measure::Contact& contact : measure::contacts(state, model.occupancy())) {
+  for (const measure::OverlapContact& contact : measure::contacts(state, model.occupancy())) {
     if (contact.source) {
       sites[*contact.source] += static_cast<std::uint64_t>(contact.sites);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// series.csv: the course of a run.
+// series.csv: the time series of a run.
 
 #include <string>
 
@@ -21,7 +21,7 @@ class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);
 
-  /// Takes a row when the interval says so, or `always`.
+  /// Adds a row if one is due, or `always`.
   void add(const std::string& stage, const Model& model, const Records& records, std::size_t moving,
            bool always);
   store::Table& table() { return table_; }

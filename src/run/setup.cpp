@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kDegreesPerTurn = 60;
 
-/// The shape with its own site nearest to its centre of mass as the reference, so that where a
-/// scene's coordinates have their origin does not matter.
+/// The shape with the site nearest to its centre of mass as reference, so that the origin of the
+/// scene's coordinates does not matter.
 lattice::Shape centred(const lattice::Shape& shape) {
   const auto& sites = shape.sites();
   const auto count = static_cast<long long>(sites.size());
@@ -53,7 +53,7 @@ std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t 
   return kinds;
 }
 
-/// A species' weight shared among its kinds, all in whole numbers.
+/// Divides the weight of a species among its kinds, in integers.
 std::vector<std::uint32_t> kind_weights(const grains::State& state,
                                         const std::vector<std::uint32_t>& species_weights) {
   constexpr std::uint32_t kCommon = 60;  // divisible by 1 to 6
@@ -93,7 +93,7 @@ grains::State initial_state(const scene::Scene& scene) {
       state.kinds.push_back(std::move(kind));
     }
   }
-  const std::vector<bool> there = scene::walls_there_first(scene);
+  const std::vector<bool> there = scene::walls_present_at_start(scene);
   for (std::size_t number = 0; number < scene.walls.size(); ++number) {
     const scene::Wall& wall = scene.walls[number];
     state.walls.push_back({.sites = scene::wall_sites(state.lattice, wall),

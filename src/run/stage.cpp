@@ -25,19 +25,19 @@ void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
                             fill.counts[species], scene.species[species].name);
     }
   }
-  throw ScenePlaceError(
+  throw SceneRunError(
       fmt::format("{}: error: the fill of stage {} does not fit: {} fitted; enlarge the region, "
                   "lower the counts or fill in several stages",
-                  fill.place, stage.name, fitted));
+                  fill.location, stage.name, fitted));
 }
 
 void insert_walls(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.insert) {
     if (!model.insert_wall(wall)) {
-      throw ScenePlaceError(fmt::format(
+      throw SceneRunError(fmt::format(
           "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
           "it, or insert it before they come",
-          stage.insert_place, stage.name, scene.walls[wall].name));
+          stage.insert_location, stage.name, scene.walls[wall].name));
     }
   }
 }
@@ -47,7 +47,7 @@ bool contains(const Items& items, std::size_t item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-/// True when some wall in motion has not come to its end, in a state that is settled.
+/// True if some moving wall has not finished, in a settled state.
 bool has_stalled(const grains::State& state) {
   return std::any_of(state.walls.begin(), state.walls.end(), [](const grains::Wall& wall) {
     return wall.present && wall.travel.active && !grains::is_over(*wall.motion, wall.travel);
@@ -123,7 +123,7 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
 }
 
 double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
-                  double most_moving) {
+                  double max_moving) {
   if (const auto steps = scene::steps_of(stage.until)) {
     return static_cast<double>(history.steps) / static_cast<double>(*steps);
   }
@@ -133,7 +133,7 @@ double done_share(const scene::Stage& stage, const StageHistory& history, double
   if (const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until)) {
     return static_cast<double>(history.cycles) / static_cast<double>(cycles->cycles);
   }
-  return most_moving > 0 ? 1 - moving_share / most_moving : 0;
+  return max_moving > 0 ? 1 - moving_share / max_moving : 0;
 }
 
 }  // namespace clca::run

@@ -11,13 +11,12 @@
 
 namespace clca::run {
 
-/// Removes and inserts walls, fills, opens and closes sources, sets walls and the vessel in
-/// motion, marks the origins. Throws ScenePlaceError when a wall would stand inside particles or
-/// the fill does not fit.
+/// Removes and inserts walls, fills, opens and closes sources, starts walls and the vessel, marks
+/// the origins.
+/// Throws SceneRunError if a wall would overlap particles or the fill does not fit.
 void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage);
 
-/// Why a stage has ended.
-/// `stalled`: settled with a wall that wants to move and cannot.
+/// Why a stage has ended. `stalled`: settled, with a wall that is due to move and blocked.
 enum class StageEnd : std::uint8_t {
   settled,
   stalled,
@@ -32,13 +31,13 @@ enum class StageEnd : std::uint8_t {
 /// As written in run.json.
 std::string to_text(StageEnd end);
 
-/// Why the stage ends after the steps it has taken; nothing: it goes on.
+/// Why the stage ends now; none if it continues.
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
                                   const StageHistory& history);
 
-/// How much of the stage is done, in [0, 1], guessed from the share of particles that move: from
-/// `most_moving` at its height down to nobody.
+/// Estimated progress of the stage in [0, 1], from the share of moving particles: from its maximum
+/// `max_moving` down to zero.
 double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
-                  double most_moving);
+                  double max_moving);
 
 }  // namespace clca::run

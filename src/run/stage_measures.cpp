@@ -91,9 +91,9 @@ void add_convection(Results& results, const Records& records) {
 void add_fluctuations(Results& results, const FieldRecord& fields) {
   const measure::Fluctuations& fluctuations = fields.fluctuations();
   const auto distance = [&](const std::vector<double>& shares) {
-    const auto reference = boltzmann::chi_square_shares(fluctuations.bins(), 2);
+    const auto reference = statistics::chi_square_shares(fluctuations.bins(), 2);
     return fluctuations.samples() > 0
-               ? store::MeasureValue(boltzmann::hellinger_distance(shares, reference))
+               ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
                : store::MeasureValue();
   };
   results.emplace_back("fluctuation_energy", fields.fluctuation_energy());

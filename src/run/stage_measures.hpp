@@ -25,7 +25,7 @@ struct StageHistory {
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(
         field("profile_at_start", &StageHistory::profile_at_start),
         field("particles_at_start", &StageHistory::particles_at_start),

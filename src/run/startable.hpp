@@ -1,13 +1,13 @@
 #pragma once
-// Threads that cannot be started are no reason not to run: the result does not depend on them.
+// If fewer threads can be started, the run uses these: the result does not depend on them.
 
 #include "clca/run/run.hpp"
 
 namespace clca::run {
 
-/// The same options with as many threads as can be started; they are started then, for the parallel
-/// regions of the calling thread. One warning where they are fewer than asked for. Throws
-/// std::invalid_argument unless the number asked for is positive.
+/// The options with as many threads as can be started, for parallel regions of the calling thread.
+/// Warns if fewer than requested.
+/// Throws std::invalid_argument unless the requested number is positive.
 RunOptions with_startable_threads(RunOptions options, const RunEvents& events);
 
 }  // namespace clca::run

@@ -1,4 +1,4 @@
-// Stages in their order: what one of them has done with a wall binds those that follow.
+// Checks walls across stages: removing, moving and inserting must be in a possible order.
 
 #include <fmt/format.h>
 
@@ -13,27 +13,27 @@ namespace clca::scene {
 namespace {
 
 /// A name in a list of a stage.
-struct Mention {
+struct StageEntry {
   const Stage& stage;
   std::string_view key;  ///< of the list
   const Wall& wall;
-  const Place& place;
+  const TextLocation& location;
 };
 
-[[noreturn]] void fail(const Mention& mention, std::string_view reason) {
-  fail(mention.place, fmt::format("stages.{}.{}: wall '{}' {}", mention.stage.name, mention.key,
-                                  mention.wall.name, reason));
+[[noreturn]] void fail(const StageEntry& entry, std::string_view reason) {
+  fail(entry.location, fmt::format("stages.{}.{}: wall '{}' {}", entry.stage.name, entry.key,
+                                   entry.wall.name, reason));
 }
 
 bool names(const std::vector<std::size_t>& walls, std::size_t wall) {
   return std::find(walls.begin(), walls.end(), wall) != walls.end();
 }
 
-/// Which walls are there, and since which stage they are or are not.
+/// Which walls are present, and since which stage.
 class History {
  public:
   explicit History(const Scene& scene)
-      : scene_(scene), there_(walls_there_first(scene)), since_(scene.walls.size(), nullptr) {}
+      : scene_(scene), there_(walls_present_at_start(scene)), since_(scene.walls.size(), nullptr) {}
 
   void check(const Stage& stage, const Value& value) {
     for_each(stage, value, "remove", stage.remove, &History::remove);
@@ -42,52 +42,53 @@ class History {
   }
 
  private:
-  using Change = void (History::*)(std::size_t, const Mention&);
+  using Change = void (History::*)(std::size_t, const StageEntry&);
 
   void for_each(const Stage& stage, const Value& value, std::string_view key,
                 const std::vector<std::size_t>& walls, Change change) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      const Mention mention = {stage, key, scene_.walls[walls[i]], value.find(key)->items[i].place};
-      (this->*change)(walls[i], mention);
+      const StageEntry entry = {stage, key, scene_.walls[walls[i]],
+                                value.find(key)->items[i].location};
+      (this->*change)(walls[i], entry);
     }
   }
 
-  void remove(std::size_t wall, const Mention& mention) {
-    if (names(mention.stage.insert, wall)) {
-      fail(mention, "is under insert too");
+  void remove(std::size_t wall, const StageEntry& entry) {
+    if (names(entry.stage.insert, wall)) {
+      fail(entry, "is under insert too");
     }
-    require(wall, mention);
+    require(wall, entry);
     there_[wall] = false;
-    since_[wall] = &mention.stage;
+    since_[wall] = &entry.stage;
   }
 
-  void insert(std::size_t wall, const Mention& mention) {
+  void insert(std::size_t wall, const StageEntry& entry) {
     if (there_[wall]) {
-      fail(mention, fmt::format("is there since stage '{}'", since_[wall]->name));
+      fail(entry, fmt::format("is there since stage '{}'", since_[wall]->name));
     }
     there_[wall] = true;
-    since_[wall] = &mention.stage;
+    since_[wall] = &entry.stage;
   }
 
-  void move(std::size_t wall, const Mention& mention) {
+  void move(std::size_t wall, const StageEntry& entry) {
     if (!scene_.walls[wall].motion) {
-      fail(mention, "has no motion");
+      fail(entry, "has no motion");
     }
-    require(wall, mention);
+    require(wall, entry);
   }
 
-  void require(std::size_t wall, const Mention& mention) const {
+  void require(std::size_t wall, const StageEntry& entry) const {
     if (there_[wall]) {
       return;
     }
     if (since_[wall] != nullptr) {
-      fail(mention, fmt::format("is gone since stage '{}'", since_[wall]->name));
+      fail(entry, fmt::format("is gone since stage '{}'", since_[wall]->name));
     }
     const auto& stages = scene_.stages;
     const auto first = std::find_if(stages.begin(), stages.end(), [wall](const Stage& stage) {
       return names(stage.insert, wall);
     });
-    fail(mention, fmt::format("is not there before stage '{}' inserts it", first->name));
+    fail(entry, fmt::format("is not there before stage '{}' inserts it", first->name));
   }
 
   const Scene& scene_;
@@ -99,7 +100,7 @@ void check_names(const std::vector<Stage>& stages, const Value& list) {
   std::map<std::string_view, std::size_t> known;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     if (!known.emplace(stages[i].name, i).second) {
-      fail(list.items[i].find("name")->place,
+      fail(list.items[i].find("name")->location,
            fmt::format("stages: the name '{}' is taken", stages[i].name));
     }
   }

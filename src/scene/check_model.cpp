@@ -1,4 +1,4 @@
-// What a scene asks of its model that only the other one has.
+// Rejects features that the chosen model does not have.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "clca/contact/contact_model.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
@@ -21,7 +21,7 @@ const Entry* entry_of(const Value& map, std::string_view key) {
   return entry == map.entries.end() ? nullptr : &*entry;
 }
 
-/// What lies under the keys, one inside the other; null where nothing does.
+/// The value at a path of keys; null if there is none.
 const Value* value_at(const Value& root, std::initializer_list<std::string_view> keys) {
   const Value* value = &root;
   for (const std::string_view key : keys) {
@@ -33,24 +33,25 @@ const Value* value_at(const Value& root, std::initializer_list<std::string_view>
 void refuse_foreign(const Value& map, std::string_view path, std::string_view key, Model owner) {
   if (const Entry* entry = entry_of(map, key)) {
     const std::string_view model = name_of(kModelNames, owner);
-    fail(entry->place, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
-                                   join_path(path, key), model, model));
+    fail(entry->location, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
+                                      join_path(path, key), model, model));
   }
 }
 
-[[noreturn]] void refuse_yet(const Place& place, std::string_view path, std::string_view what) {
-  fail(place, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "
-                          "'model: automaton'",
-                          path, what));
+[[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
+                             std::string_view what) {
+  fail(location, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "
+                             "'model: automaton'",
+                             path, what));
 }
 
-/// What the contact model cannot do yet.
+/// Features that the contact model lacks.
 void check_able(const Value& root) {
   if (const Value* walls = root.find("walls")) {
     for (const Entry& wall : walls->entries) {
       const Value* passive = wall.value.find("passive");
       if (passive != nullptr && passive->text == "overlap") {
-        refuse_yet(passive->place, fmt::format("walls.{}.passive", wall.key),
+        refuse_yet(passive->location, fmt::format("walls.{}.passive", wall.key),
                    "lets nothing overlap");
       }
     }
@@ -60,7 +61,7 @@ void check_able(const Value& root) {
 void check_rolling(const Scene& scene, const Value& species) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     if (!scene.species[i].shape.hexagon_radius()) {
-      fail(species.entries[i].place,
+      fail(species.entries[i].location,
            fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
                        "'contact.rolling: none'",
                        scene.species[i].name));
@@ -68,14 +69,14 @@ void check_rolling(const Scene& scene, const Value& species) {
   }
 }
 
-/// Of the stages of a scene whose time step is known.
+/// Checks stages once the time step is known.
 void check_vessels(const Scene& scene, const Value& stages) {
   contact::Vessel vessel;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
     if (stage.fill && stage.fill->method == FillMethod::deposition && vessel.angle != 0) {
       fail(
-          stages.items[i].find("fill")->place,
+          stages.items[i].find("fill")->location,
           fmt::format("stages.{}.fill: deposition needs a vessel that stands upright; use 'method: "
                       "random'",
                       stage.name));
@@ -83,7 +84,7 @@ void check_vessels(const Scene& scene, const Value& stages) {
     try {
       vessel = vessel_in(scene, stage, vessel);
     } catch (const std::invalid_argument& error) {
-      fail(stages.items[i].find("vessel")->place,
+      fail(stages.items[i].find("vessel")->location,
            fmt::format("stages.{}.vessel: {}; a step takes {}", stage.name, error.what(),
                        conversion(scene)->time_text(1)));
     }
@@ -141,13 +142,13 @@ void check_time_step(const Scene& scene, const Value& root) {
     contact::gravity(parameters);
   } catch (const std::invalid_argument&) {
     const Value* block = root.find("contact");
-    fail((block != nullptr ? *block : root).place,
+    fail((block != nullptr ? *block : root).location,
          fmt::format(
              "contact: a resolution of {} and a fall height of {} give no time step: gravity "
              "would be {:.3g} lattice spacings per step squared, and may be {:.3g} to {:.3g}",
              parameters.resolution, parameters.fall_height,
              parameters.resolution * parameters.resolution / (2 * parameters.fall_height),
-             contact::kLeastGravity, contact::kMostGravity));
+             contact::kMinGravity, contact::kMaxGravity));
   }
   check_vessels(scene, *root.find("stages"));
 }
@@ -157,9 +158,9 @@ void check_sleeping(const Scene& scene, const Value& root) {
     return;
   }
   const auto refuse = [](const Value& value, std::string_view path) {
-    fail(value.place, fmt::format("{}: forces are not known where grains sleep; remove it, or "
-                                  "'contact.sleeping: true'",
-                                  path));
+    fail(value.location, fmt::format("{}: forces are not known where grains sleep; remove it, or "
+                                     "'contact.sleeping: true'",
+                                     path));
   };
   if (const Value* measures = root.find("measure");
       measures != nullptr && std::find(scene.measures.begin(), scene.measures.end(),

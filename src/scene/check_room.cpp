@@ -1,4 +1,4 @@
-// Fills that find no room, and outlets that nothing fits into, whatever is drawn.
+// Rejects fills that cannot fit and outlets that no particle fits into.
 
 #include <fmt/format.h>
 
@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kDegreesPerTurn = 60;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& message) {
-  throw SceneError(fmt::format("{}: error: {}", place, message));
+[[noreturn]] void refuse(const std::string& location, const std::string& message) {
+  throw SceneError(fmt::format("{}: error: {}", location, message));
 }
 
-/// True once `found` is for a site of the lattice in the rectangle; asks from below, from the left.
+/// Whether `found` returns true for a site in the rectangle; from below, from the left.
 template <class Found>
 bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle, Found found) {
   const auto bounded = [](double value, int end) {
@@ -39,8 +39,7 @@ bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectang
   return false;
 }
 
-/// Whether the species has a place in the rectangle, in one of its orientations, where all sites
-/// are `free`.
+/// Whether the species fits into the rectangle in one of its orientations on `free` sites.
 template <class Free>
 bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
                 const Species& species, Free free) {
@@ -57,8 +56,8 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
   });
 }
 
-/// One bit for each place in memory: what walls cover as a stage begins, from below. Walls that an
-/// earlier stage has moved may be anywhere.
+/// One bit per site index: a lower bound of what walls cover at the start of a stage. Walls moved
+/// by an earlier stage may be anywhere.
 std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& lattice,
                                    std::size_t stage, const std::vector<bool>& there) {
   std::vector<bool> covered(lattice.memory_size(), false);
@@ -89,8 +88,8 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
     const Species& species = scene.species[i];
     wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
     if (fill.counts[i] > 0 && !finds_room(lattice, fill.region, species, free)) {
-      refuse(fill.place, fmt::format("stages.{}.fill: no {} fits into the region; enlarge it",
-                                     stage.name, species.name));
+      refuse(fill.location, fmt::format("stages.{}.fill: no {} fits into the region; enlarge it",
+                                        stage.name, species.name));
     }
   }
   double sites = 0;
@@ -100,7 +99,7 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
   });
   if (wanted > sites) {
     refuse(
-        fill.place,
+        fill.location,
         fmt::format("stages.{}.fill: the counts take {:.0f} sites and the region has {:.0f} that "
                     "no wall covers; enlarge the region, lower the counts or fill in several "
                     "stages",
@@ -118,13 +117,13 @@ void check_room(const Scene& scene) {
           return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
         });
     if (!any) {
-      refuse(outlet.place,
+      refuse(outlet.location,
              fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
                          "wholly inside are removed; enlarge it",
                          outlet.name));
     }
   }
-  const std::vector<std::vector<bool>> there = walls_there(scene);
+  const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     if (scene.stages[stage].fill) {
       check_fill(scene, lattice, scene.stages[stage],

@@ -1,4 +1,4 @@
-// What concerns the scene as a whole.
+// Checks of the scene as a whole.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ void require_use(const Scene& scene, const Value& entries, std::string_view path
   for (std::size_t i = 0; i < entries.entries.size(); ++i) {
     const Entry& entry = entries.entries[i];
     if (!used(scene, i)) {
-      fail(entry.place, fmt::format("{}.{} is not used; {}", path, entry.key, advice));
+      fail(entry.location, fmt::format("{}.{} is not used; {}", path, entry.key, advice));
     }
   }
 }
@@ -60,7 +60,7 @@ void check_use(const Scene& scene, const Value& root) {
     any = any || fills(scene, species);
   }
   if (!any) {
-    fail(root.find("stages")->place, "stages: no particles; give a stage a fill or a source");
+    fail(root.find("stages")->location, "stages: no particles; give a stage a fill or a source");
   }
   require_use(scene, *root.find("species"), "species", "give it a count in a fill, or a source",
               appears);

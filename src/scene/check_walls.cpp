@@ -1,4 +1,4 @@
-// Moving walls that never come, or come across another wall.
+// Rejects moving walls that never enter the box or meet another wall.
 
 #include <fmt/format.h>
 
@@ -8,17 +8,17 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
-#include "scene/sweep.hpp"
+#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 
 namespace {
 
 [[noreturn]] void fail(const Wall& wall, const std::string& message) {
-  throw SceneError(fmt::format("{}: error: walls.{}: {}", wall.place, wall.name, message));
+  throw SceneError(fmt::format("{}: error: walls.{}: {}", wall.location, wall.name, message));
 }
 
-/// Holds every site that the wall ever covers, as if nothing wrapped around.
+/// A rectangle around all sites that the wall ever covers, without wrapping.
 lattice::Rectangle around(const Wall& wall) {
   const auto around_part = [](const WallPart& part) {
     return std::visit([](const auto& form) { return lattice::around(form); }, part);
@@ -32,14 +32,14 @@ lattice::Rectangle around(const Wall& wall) {
   if (!wall.motion) {
     return all;
   }
-  const grains::Range range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::range_of(*wall.motion);
   const Eigen::Vector2d step = lattice::position(lattice::unit(wall.motion->direction));
   const auto [left, right] = std::minmax({step.x() * range.low, step.x() * range.high});
   const auto [down, up] = std::minmax({step.y() * range.low, step.y() * range.high});
   return {all.left + left - 1, all.bottom + down - 1, all.right + right + 1, all.top + up + 1};
 }
 
-/// Spares looking at the sites of walls that are far apart.
+/// Quick test before comparing sites.
 bool far_apart(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
   const lattice::Rectangle one = around(a);
   const lattice::Rectangle other = around(b);
@@ -47,7 +47,7 @@ bool far_apart(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
   return apart || (!lattice.periodic() && (one.right < other.left || other.right < one.left));
 }
 
-/// True where a site that both have at home is one that `counts`.
+/// True if both walls share an initial site for which `counts` is true.
 template <class Counts>
 bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, Counts counts) {
   const std::vector<lattice::Site> sites = wall_sites(lattice, a);
@@ -57,7 +57,7 @@ bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, C
   });
 }
 
-/// Before anything moves.
+/// Checks the initial positions.
 void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
   const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
   if (!far_apart(lattice, mover, other) && share_home(lattice, mover, other, in_box)) {
@@ -67,7 +67,7 @@ void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall&
   }
 }
 
-/// The walls that are there in some stage that moves `mover`.
+/// The walls present in some stage that moves `mover`.
 std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<bool>>& there,
                              std::size_t mover) {
   std::vector<bool> result(scene.walls.size(), false);
@@ -82,11 +82,11 @@ std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<b
   return result;
 }
 
-/// One place in memory for each of the box: a bit.
+/// One bit per site index.
 std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
   std::vector<bool> way(lattice.memory_size(), false);
   bool empty = true;
-  meets(lattice, wall, [&](lattice::Site site) {
+  any_swept_site(lattice, wall, [&](lattice::Site site) {
     way[lattice.index(site)] = true;
     empty = false;
     return false;
@@ -101,13 +101,15 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
   }
   if (other.motion == mover.motion) {
     if (share_home(lattice, mover, other, [](lattice::Site) { return true; })) {
-      fail(mover, fmt::format("shares sites with wall '{}', which moves just so; make them parts "
-                              "of one wall, or move one of them elsewhere",
-                              other.name));
+      fail(mover,
+           fmt::format("shares sites with wall '{}', which has the same motion; make them parts "
+                       "of one wall, or move one of them elsewhere",
+                       other.name));
     }
     return;
   }
-  if (meets(lattice, other, [&](lattice::Site site) { return way[lattice.index(site)]; })) {
+  if (any_swept_site(lattice, other,
+                     [&](lattice::Site site) { return way[lattice.index(site)]; })) {
     fail(mover, fmt::format("its way meets {} wall '{}'; {}, or move one of them elsewhere",
                             other.motion ? "that of" : "the standing", other.name,
                             other.motion ? "shorten a distance or amplitude"
@@ -119,8 +121,8 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
 
 void check_walls(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
-  const std::vector<std::vector<bool>> there = walls_there(scene);
-  const std::vector<bool> first = walls_there_first(scene);
+  const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
+  const std::vector<bool> first = walls_present_at_start(scene);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const Wall& mover = scene.walls[i];
     if (!mover.motion) {

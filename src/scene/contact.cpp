@@ -23,7 +23,7 @@ double area(const Scene& scene, const std::vector<std::size_t>& counts) {
 
 double estimated_fall(const Scene& scene) {
   constexpr double kPacking = 0.8;
-  constexpr double kLeast = 10;
+  constexpr double kMinFallHeight = 10;
   double filled = 0;
   double width = 0;
   for (const Stage& stage : scene.stages) {
@@ -36,9 +36,10 @@ double estimated_fall(const Scene& scene) {
   const bool endless = std::any_of(scene.sources.begin(), scene.sources.end(),
                                    [](const Source& source) { return !source.count; });
   if (endless || width <= 0) {
-    return std::max(kLeast, scene.box.height);
+    return std::max(kMinFallHeight, scene.box.height);
   }
-  return std::clamp(filled / (kPacking * width), kLeast, std::max(kLeast, scene.box.height));
+  return std::clamp(filled / (kPacking * width), kMinFallHeight,
+                    std::max(kMinFallHeight, scene.box.height));
 }
 
 }  // namespace

@@ -13,19 +13,19 @@
 #include <unordered_map>
 #include <utility>
 
+#include "clca/text/message.hpp"
 #include "scene/source_text.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-constexpr std::size_t kMostValues = 2'000'000;
+constexpr std::size_t kMaxValues = 2'000'000;
 
 constexpr std::string_view kNoAliases =
     "aliases ('*') are not part of the format; repeat the value";
 
-/// What yaml-cpp says, and how to say it to someone who has never written a parser.
+/// Messages of yaml-cpp and plainer versions of them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPlainWords = {{
     {"illegal map value", "a ':' that belongs to no key (check indentation, or quote the text)"},
     {"end of map not found", "expected 'KEY: VALUE' here (check the indentation)"},
@@ -38,14 +38,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kPlainWor
     {"illegal map key", "a key that is not allowed here (check the indentation)"},
 }};
 
-/// Builds the tree from the parser's events and refuses what the format does not know.
+/// Builds the tree from parser events and rejects what the format does not allow.
 class TreeBuilder final : public YAML::EventHandler {
  public:
   explicit TreeBuilder(const SourceText& source) : source_(source) {}
 
-  /// The tree, once the text has ended.
+  /// The tree, after the end of the text.
   Value take();
-  /// Turns an error of the parser into ours.
+  /// Translates a parser error.
   [[noreturn]] void explain(const YAML::Exception& error) const;
 
   void OnDocumentStart(const YAML::Mark& mark) override;
@@ -63,7 +63,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  /// A list or map whose end has not come yet.
+  /// An unfinished list or map.
   struct Open {
     Value value;
     bool bracketed = false;
@@ -74,7 +74,7 @@ class TreeBuilder final : public YAML::EventHandler {
   std::size_t position(const YAML::Mark& mark) const {
     return std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), source_.text().size());
   }
-  Place place(const YAML::Mark& mark) const { return source_.place(position(mark)); }
+  TextLocation location(const YAML::Mark& mark) const { return source_.location(position(mark)); }
   /// The text from `mark` on.
   std::string_view rest(const YAML::Mark& mark) const {
     return source_.text().substr(position(mark));
@@ -92,8 +92,8 @@ class TreeBuilder final : public YAML::EventHandler {
   const SourceText& source_;
   std::vector<Open> open_;
   std::optional<Value> root_;
-  // A key that is not text. Thrown at the end, since an unclosed bracket also looks like one.
-  std::optional<std::pair<Place, std::string>> bad_key_;
+  // A key that is not text. Reported at the end, as an unclosed bracket also looks like one.
+  std::optional<std::pair<TextLocation, std::string>> bad_key_;
   std::size_t values_ = 0;
   bool ended_ = false;
 };
@@ -106,7 +106,7 @@ Value TreeBuilder::take() {
     return std::move(*root_);
   }
   Value nothing;
-  nothing.place = source_.place(0);
+  nothing.location = source_.location(0);
   return nothing;
 }
 
@@ -116,42 +116,42 @@ void TreeBuilder::explain(const YAML::Exception& error) const {
                                     [](const Open& candidate) { return candidate.bracketed; });
     if (level != open_.rend()) {
       const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
-      fail(level->value.place,
+      fail(level->value.location,
            fmt::format("the '{}' is not closed, or a ',' is missing after it", bracket));
     }
   }
   for (const auto& [theirs, ours] : kPlainWords) {
     if (error.msg == theirs) {
-      fail(place(error.mark), ours);
+      fail(location(error.mark), ours);
     }
   }
-  fail(place(error.mark), "not valid YAML: " + printable(error.msg));
+  fail(location(error.mark), "not valid YAML: " + text::printable(error.msg));
 }
 
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
   if (ended_) {
-    fail(place(mark), "a second document, or text after the end of the first");
+    fail(location(mark), "a second document, or text after the end of the first");
   }
 }
 
 void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
   Value value;
-  value.place = place(mark);
-  // Where nothing is written, the mark is that of whatever comes next.
+  value.location = location(mark);
+  // For an empty value the mark is that of the next token.
   const std::string_view next = rest(mark);
   const bool written = next.starts_with('~') || next.starts_with('n') || next.starts_with('N');
   if (!written && !open_.empty() && open_.back().entry) {
-    value.place = open_.back().entry->place;
+    value.location = open_.back().entry->location;
   }
   add(std::move(value));
 }
 
 void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
-  fail(place(mark), kNoAliases);
+  fail(location(mark), kNoAliases);
 }
 
 void TreeBuilder::OnAnchor(const YAML::Mark& mark, const std::string& /*name*/) {
-  fail(place(mark), "anchors ('&') are not part of the format");
+  fail(location(mark), "anchors ('&') are not part of the format");
 }
 
 void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag,
@@ -159,7 +159,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag,
   check_tag(mark, tag);
   Value value;
   value.kind = Value::Kind::scalar;
-  value.place = place(mark);
+  value.location = location(mark);
   value.text = text;
   value.quoted = tag == "!";
   if (value.quoted) {
@@ -183,11 +183,11 @@ void TreeBuilder::OnMapStart(const YAML::Mark& mark, const std::string& tag,
 /// "?" stands for no tag and "!" for quotes, but also for a bare '!' in the text.
 void TreeBuilder::check_tag(const YAML::Mark& mark, const std::string& tag) const {
   if (rest(mark).starts_with('!') || (!tag.empty() && tag != "?" && tag != "!")) {
-    fail(place(mark), "tags ('!') are not part of the format");
+    fail(location(mark), "tags ('!') are not part of the format");
   }
 }
 
-/// yaml-cpp lets a quote run to the end of the text.
+/// yaml-cpp accepts an unclosed quote at the end of the text.
 void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
   const std::string_view text = rest(mark);
   const char quote = text.empty() ? '\0' : text.front();
@@ -204,16 +204,16 @@ void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
       ++i;
     }
   }
-  fail(place(mark), "the quote that opens here is not closed");
+  fail(location(mark), "the quote that opens here is not closed");
 }
 
 void TreeBuilder::open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
-  if (open_.size() >= kDeepest) {
-    fail(place(mark), fmt::format("nested deeper than {} levels", kDeepest));
+  if (open_.size() >= kMaxDepth) {
+    fail(location(mark), fmt::format("nested deeper than {} levels", kMaxDepth));
   }
   Open level;
   level.value.kind = kind;
-  level.value.place = place(mark);
+  level.value.location = location(mark);
   level.bracketed = bracketed;
   open_.push_back(std::move(level));
 }
@@ -225,8 +225,8 @@ void TreeBuilder::close() {
 }
 
 void TreeBuilder::add(Value value) {
-  if (++values_ > kMostValues) {
-    fail(value.place, fmt::format("more than {} values", kMostValues));
+  if (++values_ > kMaxValues) {
+    fail(value.location, fmt::format("more than {} values", kMaxValues));
   }
   if (open_.empty()) {
     root_ = std::move(value);
@@ -245,16 +245,17 @@ void TreeBuilder::begin_entry(Value key) {
   Open& level = open_.back();
   if (!key.is(Value::Kind::scalar)) {
     if (!bad_key_) {
-      bad_key_ = {key.place, fmt::format("a key is text, found {}", found(key))};
+      bad_key_ = {key.location, fmt::format("a key is text, found {}", found(key))};
     }
   } else if (key.text == "<<" && !key.quoted) {
-    fail(key.place, "merge keys ('<<') are not part of the format");
-  } else if (const auto [first, added] = level.line_of.emplace(key.text, key.place.line); !added) {
-    const bool lines = key.place.origin->has_lines;
-    fail(key.place, fmt::format("duplicate key {}{}", shown(key.text),
-                                lines ? fmt::format(" (first on line {})", first->second) : ""));
+    fail(key.location, "merge keys ('<<') are not part of the format");
+  } else if (const auto [first, added] = level.line_of.emplace(key.text, key.location.line);
+             !added) {
+    const bool lines = key.location.origin->has_lines;
+    fail(key.location, fmt::format("duplicate key {}{}", text::shown(key.text),
+                                   lines ? fmt::format(" (first on line {})", first->second) : ""));
   }
-  level.entry = Entry{std::move(key.text), std::move(key.place), {}};
+  level.entry = Entry{std::move(key.text), std::move(key.location), {}};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// YAML text to a tree of values: the one place that knows yaml-cpp.
+// Parses YAML text into a tree of values; the only user of yaml-cpp.
 
 #include <memory>
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace clca::scene {
 
-/// Reads the one document in `text`. Stricter than YAML: no duplicate or compound keys, anchors,
-/// aliases, merge keys, tags, directives or further documents. Where there is no document the value
-/// is nothing. Throws SceneError.
+/// Reads the single document in `text`. Stricter than YAML: no duplicate or compound keys, anchors,
+/// aliases, merge keys, tags, directives or further documents.
+/// Without a document the value is nothing. Throws SceneError.
 Value read_document(std::string_view text, std::shared_ptr<const Origin> origin);
 
 }  // namespace clca::scene

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "clca/text/message.hpp"
 #include "scene/names.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
@@ -19,7 +19,7 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
 /// A misspelt `boltzmann` makes no scene of grains.
 bool stands_for_boltzmann(const Entry& entry) {
   constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
-  return nearest(entry.key, kBlock).has_value();
+  return text::nearest(entry.key, kBlock).has_value();
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Kind kind_of(const Value& root) {
     }
     if (automaton != nullptr && boltzmann != nullptr) {
       const Entry& other = automaton == &entry ? *boltzmann : *automaton;
-      fail(entry.place,
+      fail(entry.location,
            fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
                        "{}; one of grains has {}",
                        entry.key, other.key, fmt::join(kBoltzmannSceneKeys, ", "),

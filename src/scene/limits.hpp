@@ -1,5 +1,5 @@
 #pragma once
-// The ranges that the format allows, for the parser and its messages.
+// Limits of the format, for the parser and its messages.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,80 +8,80 @@
 namespace clca::scene {
 
 inline constexpr std::uint64_t kVersion = 1;
-inline constexpr std::size_t kLongestTitle = 200;
-inline constexpr std::size_t kLongestName = 64;
+inline constexpr std::size_t kMaxTitleLength = 200;
+inline constexpr std::size_t kMaxNameLength = 64;
 /// Of species, walls, parts of a wall, sources, outlets and stages, each.
-inline constexpr std::size_t kMostThings = 1000;
+inline constexpr std::size_t kMaxItems = 1000;
 
-inline constexpr double kWidest = 866'025;  ///< at most 1,000,000 columns
-inline constexpr double kHighest = 1'000'000;
-inline constexpr double kFarthest = 1'000'000;  ///< of a coordinate in lattice spacings
-inline constexpr double kThickest = 100;
-inline constexpr double kThinnestRing = 1;  ///< a thinner one would let sites through
-inline constexpr double kFarthestAngle = 360;
+inline constexpr double kMaxBoxWidth = 866'025;  ///< at most 1,000,000 columns
+inline constexpr double kMaxBoxHeight = 1'000'000;
+inline constexpr double kMaxCoordinate = 1'000'000;  ///< of a coordinate in lattice spacings
+inline constexpr double kMaxThickness = 100;
+inline constexpr double kMinRingThickness = 1;  ///< a thinner one would let sites through
+inline constexpr double kMaxAngle = 360;
 
-inline constexpr int kLargestRadius = 100;
-inline constexpr int kLongestRod = 1000;
-inline constexpr int kFarthestSite = 1000;  ///< of a coordinate of a shape
-inline constexpr std::size_t kMostSites = 100'000;
-inline constexpr std::size_t kMostCorners = 1000;
+inline constexpr int kMaxRadius = 100;
+inline constexpr int kMaxRodLength = 1000;
+inline constexpr int kMaxSiteCoordinate = 1000;  ///< of a coordinate of a shape
+inline constexpr std::size_t kMaxSites = 100'000;
+inline constexpr std::size_t kMaxCorners = 1000;
 
-inline constexpr std::uint64_t kMostParticles = std::numeric_limits<std::int32_t>::max();
-inline constexpr std::uint64_t kHeaviest = 1'000'000;  ///< weight of a species in a source
-inline constexpr double kLeastRate = 1e-6;
-inline constexpr double kGreatestRate = 1000;
-inline constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
+inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
+inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< weight of a species in a source
+inline constexpr double kMinRate = 1e-6;
+inline constexpr double kMaxRate = 1000;
+inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
-inline constexpr int kFarthestOffset = 1'000'000;  ///< of a moving wall from home
+inline constexpr int kMaxOffset = 1'000'000;  ///< of a moving wall from home
 /// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
-inline constexpr int kWidestWave = 10'000;
-inline constexpr std::uint64_t kLongestWave = 10'000'000;
+inline constexpr int kMaxWaveAmplitude = 10'000;
+inline constexpr std::uint64_t kMaxWavePeriod = 10'000'000;
 inline constexpr std::uint64_t kSineSteps = 7;  ///< of a period, for each site of amplitude
 inline constexpr std::uint64_t kTriangleSteps = 4;
-inline constexpr std::uint64_t kSlowestShake = 1'000'000;  ///< steps for each site
-inline constexpr std::size_t kMostPoints = 100'000;        ///< of a path
+inline constexpr std::uint64_t kMaxShakePeriod = 1'000'000;  ///< steps for each site
+inline constexpr std::size_t kMaxPoints = 100'000;           ///< of a path
 
-inline constexpr int kLeastPixels = 16;
-inline constexpr int kMostPixels = 65'536;
-inline constexpr int kMostLayers = 256;
-inline constexpr int kMostSupersampling = 4;
-inline constexpr double kLargestCell = 1000;
-inline constexpr double kGreatestForceScale = 1e9;  ///< grain weights
-inline constexpr double kLongestWait = 1e9;         ///< seconds
+inline constexpr int kMinPixels = 16;
+inline constexpr int kMaxPixels = 65'536;
+inline constexpr int kMaxLayers = 256;
+inline constexpr int kMaxSupersampling = 4;
+inline constexpr double kMaxCellSide = 1000;
+inline constexpr double kMaxForceScale = 1e9;  ///< grain weights
+inline constexpr double kMaxWait = 1e9;        ///< seconds
 
 // Of the contact model.
-inline constexpr double kGreatestContactFriction = 1e9;  ///< of rolling, too
-inline constexpr double kGreatestContactRestitution = 0.99;
-inline constexpr int kFewestSweeps = 2;
-inline constexpr int kMostSweeps = 64;
-inline constexpr double kFinestResolution = 0.01;
-inline constexpr double kCoarsestResolution = 1;
-inline constexpr double kHighestFall = 1e6;
-inline constexpr double kGreatestTilt = 180;        ///< degrees
-inline constexpr double kGreatestVesselRate = 1e6;  ///< per unit of time
-inline constexpr double kGreatestGamma = 1000;
-inline constexpr double kWidestShake = 1000;       ///< in lattice spacings
-inline constexpr double kLeastSpacing = 1e-9;      ///< metres
-inline constexpr double kGreatestSpacing = 1e3;    ///< metres
-inline constexpr double kLeastRealGravity = 1e-6;  ///< metres per second squared
-inline constexpr double kMostRealGravity = 1e6;
+inline constexpr double kMaxContactFriction = 1e9;  ///< of rolling, too
+inline constexpr double kMaxContactRestitution = 0.99;
+inline constexpr int kMinSweeps = 2;
+inline constexpr int kMaxSweeps = 64;
+inline constexpr double kMinResolution = 0.01;
+inline constexpr double kMaxResolution = 1;
+inline constexpr double kMaxFallHeight = 1e6;
+inline constexpr double kMaxTilt = 180;        ///< degrees
+inline constexpr double kMaxVesselRate = 1e6;  ///< per unit of time
+inline constexpr double kMaxGamma = 1000;
+inline constexpr double kMaxShakeAmplitude = 1000;  ///< in lattice spacings
+inline constexpr double kMinSpacing = 1e-9;         ///< metres
+inline constexpr double kMaxSpacing = 1e3;          ///< metres
+inline constexpr double kMinRealGravity = 1e-6;     ///< metres per second squared
+inline constexpr double kMaxRealGravity = 1e6;
 
 // Of scenes of the Boltzmann equation.
-inline constexpr std::uint64_t kFewestInGas = 2;
-inline constexpr std::uint64_t kMostInGas = 100'000'000;
-inline constexpr std::size_t kMostRestitutions = 64;
-inline constexpr double kGreatestFriction = 1000;
-inline constexpr double kGreatestEnergyRatio = 1e6;
-inline constexpr double kLongestTimeStep = 1;
-inline constexpr int kMostPartners = 1000;
-inline constexpr double kGreatestShearRate = 100;
-inline constexpr double kLongestTime = 1e9;
-inline constexpr std::uint64_t kLargestEnsemble = 10'000;
-inline constexpr double kMostRows = 1'000'000;  ///< of a series
-inline constexpr std::size_t kMostHistograms = 1000;
-inline constexpr int kFewestQuantiles = 2;
-inline constexpr int kMostQuantiles = 1000;
-inline constexpr double kMostUniformBins = 10'000;
-inline constexpr double kGreatestEnergy = 1e6;  ///< where uniform bins end at the most
+inline constexpr std::uint64_t kMinGasParticles = 2;
+inline constexpr std::uint64_t kMaxGasParticles = 100'000'000;
+inline constexpr std::size_t kMaxRestitutions = 64;
+inline constexpr double kMaxFriction = 1000;
+inline constexpr double kMaxEnergyRatio = 1e6;
+inline constexpr double kMaxTimeStep = 1;
+inline constexpr int kMaxPartners = 1000;
+inline constexpr double kMaxShearRate = 100;
+inline constexpr double kMaxTime = 1e9;
+inline constexpr std::uint64_t kMaxEnsemble = 10'000;
+inline constexpr double kMaxRows = 1'000'000;  ///< of a series
+inline constexpr std::size_t kMaxHistograms = 1000;
+inline constexpr int kMinQuantiles = 2;
+inline constexpr int kMaxQuantiles = 1000;
+inline constexpr double kMaxUniformBins = 10'000;
+inline constexpr double kMaxEnergy = 1e6;  ///< where uniform bins end at the most
 
 }  // namespace clca::scene

@@ -6,23 +6,23 @@
 #include <charconv>
 #include <optional>
 
+#include "clca/text/message.hpp"
 #include "scene/document.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-constexpr std::size_t kDeepestPath = 32;
+constexpr std::size_t kMaxPathDepth = 32;
 
 /// The parts of a dotted path.
-std::vector<std::string> split(std::string_view path, const Place& place) {
+std::vector<std::string> split(std::string_view path, const TextLocation& location) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start <= path.size();) {
     const std::size_t dot = std::min(path.find('.', start), path.size());
     parts.emplace_back(path.substr(start, dot - start));
     if (parts.back().empty()) {
-      fail(place, "expected KEY=VALUE with a key like rules.inertia");
+      fail(location, "expected KEY=VALUE with a key like rules.inertia");
     }
     start = dot + 1;
   }
@@ -35,15 +35,16 @@ bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
                         (parts[0] == "species" && parts[2] == "shape"));
 }
 
-Value empty_map(const Place& place) {
+Value empty_map(const TextLocation& location) {
   Value map;
   map.kind = Value::Kind::map;
-  map.place = place;
+  map.location = location;
   return map;
 }
 
 /// The item of a list that `part` means: by number, or by name.
-Value& item(Value& list, const std::string& part, const std::string& path, const Place& place) {
+Value& item(Value& list, const std::string& part, const std::string& path,
+            const TextLocation& location) {
   std::size_t number = 0;
   const char* end = part.data() + part.size();
   const auto [stop, error] = std::from_chars(part.data(), end, number);
@@ -60,57 +61,58 @@ Value& item(Value& list, const std::string& part, const std::string& path, const
       names.push_back(name->text);
     }
   }
-  const std::string called = names.empty() ? "" : ", named " + printable(listed(names));
-  fail(place, fmt::format("{} has no item {}; it has {}, numbered from 0{}{}", path, shown(part),
-                          list.items.size(), called, suggestion(part, names)));
+  const std::string called = names.empty() ? "" : ", named " + text::printable(text::listed(names));
+  fail(location,
+       fmt::format("{} has no item {}; it has {}, numbered from 0{}{}", path, text::shown(part),
+                   list.items.size(), called, text::suggestion(part, names)));
 }
 
 /// The value under `part`; a map gets the key when it has none.
 Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t depth,
-             const Place& place) {
+             const TextLocation& location) {
   const std::string& part = parts[depth];
-  const std::string path = printable(fmt::format(
+  const std::string path = text::printable(fmt::format(
       "{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(depth), ".")));
   if (is_choice(parts, depth) && parent.find(part) == nullptr) {
-    parent = empty_map(place);
+    parent = empty_map(location);
   }
   if (parent.is(Value::Kind::list)) {
-    return item(parent, part, path, place);
+    return item(parent, part, path, location);
   }
   if (parent.is(Value::Kind::nothing)) {
-    parent = empty_map(place);
+    parent = empty_map(location);
   }
   if (parent.is(Value::Kind::scalar)) {
-    fail(place,
+    fail(location,
          fmt::format("{} is {}, nothing lies inside it; set it as a whole", path, found(parent)));
   }
   if (Value* known = parent.find(part)) {
     return *known;
   }
-  parent.entries.push_back({part, place, {}});
-  parent.entries.back().value.place = place;
+  parent.entries.push_back({part, location, {}});
+  parent.entries.back().value.location = location;
   return parent.entries.back().value;
 }
 
 }  // namespace
 
 void apply_override(Value& root, const std::string& text, std::string_view option) {
-  const auto origin =
-      std::make_shared<const Origin>(Origin{fmt::format("{} {}", option, printable(text)), false});
-  const Place place = {origin, 1, 1};
+  const auto origin = std::make_shared<const Origin>(
+      Origin{fmt::format("{} {}", option, text::printable(text)), false});
+  const TextLocation location = {origin, 1, 1};
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    fail(place, "expected KEY=VALUE with a key like rules.inertia");
+    fail(location, "expected KEY=VALUE with a key like rules.inertia");
   }
   const std::string_view whole = text;
-  const std::vector<std::string> parts = split(whole.substr(0, equals), place);
-  if (parts.size() > kDeepestPath) {
-    fail(place, fmt::format("a key of more than {} parts", kDeepestPath));
+  const std::vector<std::string> parts = split(whole.substr(0, equals), location);
+  if (parts.size() > kMaxPathDepth) {
+    fail(location, fmt::format("a key of more than {} parts", kMaxPathDepth));
   }
   Value value = read_document(whole.substr(equals + 1), origin);
   Value* target = &root;
   for (std::size_t depth = 0; depth < parts.size(); ++depth) {
-    target = &child(*target, parts, depth, place);
+    target = &child(*target, parts, depth, location);
   }
   *target = std::move(value);
 }

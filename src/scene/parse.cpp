@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "clca/text/message.hpp"
 #include "clca/text/name.hpp"
 #include "clca/text/read.hpp"
 #include "scene/document.hpp"
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/kind.hpp"
 #include "scene/limits.hpp"
 #include "scene/override.hpp"
 #include "scene/sections.hpp"
 #include "scene/source_text.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
@@ -24,22 +24,22 @@ void check_version(const KeyedMap& fields) {
   const Value& version = fields.at("clca");
   if (!version.is(Value::Kind::scalar) || version.quoted ||
       version.text != std::to_string(kVersion)) {
-    fail(version.place, fmt::format("clca: expected version {} of the format, found {}", kVersion,
-                                    found(version)));
+    fail(version.location, fmt::format("clca: expected version {} of the format, found {}",
+                                       kVersion, found(version)));
   }
 }
 
 /// What the run is called, and its files.
-std::string name_of_file(const std::string& file, const Place& place) {
-  std::string name = printable(std::filesystem::path(file).stem().string());
+std::string name_of_file(const std::string& file, const TextLocation& location) {
+  std::string name = text::printable(std::filesystem::path(file).stem().string());
   if (name.empty()) {
     return "scene";
   }
   if (!text::is_file_name(name)) {
-    fail(place,
+    fail(location,
          fmt::format("the name of the scene file also names the run, so it has up to 200 bytes and "
                      "no dot in front, found {}",
-                     shown(name)));
+                     text::shown(name)));
   }
   return name;
 }
@@ -66,7 +66,7 @@ template <class AScene>
 AScene read_head(const KeyedMap& fields, const std::string& file) {
   check_version(fields);
   AScene scene;
-  scene.name = name_of_file(file, {fields.place().origin, 1, 1});
+  scene.name = name_of_file(file, {fields.location().origin, 1, 1});
   scene.title = scene.name;
   read_into(scene.title, fields, "title", read_title);
   scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
@@ -107,7 +107,7 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
   auto scene = read_head<BoltzmannScene>(fields, file);
   const auto block = std::find_if(root.entries.begin(), root.entries.end(),
                                   [](const Entry& entry) { return entry.key == "boltzmann"; });
-  scene.place = to_string(block->place);
+  scene.location = to_string(block->location);
   read_boltzmann(block->value, scene);
   read_boltzmann_output(fields.find("output"), fields.at("boltzmann"), scene);
   return scene;
@@ -116,18 +116,18 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
 /// The scene where it is one of grains.
 Scene of_grains(AnyScene any) {
   if (const auto* boltzmann = std::get_if<BoltzmannScene>(&any)) {
-    throw SceneError(boltzmann->place +
+    throw SceneError(boltzmann->location +
                      ": error: expected a scene of grains, found one of the Boltzmann equation");
   }
   return std::get<Scene>(std::move(any));
 }
 
-std::string text_of(const std::filesystem::path& file, const Place& place) {
+std::string text_of(const std::filesystem::path& file, const TextLocation& location) {
   try {
-    const auto bytes = text::read_file(file, kMostSceneBytes);
+    const auto bytes = text::read_file(file, kMaxSceneBytes);
     return {bytes.begin(), bytes.end()};
   } catch (const text::ReadError& error) {
-    fail(place, fmt::format("cannot read the file: {}", error.what()));
+    fail(location, fmt::format("cannot read the file: {}", error.what()));
   }
 }
 
@@ -135,11 +135,11 @@ std::string text_of(const std::filesystem::path& file, const Place& place) {
 
 AnyScene parse_any(std::string_view text, const std::string& file,
                    const std::vector<Override>& overrides, const std::vector<Override>& varied) {
-  const auto origin = std::make_shared<const Origin>(Origin{printable(file), true});
+  const auto origin = std::make_shared<const Origin>(Origin{text::printable(file), true});
   Value root = read_document(text, origin);
   if (!root.is(Value::Kind::map)) {
-    fail(root.place, fmt::format("expected a scene, which begins with 'clca: {}', found {}",
-                                 kVersion, found(root)));
+    fail(root.location, fmt::format("expected a scene, which begins with 'clca: {}', found {}",
+                                    kVersion, found(root)));
   }
   for (const Override& text_of_override : overrides) {
     apply_override(root, text_of_override, "--set");
@@ -155,8 +155,8 @@ AnyScene parse_any(std::string_view text, const std::string& file,
 
 AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                         const std::vector<Override>& varied) {
-  const Place start = {std::make_shared<const Origin>(Origin{printable(file.string()), true}), 1,
-                       1};
+  const TextLocation start = {
+      std::make_shared<const Origin>(Origin{text::printable(file.string()), true}), 1, 1};
   return parse_any(text_of(file, start), file.string(), overrides, varied);
 }
 

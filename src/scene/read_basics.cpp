@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "clca/text/message.hpp"
+#include "clca/text/utf8.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
@@ -20,8 +21,8 @@ std::array<automaton::UpdateClass, 3> read_priority(const Value& value, const st
     order[i] = read_choice(items[i], path, kUpdateClassNames);
     if (std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), order[i]) !=
         order.begin() + static_cast<std::ptrdiff_t>(i)) {
-      fail(items[i].place,
-           fmt::format("{}: {} stands there twice; name each class once", path, found(items[i])));
+      fail(items[i].location,
+           fmt::format("{}: {} is named twice; name each class once", path, found(items[i])));
     }
   }
   return order;
@@ -33,25 +34,25 @@ std::string read_title(const Value& value) {
   const std::string& title = read_text(value, "title");
   std::size_t characters = 0;
   for (std::size_t i = 0; i < title.size(); ++characters) {
-    const std::size_t length = character_length(title, i);
-    if (length == 0 || is_control(character_at(title, i, length))) {
-      fail(value.place, "title: expected one line of text, found " + shown(title));
+    const std::size_t length = text::character_length(title, i);
+    if (length == 0 || text::is_control(text::character_at(title, i))) {
+      fail(value.location, "title: expected one line of text, found " + text::shown(title));
     }
     i += length;
   }
-  if (characters == 0 || characters > kLongestTitle) {
-    fail(value.place,
-         fmt::format("title: expected 1 to {} characters, found {}", kLongestTitle, characters));
+  if (characters == 0 || characters > kMaxTitleLength) {
+    fail(value.location,
+         fmt::format("title: expected 1 to {} characters, found {}", kMaxTitleLength, characters));
   }
   return title;
 }
 
 Box read_box(const Value& value) {
   const KeyedMap fields(value, "box", kBoxKeys);
-  return {.width = fields.number("width", 1, kWidest),
-          .height = fields.number("height", 1, kHighest),
+  return {.width = fields.number("width", 1, kMaxBoxWidth),
+          .height = fields.number("height", 1, kMaxBoxHeight),
           .periodic = fields.boolean("periodic", false),
-          .place = to_string(value.place)};
+          .location = to_string(value.location)};
 }
 
 lattice::Lattice lattice_of(const Box& box) {

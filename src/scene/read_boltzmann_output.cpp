@@ -7,7 +7,7 @@
 #include <optional>
 #include <system_error>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -19,10 +19,10 @@ std::vector<double> read_histograms(const Value& value, const std::string& path,
                                     const BoltzmannScene& scene) {
   const double apart = kSameTime * scene.series_every;
   std::vector<double> times;
-  for (const Value& item : read_list(value, path, 0, kMostHistograms)) {
+  for (const Value& item : read_list(value, path, 0, kMaxHistograms)) {
     times.push_back(read_number(item, path, 0, scene.until));
     if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
-      fail(item.place,
+      fail(item.location,
            fmt::format("{}: expected times that ascend by more than {}, found {} after {}", path,
                        apart, times.back(), times[times.size() - 2]));
     }
@@ -38,18 +38,18 @@ std::optional<int> quantiles(const Value& value) {
   const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), count);
   const bool whole = error == std::errc() && stop == number.data() + number.size();
   const bool plain = text.starts_with('q') && !number.starts_with('0') && whole;
-  return plain && count >= kFewestQuantiles && count <= kMostQuantiles ? std::optional(count)
-                                                                       : std::nullopt;
+  return plain && count >= kMinQuantiles && count <= kMaxQuantiles ? std::optional(count)
+                                                                   : std::nullopt;
 }
 
 UniformBins read_uniform_bins(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kUniformBinsKeys);
-  const UniformBins bins = {.width = fields.positive("width", kGreatestEnergy),
-                            .end = fields.positive("end", kGreatestEnergy)};
-  if (bins.width > bins.end || bins.end > kMostUniformBins * bins.width) {
-    fail(fields.at("width").place,
+  const UniformBins bins = {.width = fields.positive("width", kMaxEnergy),
+                            .end = fields.positive("end", kMaxEnergy)};
+  if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
+    fail(fields.at("width").location,
          fmt::format("{}: expected a number from {} to {} for at most {} bins up to {}, found {}",
-                     fields.path("width"), bins.end / kMostUniformBins, bins.end, kMostUniformBins,
+                     fields.path("width"), bins.end / kMaxUniformBins, bins.end, kMaxUniformBins,
                      bins.end, found(fields.at("width"))));
   }
   return bins;
@@ -61,8 +61,9 @@ BinsSpec read_bins(const Value& value, const std::string& path) {
   }
   const std::optional<int> count = quantiles(value);
   if (!count) {
-    fail(value.place, fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}",
-                                  path, kFewestQuantiles, kMostQuantiles, found(value)));
+    fail(value.location,
+         fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}", path,
+                     kMinQuantiles, kMaxQuantiles, found(value)));
   }
   return QuantileBins{*count};
 }
@@ -72,20 +73,21 @@ std::optional<Checkpoints> read_checkpoint(const Value& value, const std::string
     return std::nullopt;
   }
   const KeyedMap fields(value, path, kGasCheckpointKeys);
-  return Checkpoints{.every = {}, .seconds = fields.positive("seconds", kLongestWait)};
+  return Checkpoints{.every = {}, .seconds = fields.positive("seconds", kMaxWait)};
 }
 
 /// `every` is null where it is left to its default.
 void check_rows(const Value* every, const Value& block, const BoltzmannScene& scene) {
-  if (scene.until <= kMostRows * scene.series_every) {
+  if (scene.until <= kMaxRows * scene.series_every) {
     return;
   }
-  const Place& place = every != nullptr ? every->place : block.find("until")->place;
-  fail(place, fmt::format("output.series.every: expected at least {}, as a series has at most {} "
-                          "rows until {}, found {}",
-                          scene.until / kMostRows, kMostRows, scene.until,
-                          every != nullptr ? found(*every)
-                                           : fmt::format("the default {}", scene.series_every)));
+  const TextLocation& location = every != nullptr ? every->location : block.find("until")->location;
+  fail(location,
+       fmt::format(
+           "output.series.every: expected at least {}, as a series has at most {} "
+           "rows until {}, found {}",
+           scene.until / kMaxRows, kMaxRows, scene.until,
+           every != nullptr ? found(*every) : fmt::format("the default {}", scene.series_every)));
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ void read_boltzmann_output(const Value* output, const Value& block, BoltzmannSce
     if (const Value* series = fields.find("series")) {
       const KeyedMap rows(*series, fields.path("series"), kSeriesKeys);
       every = rows.find("every");
-      scene.series_every = rows.positive("every", kLongestTime, scene.series_every);
+      scene.series_every = rows.positive("every", kMaxTime, scene.series_every);
     }
     if (const Value* times = fields.find("histograms")) {
       scene.histograms = read_histograms(*times, fields.path("histograms"), scene);

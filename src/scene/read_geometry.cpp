@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -16,9 +16,9 @@ namespace {
 Eigen::Vector2d read_source_point(const Value& value, const std::string& path, const Box& box) {
   Eigen::Vector2d point = read_point(value, path);
   if (!lattice_of(box).contains(lattice::nearest_site(point))) {
-    fail(value.place, fmt::format("{}: expected a point in the box, {} wide and {} high, found "
-                                  "[{}, {}]",
-                                  path, box.width, box.height, point.x(), point.y()));
+    fail(value.location, fmt::format("{}: expected a point in the box, {} wide and {} high, found "
+                                     "[{}, {}]",
+                                     path, box.width, box.height, point.x(), point.y()));
   }
   return point;
 }
@@ -26,8 +26,9 @@ Eigen::Vector2d read_source_point(const Value& value, const std::string& path, c
 lattice::Rectangle read_source_region(const Value& value, const std::string& path, const Box& box) {
   const lattice::Rectangle region = read_region(value, path, box);
   if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
-    fail(value.place, fmt::format("{}: expected a region in the box, {} wide and {} high, found {}",
-                                  path, box.width, box.height, shown(region)));
+    fail(value.location,
+         fmt::format("{}: expected a region in the box, {} wide and {} high, found {}", path,
+                     box.width, box.height, shown(region)));
   }
   return region;
 }
@@ -36,12 +37,12 @@ std::vector<std::uint32_t> read_weights(const Value& value, const std::string& p
                                         const std::vector<std::string_view>& names) {
   std::vector<std::uint32_t> weights(names.size(), 0);
   for (const Entry& entry : read_map(value, path)) {
-    const std::size_t species = read_reference(entry.key, entry.place, path, "species", names);
+    const std::size_t species = read_reference(entry.key, entry.location, path, "species", names);
     weights[species] = static_cast<std::uint32_t>(
-        read_count(entry.value, join_path(path, entry.key), 0, kHeaviest));
+        read_count(entry.value, join_path(path, entry.key), 0, kMaxSpeciesWeight));
   }
   if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
-    fail(value.place, fmt::format("{}: expected a weight above 0", path));
+    fail(value.location, fmt::format("{}: expected a weight above 0", path));
   }
   return weights;
 }
@@ -60,9 +61,9 @@ Source read_source(const Entry& entry, const Scene& scene) {
   source.weights = weights == nullptr
                        ? std::vector<std::uint32_t>(scene.species.size(), 1)
                        : read_weights(*weights, fields.path("species"), names_of(scene.species));
-  source.rate = fields.number("rate", kLeastRate, kGreatestRate);
+  source.rate = fields.number("rate", kMinRate, kMaxRate);
   if (fields.find("count") != nullptr) {
-    source.count = fields.count("count", 1, kMostParticles);
+    source.count = fields.count("count", 1, kMaxParticles);
   }
   return source;
 }
@@ -75,20 +76,22 @@ std::string shown(const lattice::Rectangle& edges) {
 
 Eigen::Vector2d read_point(const Value& value, const std::string& path) {
   const std::vector<Value>& items = read_list(value, path, 2, 2);
-  return {read_number(items[0], path, -kFarthest, kFarthest),
-          read_number(items[1], path, -kFarthest, kFarthest)};
+  return {read_number(items[0], path, -kMaxCoordinate, kMaxCoordinate),
+          read_number(items[1], path, -kMaxCoordinate, kMaxCoordinate)};
 }
 
 lattice::Rectangle read_rectangle(const Value& value, const std::string& path) {
   const std::vector<Value>& items = read_list(value, path, 4, 4);
   std::array<double, 4> edges = {};
-  std::transform(items.begin(), items.end(), edges.begin(),
-                 [&](const Value& item) { return read_number(item, path, -kFarthest, kFarthest); });
+  std::transform(items.begin(), items.end(), edges.begin(), [&](const Value& item) {
+    return read_number(item, path, -kMaxCoordinate, kMaxCoordinate);
+  });
   const auto [left, bottom, right, top] = edges;
   if (left >= right || bottom >= top) {
-    fail(value.place, fmt::format("{}: expected [left, bottom, right, top] with left < right and "
-                                  "bottom < top, found [{}, {}, {}, {}]",
-                                  path, left, bottom, right, top));
+    fail(value.location,
+         fmt::format("{}: expected [left, bottom, right, top] with left < right and "
+                     "bottom < top, found [{}, {}, {}, {}]",
+                     path, left, bottom, right, top));
   }
   return {left, bottom, right, top};
 }
@@ -113,8 +116,8 @@ bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& re
 lattice::Rectangle read_region(const Value& value, const std::string& path, const Box& box) {
   const lattice::Rectangle region = read_rectangle(value, path);
   if (holds_no_site(lattice_of(box), region)) {
-    fail(value.place, fmt::format("{}: no site of the box, {} wide and {} high, lies in {}", path,
-                                  box.width, box.height, shown(region)));
+    fail(value.location, fmt::format("{}: no site of the box, {} wide and {} high, lies in {}",
+                                     path, box.width, box.height, shown(region)));
   }
   return region;
 }
@@ -133,7 +136,7 @@ std::vector<Outlet> read_outlets(const Value& value, const Scene& scene) {
     const KeyedMap fields(entry.value, join_path("outlets", entry.key), kOutletKeys);
     outlets.push_back({entry.key,
                        read_region(fields.at("region"), fields.path("region"), scene.box),
-                       to_string(fields.at("region").place)});
+                       to_string(fields.at("region").location)});
   }
   return outlets;
 }

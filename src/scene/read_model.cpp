@@ -4,19 +4,19 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "clca/text/message.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
 namespace {
 
 int read_sweeps(const KeyedMap& fields, int otherwise) {
-  const int sweeps = fields.integer("sweeps", kFewestSweeps, kMostSweeps, otherwise);
+  const int sweeps = fields.integer("sweeps", kMinSweeps, kMaxSweeps, otherwise);
   if (sweeps % 2 != 0) {
-    fail(fields.at("sweeps").place,
+    fail(fields.at("sweeps").location,
          fmt::format("{}: expected an even number, as every second sweep goes backwards, found "
                      "'{}'",
                      fields.path("sweeps"), sweeps));
@@ -31,11 +31,11 @@ double read_fall_height(const Value& value, const std::string& path) {
     return 0;
   }
   if (value.text.empty() || value.text.front() < '0' || value.text.front() > '9') {
-    fail(value.place,
-         fmt::format("{}: expected {} or a number above 0 and up to {}, found {}{}", path,
-                     kAutoHeight, kHighestFall, found(value), suggestion(value.text, kWords)));
+    fail(value.location, fmt::format("{}: expected {} or a number above 0 and up to {}, found {}{}",
+                                     path, kAutoHeight, kMaxFallHeight, found(value),
+                                     text::suggestion(value.text, kWords)));
   }
-  return read_positive(value, path, kHighestFall);
+  return read_positive(value, path, kMaxFallHeight);
 }
 
 /// `1 mm` in metres.
@@ -47,15 +47,14 @@ double read_length(const Value& value, const std::string& path) {
   const auto number = to_number(text.substr(0, end));
   for (const Named<double>& unit : kLengthUnits) {
     const double length = number.value_or(0) / unit.value;
-    if (text.substr(unit_begin) == unit.name && length >= kLeastSpacing &&
-        length <= kGreatestSpacing) {
+    if (text.substr(unit_begin) == unit.name && length >= kMinSpacing && length <= kMaxSpacing) {
       return length;
     }
   }
-  fail(value.place,
+  fail(value.location,
        fmt::format("{}: expected a length from {} m to {} m, a number with one of the units {}, as "
                    "in 1 mm, found {}",
-                   path, kLeastSpacing, kGreatestSpacing, fmt::join(words(kLengthUnits), ", "),
+                   path, kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "),
                    found(value)));
 }
 
@@ -65,24 +64,24 @@ Units read_units(const Value& value) {
   const KeyedMap fields(value, "units", kUnitsKeys);
   Units units;
   units.spacing = read_length(fields.at("spacing"), fields.path("spacing"));
-  units.gravity = fields.number("gravity", kLeastRealGravity, kMostRealGravity, units.gravity);
+  units.gravity = fields.number("gravity", kMinRealGravity, kMaxRealGravity, units.gravity);
   return units;
 }
 
 contact::Parameters read_contact(const Value& value) {
   const KeyedMap fields(value, "contact", kContactModelKeys);
   contact::Parameters contact;
-  contact.friction = fields.number("friction", 0, kGreatestContactFriction, contact.friction);
+  contact.friction = fields.number("friction", 0, kMaxContactFriction, contact.friction);
   contact.wall_friction =
-      fields.number("wall_friction", 0, kGreatestContactFriction, contact.wall_friction);
+      fields.number("wall_friction", 0, kMaxContactFriction, contact.wall_friction);
   contact.rolling = fields.choice("rolling", kRollingNames, contact.rolling);
   contact.rolling_friction =
-      fields.number("rolling_friction", 0, kGreatestContactFriction, contact.rolling_friction);
+      fields.number("rolling_friction", 0, kMaxContactFriction, contact.rolling_friction);
   contact.restitution =
-      fields.number("restitution", 0, kGreatestContactRestitution, contact.restitution);
+      fields.number("restitution", 0, kMaxContactRestitution, contact.restitution);
   contact.sweeps = read_sweeps(fields, contact.sweeps);
   contact.resolution =
-      fields.number("resolution", kFinestResolution, kCoarsestResolution, contact.resolution);
+      fields.number("resolution", kMinResolution, kMaxResolution, contact.resolution);
   if (const Value* height = fields.find("fall_height")) {
     contact.fall_height = read_fall_height(*height, fields.path("fall_height"));
   }

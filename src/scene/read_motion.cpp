@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "clca/text/message.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
@@ -15,25 +15,25 @@ namespace {
 
 grains::Drive read_drive(const KeyedMap& fields, const std::string& path) {
   if (fields.find("distance") == nullptr) {
-    fail(fields.place(),
+    fail(fields.location(),
          fmt::format("{}: motion without bound; give distance, or one of wave, shake, path", path));
   }
   fields.at("direction");
-  return {.period = fields.count("period", 1, kMostSteps, 1),
-          .distance = fields.integer("distance", 1, kFarthestOffset)};
+  return {.period = fields.count("period", 1, kMaxSteps, 1),
+          .distance = fields.integer("distance", 1, kMaxOffset)};
 }
 
 grains::Wave read_wave(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kWaveKeys);
   grains::Wave wave;
   wave.form = fields.choice("form", kWaveformNames, wave.form);
-  wave.amplitude = fields.integer("amplitude", 1, kWidestWave);
-  wave.period = fields.count("period", 1, kLongestWave);
+  wave.amplitude = fields.integer("amplitude", 1, kMaxWaveAmplitude);
+  wave.period = fields.count("period", 1, kMaxWavePeriod);
   const bool sine = wave.form == grains::Waveform::sine;
   const std::uint64_t least =
       (sine ? kSineSteps : kTriangleSteps) * static_cast<std::uint64_t>(wave.amplitude);
   if (wave.period < least) {
-    fail(fields.at("period").place,
+    fail(fields.at("period").location,
          fmt::format("{}: expected at least {} steps for a {} of amplitude {}, which moves one "
                      "site a step at most, found '{}'",
                      fields.path("period"), least, name_of(kWaveformNames, wave.form),
@@ -49,26 +49,26 @@ std::optional<std::uint64_t> read_wait(const Value* value, const std::string& pa
     return {};
   }
   if (value->text.empty() || value->text.front() < '0' || value->text.front() > '9') {
-    fail(value->place,
+    fail(value->location,
          fmt::format("{}: expected settled or a whole number from 1 to {}, found {}{}", path,
-                     kMostSteps, found(*value), suggestion(value->text, kSettled)));
+                     kMaxSteps, found(*value), text::suggestion(value->text, kSettled)));
   }
-  return read_count(*value, path, 1, kMostSteps);
+  return read_count(*value, path, 1, kMaxSteps);
 }
 
 grains::Shake read_shake(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kShakeKeys);
   const Value& amplitude = fields.at("amplitude");
   if (amplitude.is(Value::Kind::scalar) && amplitude.text == "0") {
-    fail(amplitude.place,
+    fail(amplitude.location,
          fmt::format("{}: expected a whole number from 1 to {}, found '0'; a shake of 0 does "
                      "nothing",
-                     fields.path("amplitude"), kFarthestOffset));
+                     fields.path("amplitude"), kMaxOffset));
   }
-  grains::Shake shake = {.amplitude = fields.integer("amplitude", 1, kFarthestOffset),
+  grains::Shake shake = {.amplitude = fields.integer("amplitude", 1, kMaxOffset),
                          .wait = read_wait(fields.find("wait"), fields.path("wait"))};
   if (fields.find("period") != nullptr) {
-    shake.period = fields.count("period", 1, kSlowestShake);
+    shake.period = fields.count("period", 1, kMaxShakePeriod);
   }
   return shake;
 }
@@ -84,17 +84,18 @@ bool too_steep(const Point& from, const Point& to) {
 grains::Path read_path(const Value& value, const std::string& path) {
   grains::Path way;
   Point before;
-  for (const Value& item : read_list(value, path, 1, kMostPoints)) {
+  for (const Value& item : read_list(value, path, 1, kMaxPoints)) {
     const std::vector<Value>& pair = read_list(item, path, 2, 2);
-    const Point point = {.step = read_count(pair[0], path, 1, kMostSteps),
-                         .offset = read_int(pair[1], path, -kFarthestOffset, kFarthestOffset)};
+    const Point point = {.step = read_count(pair[0], path, 1, kMaxSteps),
+                         .offset = read_int(pair[1], path, -kMaxOffset, kMaxOffset)};
     if (point.step <= before.step) {
-      fail(pair[0].place,
+      fail(pair[0].location,
            fmt::format("{}: expected a step after {}, found '{}'", path, before.step, point.step));
     }
     if (too_steep(before, point)) {
-      fail(item.place, fmt::format("{}: from [{}, {}] to [{}, {}] is steeper than one site a step",
-                                   path, before.step, before.offset, point.step, point.offset));
+      fail(item.location,
+           fmt::format("{}: from [{}, {}] to [{}, {}] is steeper than one site a step", path,
+                       before.step, before.offset, point.step, point.offset));
     }
     way.points.push_back(point);
     before = point;
@@ -112,7 +113,7 @@ std::string_view program_key(const KeyedMap& fields, const std::string& path) {
     return key == "period" || key == "distance";
   });
   if (!drive && given.size() > 1) {
-    fail(fields.place(),
+    fail(fields.location(),
          fmt::format("{}: expected either distance and period, or one of wave, shake, path, found "
                      "{}",
                      path, fmt::join(given, " and ")));
@@ -122,10 +123,10 @@ std::string_view program_key(const KeyedMap& fields, const std::string& path) {
 
 }  // namespace
 
-grains::Motion read_motion(const Value& value, const std::string& path) {
+grains::WallMotion read_motion(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kMotionKeys);
   const std::string_view key = program_key(fields, path);
-  grains::Motion motion;
+  grains::WallMotion motion;
   motion.direction = fields.choice("direction", kDirectionNames, lattice::Direction::up);
   if (key == "wave") {
     motion.program = read_wave(fields.at(key), fields.path(key));

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 void check_map_or_none(const Value& value, const std::string& path) {
   if (!value.is(Value::Kind::map)) {
-    fail(value.place, fmt::format("{}: expected a map or none, found {}", path, found(value)));
+    fail(value.location, fmt::format("{}: expected a map or none, found {}", path, found(value)));
   }
 }
 
@@ -34,7 +34,7 @@ bool moves_in_cycles(const Scene& scene) {
 void require_overlap(const Value& value, const std::string& path, std::string_view what,
                      const Scene& scene) {
   if (!lets_overlap(scene)) {
-    fail(value.place,
+    fail(value.location,
          fmt::format("{}: no {} without a wall that moves with passive: overlap", path, what));
   }
 }
@@ -48,7 +48,7 @@ void check_drawn(const KeyedMap& fields, const Frames& frames, const Scene& scen
     require_overlap(fields.at("overlay"), fields.path("overlay"), "forces", scene);
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
-    fail(fields.at("overlay").place,
+    fail(fields.at("overlay").location,
          fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake, or "
                      "that turns or shakes the vessel",
                      fields.path("overlay")));
@@ -59,22 +59,22 @@ Frames read_frames(const Value& value, const std::string& path, const Scene& sce
   check_map_or_none(value, path);
   const KeyedMap fields(value, path, kFramesKeys);
   Frames frames;
-  frames.place = to_string(value.place);
-  frames.every = fields.count("every", 1, kMostSteps, frames.every);
-  frames.width = fields.integer("width", kLeastPixels, kMostPixels, frames.width);
-  frames.height = fields.integer("height", kLeastPixels, kMostPixels, frames.height);
+  frames.location = to_string(value.location);
+  frames.every = fields.count("every", 1, kMaxSteps, frames.every);
+  frames.width = fields.integer("width", kMinPixels, kMaxPixels, frames.width);
+  frames.height = fields.integer("height", kMinPixels, kMaxPixels, frames.height);
   frames.color_by = fields.choice("color_by", kColorByNames, frames.color_by);
-  frames.layers = fields.integer("layers", 1, kMostLayers, frames.layers);
+  frames.layers = fields.integer("layers", 1, kMaxLayers, frames.layers);
   if (const Value* view = fields.find("view")) {
     frames.view = read_rectangle(*view, fields.path("view"));
   }
   frames.drawing = fields.choice("drawing", kDrawingNames, frames.drawing);
   frames.supersampling =
-      fields.integer("supersampling", 1, kMostSupersampling, frames.supersampling);
+      fields.integer("supersampling", 1, kMaxSupersampling, frames.supersampling);
   frames.caption = fields.boolean("caption", frames.caption);
   frames.upright = fields.boolean("upright", frames.upright);
   if (fields.find("force_scale") != nullptr) {
-    frames.force_scale = fields.positive("force_scale", kGreatestForceScale);
+    frames.force_scale = fields.positive("force_scale", kMaxForceScale);
   }
   frames.overlay = fields.choice("overlay", kOverlayNames, frames.overlay);
   check_drawn(fields, frames, scene);
@@ -85,7 +85,7 @@ Series read_series(const Value& value, const std::string& path) {
   check_map_or_none(value, path);
   const KeyedMap fields(value, path, kSeriesKeys);
   Series series;
-  series.every = fields.count("every", 1, kMostSteps, series.every);
+  series.every = fields.count("every", 1, kMaxSteps, series.every);
   return series;
 }
 
@@ -93,8 +93,8 @@ Fields read_fields(const Value& value, const std::string& path) {
   check_map_or_none(value, path);
   const KeyedMap map(value, path, kFieldsKeys);
   Fields fields;
-  fields.cell = map.number("cell", 1, kLargestCell, fields.cell);
-  fields.every = map.count("every", 1, kMostSteps, fields.every);
+  fields.cell = map.number("cell", 1, kMaxCellSide, fields.cell);
+  fields.every = map.count("every", 1, kMaxSteps, fields.every);
   return fields;
 }
 
@@ -102,11 +102,11 @@ Contacts read_contacts(const Value& value, const std::string& path, const Scene&
   check_map_or_none(value, path);
   const KeyedMap fields(value, path, kContactsKeys);
   Contacts contacts;
-  contacts.every = fields.count("every", 1, kMostSteps, contacts.every);
+  contacts.every = fields.count("every", 1, kMaxSteps, contacts.every);
   if (scene.model == Model::contact) {
-    contacts.window = fields.count("window", 1, kMostSteps, contacts.window);
+    contacts.window = fields.count("window", 1, kMaxSteps, contacts.window);
     if (contacts.every > contacts.window) {
-      fail(fields.at("every").place,
+      fail(fields.at("every").location,
            fmt::format("{}: expected 1 to {}, the steps of {}, found {}", fields.path("every"),
                        contacts.window, fields.path("window"), contacts.every));
     }
@@ -120,7 +120,7 @@ TrajectoryOutput read_trajectory(const Value& value, const std::string& path) {
   check_map_or_none(value, path);
   const KeyedMap fields(value, path, kTrajectoryKeys);
   TrajectoryOutput trajectory;
-  trajectory.every = fields.count("every", 1, kMostSteps, trajectory.every);
+  trajectory.every = fields.count("every", 1, kMaxSteps, trajectory.every);
   trajectory.contacts = fields.boolean("contacts", trajectory.contacts);
   return trajectory;
 }
@@ -130,13 +130,13 @@ Checkpoints read_steps_and_seconds(const Value& value, const std::string& path) 
   const KeyedMap fields(value, path, kCheckpointKeys);
   Checkpoints checkpoints;
   if (fields.find("every") != nullptr) {
-    checkpoints.every = fields.count("every", 1, kMostSteps);
+    checkpoints.every = fields.count("every", 1, kMaxSteps);
   }
   if (fields.find("seconds") != nullptr) {
-    checkpoints.seconds = fields.positive("seconds", kLongestWait);
+    checkpoints.seconds = fields.positive("seconds", kMaxWait);
   }
   if (!checkpoints.every && !checkpoints.seconds) {
-    fail(value.place, fmt::format("{}: expected every (steps), seconds or both", path));
+    fail(value.location, fmt::format("{}: expected every (steps), seconds or both", path));
   }
   return checkpoints;
 }
@@ -152,7 +152,7 @@ std::vector<Measure> read_measures(const Value& value) {
   for (const Value& item : read_list(value, "measure", 0, kMeasureNames.size())) {
     const Measure measure = read_choice(item, "measure", kMeasureNames);
     if (std::find(measures.begin(), measures.end(), measure) != measures.end()) {
-      fail(item.place, fmt::format("measure: {} is named twice", found(item)));
+      fail(item.location, fmt::format("measure: {} is named twice", found(item)));
     }
     measures.push_back(measure);
   }

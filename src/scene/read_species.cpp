@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -23,10 +23,10 @@ std::vector<lattice::Axial> read_sites(const Value& value, const std::string& pa
   std::map<lattice::Axial, bool> known;
   for (const Value& item : read_list(value, path, least, most)) {
     const std::vector<Value>& pair = read_list(item, path, 2, 2);
-    sites.push_back({read_int(pair[0], path, -kFarthestSite, kFarthestSite),
-                     read_int(pair[1], path, -kFarthestSite, kFarthestSite)});
+    sites.push_back({read_int(pair[0], path, -kMaxSiteCoordinate, kMaxSiteCoordinate),
+                     read_int(pair[1], path, -kMaxSiteCoordinate, kMaxSiteCoordinate)});
     if (!known.emplace(sites.back(), true).second) {
-      fail(item.place,
+      fail(item.location,
            fmt::format("{}: [{}, {}] is named twice", path, sites.back().x, sites.back().q));
     }
   }
@@ -35,8 +35,8 @@ std::vector<lattice::Axial> read_sites(const Value& value, const std::string& pa
 
 RodSpec read_rod(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kRodKeys);
-  return {.radius = fields.integer("radius", 0, kLargestRadius),
-          .length = fields.integer("length", 1, kLongestRod)};
+  return {.radius = fields.integer("radius", 0, kMaxRadius),
+          .length = fields.integer("length", 1, kMaxRodLength)};
 }
 
 ShapeSpec read_spec(const KeyedMap& fields) {
@@ -44,13 +44,13 @@ ShapeSpec read_spec(const KeyedMap& fields) {
   const Value& value = fields.at(key);
   const std::string path = fields.path(key);
   if (key == "hexagon") {
-    return HexagonSpec{read_int(value, path, 0, kLargestRadius)};
+    return HexagonSpec{read_int(value, path, 0, kMaxRadius)};
   }
   if (key == "sites") {
-    return SitesSpec{read_sites(value, path, 1, kMostSites)};
+    return SitesSpec{read_sites(value, path, 1, kMaxSites)};
   }
   if (key == "polygon") {
-    return PolygonSpec{read_sites(value, path, 3, kMostCorners)};
+    return PolygonSpec{read_sites(value, path, 3, kMaxCorners)};
   }
   return read_rod(value, path);
 }
@@ -81,13 +81,13 @@ double doubled_area(const PolygonSpec& spec) {
 }
 
 lattice::Shape build_checked(const ShapeSpec& spec) {
-  const std::string message = fmt::format("expected a shape of at most {} sites", kMostSites);
+  const std::string message = fmt::format("expected a shape of at most {} sites", kMaxSites);
   const auto* polygon = std::get_if<PolygonSpec>(&spec);
-  if (polygon != nullptr && doubled_area(*polygon) > 2.0 * kMostSites) {
+  if (polygon != nullptr && doubled_area(*polygon) > 2.0 * kMaxSites) {
     throw std::invalid_argument(message);  // before the sites are listed, which takes long
   }
   lattice::Shape shape = std::visit([](const auto& one) { return build(one); }, spec);
-  if (shape.size() > kMostSites) {
+  if (shape.size() > kMaxSites) {
     throw std::invalid_argument(message);
   }
   return shape;
@@ -98,17 +98,17 @@ std::vector<int> read_orientations(const Value& value, const std::string& path) 
     return {0, 60, 120, 180, 240, 300};
   }
   if (!value.is(Value::Kind::list)) {
-    fail(value.place,
+    fail(value.location,
          fmt::format("{}: expected any or a list of angles, found {}", path, found(value)));
   }
   std::vector<int> angles;
   for (const Value& item : read_list(value, path, 1, lattice::kDirectionCount)) {
     const int angle = read_int(item, path, 0, 360 - kSixth);
     if (angle % kSixth != 0) {
-      fail(item.place, fmt::format("{}: expected a multiple of 60, found {}", path, angle));
+      fail(item.location, fmt::format("{}: expected a multiple of 60, found {}", path, angle));
     }
     if (std::find(angles.begin(), angles.end(), angle) != angles.end()) {
-      fail(item.place, fmt::format("{}: {} is named twice", path, angle));
+      fail(item.location, fmt::format("{}: {} is named twice", path, angle));
     }
     angles.push_back(angle);
   }
@@ -120,8 +120,8 @@ Color read_color(const Value& value, const std::string& path) {
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!value.is(Value::Kind::scalar) || !hexadecimal) {
-    fail(value.place, fmt::format("{}: expected a colour like \"#3a6ea5\", in quotes, found {}",
-                                  path, found(value)));
+    fail(value.location, fmt::format("{}: expected a colour like \"#3a6ea5\", in quotes, found {}",
+                                     path, found(value)));
   }
   const auto part = [&](std::size_t start) {
     return static_cast<std::uint8_t>(std::stoi(text.substr(start, 2), nullptr, 16));
@@ -129,7 +129,7 @@ Color read_color(const Value& value, const std::string& path) {
   return {part(1), part(3), part(5)};
 }
 
-/// A particle that met itself across the seam would stand in its own way.
+/// A particle that met itself across a periodic boundary would block itself.
 void check_width(const Species& species, const Box& box, const Entry& entry) {
   if (!box.periodic) {
     return;
@@ -139,9 +139,9 @@ void check_width(const Species& species, const Box& box, const Entry& entry) {
     const std::vector<lattice::Axial> sites = species.shape.rotated(degrees / kSixth).sites();
     const int width = sites.back().x - sites.front().x + 1;
     if (width >= columns) {
-      fail(entry.place, fmt::format("{}: {} columns wide at {} degrees, too wide for a periodic "
-                                    "box of {} columns",
-                                    join_path("species", entry.key), width, degrees, columns));
+      fail(entry.location, fmt::format("{}: {} columns wide at {} degrees, too wide for a periodic "
+                                       "box of {} columns",
+                                       join_path("species", entry.key), width, degrees, columns));
     }
   }
 }
@@ -154,7 +154,7 @@ ReadShape read_shape(const Value& value, const std::string& path) {
   try {
     return {spec, build_checked(spec)};
   } catch (const std::invalid_argument& error) {
-    fail(value.place, fmt::format("{}: {}", path, error.what()));
+    fail(value.location, fmt::format("{}: {}", path, error.what()));
   }
 }
 
@@ -174,7 +174,7 @@ std::vector<Species> read_species(const Value& value, const Box& box) {
     all.push_back(std::move(species));
   }
   if (all.empty()) {
-    fail(value.place, "species: expected at least one");
+    fail(value.location, "species: expected at least one");
   }
   return all;
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -17,16 +17,16 @@ Fill read_fill(const Value& value, const std::string& path, const Scene& scene) 
   Fill fill{.method = fields.choice("method", kFillMethodNames, FillMethod::random),
             .region = read_region(fields.at("region"), fields.path("region"), scene.box),
             .counts = std::vector<std::size_t>(scene.species.size(), 0),
-            .place = to_string(value.place)};
+            .location = to_string(value.location)};
   if (fill.method == FillMethod::deposition && scene.rules.gravity != lattice::Direction::down) {
-    fail(fields.at("method").place,
+    fail(fields.at("method").location,
          fmt::format("{}: deposition needs rules.gravity: down", fields.path("method")));
   }
   const std::string counts = fields.path("counts");
   for (const Entry& entry : read_map(fields.at("counts"), counts)) {
     const std::size_t species =
-        read_reference(entry.key, entry.place, counts, "species", names_of(scene.species));
-    fill.counts[species] = read_count(entry.value, join_path(counts, entry.key), 0, kMostParticles);
+        read_reference(entry.key, entry.location, counts, "species", names_of(scene.species));
+    fill.counts[species] = read_count(entry.value, join_path(counts, entry.key), 0, kMaxParticles);
   }
   return fill;
 }
@@ -39,10 +39,10 @@ std::vector<std::size_t> read_references(const Value* value, const std::string& 
   if (value == nullptr) {
     return places;
   }
-  for (const Value& item : read_list(*value, path, 0, kMostThings)) {
-    places.push_back(read_reference(read_text(item, path), item.place, path, kind, names));
+  for (const Value& item : read_list(*value, path, 0, kMaxItems)) {
+    places.push_back(read_reference(read_text(item, path), item.location, path, kind, names));
     if (std::find(places.begin(), places.end() - 1, places.back()) != places.end() - 1) {
-      fail(item.place, fmt::format("{}: {} is named twice", path, found(item)));
+      fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
     }
   }
   return places;
@@ -52,7 +52,7 @@ std::vector<std::size_t> read_references(const Value* value, const std::string& 
 std::string stage_path(const Value& value, std::size_t number) {
   const Value* name = value.find("name");
   return name != nullptr && name->is(Value::Kind::scalar)
-             ? join_path("stages", name->text.substr(0, kLongestName))
+             ? join_path("stages", name->text.substr(0, kMaxNameLength))
              : fmt::format("stages.{}", number);
 }
 
@@ -61,7 +61,7 @@ Stage read_stage(const Value& value, std::size_t number, const Scene& scene) {
   Stage stage;
   const Value& name = fields.at("name");
   stage.name = read_text(name, fields.path("name"));
-  check_name(stage.name, name.place, "stages");
+  check_name(stage.name, name.location, "stages");
   if (const Value* fill = fields.find("fill")) {
     stage.fill = read_fill(*fill, fields.path("fill"), scene);
   }
@@ -72,7 +72,7 @@ Stage read_stage(const Value& value, std::size_t number, const Scene& scene) {
   stage.insert = walls("insert");
   stage.move = walls("move");
   if (const Value* insert = fields.find("insert")) {
-    stage.insert_place = to_string(insert->place);
+    stage.insert_location = to_string(insert->location);
   }
   stage.sources = read_references(fields.find("sources"), fields.path("sources"), "source",
                                   names_of(scene.sources));
@@ -90,7 +90,7 @@ Stage read_stage(const Value& value, std::size_t number, const Scene& scene) {
 
 std::vector<Stage> read_stages(const Value& value, const Scene& scene) {
   std::vector<Stage> stages;
-  for (const Value& item : read_list(value, "stages", 1, kMostThings)) {
+  for (const Value& item : read_list(value, "stages", 1, kMaxItems)) {
     stages.push_back(read_stage(item, stages.size(), scene));
   }
   return stages;

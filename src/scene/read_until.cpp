@@ -5,16 +5,16 @@
 #include <algorithm>
 
 #include "clca/scene/units.hpp"
-#include "scene/fields.hpp"
+#include "clca/text/message.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
-#include "scene/text.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-/// The first wall of the stage that goes to and fro; null where none does.
+/// The first periodic wall of the stage; null if there is none.
 const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   for (const std::size_t wall : stage.move) {
     if (scene.walls[wall].motion && grains::is_cyclic(*scene.walls[wall].motion)) {
@@ -24,7 +24,7 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   return nullptr;
 }
 
-/// What the vessel does without end in the stage; empty where it does nothing such.
+/// The unending motion of the vessel in the stage; empty if there is none.
 std::string_view vessel_cycle(const Stage& stage) {
   if (!vessel_has_cycles(stage)) {
     return {};
@@ -32,10 +32,10 @@ std::string_view vessel_cycle(const Stage& stage) {
   return std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken";
 }
 
-constexpr std::uint64_t kLongestCycle = 10'000'000;  // times kMostSteps fits 64 bits
+constexpr std::uint64_t kMaxCycleLength = 10'000'000;  // times kMaxSteps fits 64 bits
 
-/// Steps that a cycle of the wall takes at the least; 0 where it has none.
-std::uint64_t least_cycle(const Wall& wall) {
+/// Minimum steps of a cycle of the wall; 0 without cycles.
+std::uint64_t min_cycle(const Wall& wall) {
   if (!wall.motion) {
     return 0;
   }
@@ -48,20 +48,20 @@ std::uint64_t least_cycle(const Wall& wall) {
              : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
 }
 
-/// Steps that the end needs at the least; 0 where nothing can be said.
-std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
+/// Minimum steps until the end; 0 if unknown.
+std::uint64_t min_steps(const Stage& stage, const Scene& scene) {
   if (const auto* steps = std::get_if<UntilSteps>(&stage.until)) {
     return steps->steps;
   }
   const auto* cycles = std::get_if<UntilCycles>(&stage.until);
   std::uint64_t longest = 0;
   for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
-    longest = std::max(longest, least_cycle(scene.walls[stage.move[i]]));
+    longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
   }
-  return cycles != nullptr ? cycles->cycles * std::min(longest, kLongestCycle) : 0;
+  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
 }
 
-/// Why particles never come to rest in this stage, whatever the walls do; empty when they do.
+/// Why particles never come to rest in this stage, apart from walls; empty if they do.
 std::string restless(const Stage& stage, const Scene& scene) {
   if (scene.rules.candidates == automaton::Candidates::all) {
     return "with rules.candidates: all";
@@ -80,7 +80,7 @@ std::string restless(const Stage& stage, const Scene& scene) {
   return {};
 }
 
-/// Why a stage until settled would go on for ever, and what to do; empty when it would not.
+/// Why a stage until settled would never end, and a remedy; empty if it ends.
 std::string endless(const Stage& stage, const Scene& scene) {
   if (const Wall* wall = cyclic_wall(stage, scene)) {
     return fmt::format(
@@ -96,24 +96,24 @@ std::string endless(const Stage& stage, const Scene& scene) {
   return reason.empty() ? reason : reason + "; give max_steps";
 }
 
-/// Refuses cycles of a shake that waits for a rest that never comes.
-void check_waits(const Stage& stage, const Scene& scene, const Place& place,
+/// Rejects cycles of a shake that waits for rest that never comes.
+void check_waits(const Stage& stage, const Scene& scene, const TextLocation& location,
                  const std::string& path) {
   const std::string reason = restless(stage, scene);
   for (const std::size_t number : stage.move) {
     const Wall& wall = scene.walls[number];
     const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
     if (shake != nullptr && !shake->wait && !reason.empty()) {
-      fail(place, fmt::format("{}: wall '{}' waits until all is settled, which never comes {}; "
-                              "give its shake a wait in steps, or give max_steps",
-                              path, wall.name, reason));
+      fail(location, fmt::format("{}: wall '{}' waits until all is settled, which never comes {}; "
+                                 "give its shake a wait in steps, or give max_steps",
+                                 path, wall.name, reason));
     }
   }
 }
 
-void refuse_max_steps(const Place& place, const std::string& path, std::uint64_t most,
+void refuse_max_steps(const TextLocation& location, const std::string& path, std::uint64_t most,
                       std::uint64_t least, std::string_view reason) {
-  fail(place, fmt::format("{}: {} is less than the {} steps {}", path, most, least, reason));
+  fail(location, fmt::format("{}: {} is less than the {} steps {}", path, most, least, reason));
 }
 
 }  // namespace
@@ -124,68 +124,71 @@ Until read_until(const Value& value, const std::string& path, const Stage& stage
     constexpr std::array<std::string_view, 1> kSettled = {"settled"};
     if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
       fail(
-          value.place,
+          value.location,
           fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
                       "{{time: T}}, found {}{}",
-                      path, found(value), suggestion(value.text, kSettled)));
+                      path, found(value), text::suggestion(value.text, kSettled)));
     }
     return UntilSettled{};
   }
   const KeyedMap fields(value, path, kUntilKeys);
   const std::string_view key = fields.only({"steps", "discharged", "cycles", "time"});
   if (key == "steps") {
-    return UntilSteps{fields.count(key, 1, kMostSteps)};
+    return UntilSteps{fields.count(key, 1, kMaxSteps)};
   }
   if (key == "cycles") {
     if (cyclic_wall(stage, scene) == nullptr && vessel_cycle(stage).empty()) {
-      fail(value.place, fmt::format("{}: no wall of this stage goes to and fro{}; name one with a "
-                                    "wave or a shake under move",
-                                    path,
-                                    scene.model == Model::contact
-                                        ? ", and its vessel neither turns nor is shaken"
-                                        : ""));
+      fail(
+          value.location,
+          fmt::format(
+              "{}: no wall of this stage goes to and fro{}; name one with a "
+              "wave or a shake under move",
+              path,
+              scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : ""));
     }
-    return UntilCycles{fields.count(key, 1, kMostSteps)};
+    return UntilCycles{fields.count(key, 1, kMaxSteps)};
   }
   if (key == "time") {
     if (scene.model != Model::contact) {
-      fail(value.place, fmt::format("{}: only model contact has times; give steps, or say 'model: "
-                                    "contact'",
-                                    fields.path(key)));
+      fail(value.location,
+           fmt::format("{}: only model contact has times; give steps, or say 'model: "
+                       "contact'",
+                       fields.path(key)));
     }
-    return UntilTime{.time = fields.positive(key, kLongestTime)};
+    return UntilTime{.time = fields.positive(key, kMaxTime)};
   }
   const UntilDischarged discharged = {fields.positive(key, 1)};
   if (scene.outlets.empty()) {
-    fail(value.place, fmt::format("{}: nothing can be discharged, the scene has no outlets", path));
+    fail(value.location,
+         fmt::format("{}: nothing can be discharged, the scene has no outlets", path));
   }
   return discharged;
 }
 
 std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene) {
   const Value* until = fields.find("until");
-  const Place& place = until == nullptr ? fields.place() : until->place;
-  const std::uint64_t least = least_steps(stage, scene);
+  const TextLocation& location = until == nullptr ? fields.location() : until->location;
+  const std::uint64_t least = min_steps(stage, scene);
   const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
   if (const Value* value = fields.find("max_steps")) {
-    const std::uint64_t most = fields.count("max_steps", 1, kMostSteps);
+    const std::uint64_t most = fields.count("max_steps", 1, kMaxSteps);
     if (most < least) {
-      refuse_max_steps(value->place, fields.path("max_steps"), most, least,
+      refuse_max_steps(value->location, fields.path("max_steps"), most, least,
                        cycles ? "that the cycles of until take" : "of until");
     }
     return most;
   }
-  if (least > kMostSteps) {
-    fail(place, fmt::format("{}: the cycles take {} steps; expected at most {}",
-                            fields.path("until"), least, kMostSteps));
+  if (least > kMaxSteps) {
+    fail(location, fmt::format("{}: the cycles take {} steps; expected at most {}",
+                               fields.path("until"), least, kMaxSteps));
   }
   if (std::holds_alternative<UntilSettled>(stage.until)) {
     if (const std::string reason = endless(stage, scene); !reason.empty()) {
-      fail(place, fmt::format("{}: never comes to rest {}", fields.path("until"), reason));
+      fail(location, fmt::format("{}: never comes to rest {}", fields.path("until"), reason));
     }
   }
   if (cycles) {
-    check_waits(stage, scene, place, fields.path("until"));
+    check_waits(stage, scene, location, fields.path("until"));
   }
   return std::max(stage.max_steps, least);
 }
@@ -200,14 +203,15 @@ void count_steps(Scene& scene, const Value& list) {
     const std::string path = join_path("stages", stage.name);
     const Value& value = list.items[number];
     const double steps = steps_until(until->time, *conversion(scene));
-    if (steps > static_cast<double>(kMostSteps)) {
-      fail(value.find("until")->place, fmt::format("{}: it takes {:.3g} steps; expected at most {}",
-                                                   join_path(path, "until"), steps, kMostSteps));
+    if (steps > static_cast<double>(kMaxSteps)) {
+      fail(value.find("until")->location,
+           fmt::format("{}: it takes {:.3g} steps; expected at most {}", join_path(path, "until"),
+                       steps, kMaxSteps));
     }
     until->steps = static_cast<std::uint64_t>(steps);
     const Value* max_steps = value.find("max_steps");
     if (max_steps != nullptr && stage.max_steps < until->steps) {
-      refuse_max_steps(max_steps->place, join_path(path, "max_steps"), stage.max_steps,
+      refuse_max_steps(max_steps->location, join_path(path, "max_steps"), stage.max_steps,
                        until->steps, "of until");
     }
     stage.max_steps = std::max(stage.max_steps, until->steps);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "clca/contact/vessel.hpp"
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -14,24 +14,25 @@ namespace {
 /// An angle, or a map with the angle and how fast it is reached.
 Tilt read_tilt(const Value& value, const std::string& path) {
   if (!value.is(Value::Kind::map)) {
-    return {.to = read_number(value, path, -kGreatestTilt, kGreatestTilt), .rate = {}};
+    return {.to = read_number(value, path, -kMaxTilt, kMaxTilt), .rate = {}};
   }
   const KeyedMap fields(value, path, kTiltKeys);
-  return {.to = fields.number("to", -kGreatestTilt, kGreatestTilt),
-          .rate = fields.positive("rate", kGreatestVesselRate)};
+  return {.to = fields.number("to", -kMaxTilt, kMaxTilt),
+          .rate = fields.positive("rate", kMaxVesselRate)};
 }
 
 Rotate read_rotate(const Value& value, const std::string& path, const Box& box) {
   const KeyedMap fields(value, path, kRotateKeys);
   if (box.periodic) {
-    fail(value.place, fmt::format("{}: a periodic box has no centre to turn about; say 'periodic: "
-                                  "false'",
-                                  path));
+    fail(value.location,
+         fmt::format("{}: a periodic box has no centre to turn about; say 'periodic: "
+                     "false'",
+                     path));
   }
   Rotate rotate;
-  rotate.rate = fields.number("rate", -kGreatestVesselRate, kGreatestVesselRate);
+  rotate.rate = fields.number("rate", -kMaxVesselRate, kMaxVesselRate);
   if (rotate.rate == 0) {
-    fail(fields.at("rate").place,
+    fail(fields.at("rate").location,
          fmt::format("{}: expected a rate other than 0", fields.path("rate")));
   }
   if (const Value* centre = fields.find("centre")) {
@@ -42,8 +43,8 @@ Rotate read_rotate(const Value& value, const std::string& path, const Box& box) 
 
 VesselShake read_vessel_shake(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kVesselShakeKeys);
-  return {.gamma = fields.positive("gamma", kGreatestGamma),
-          .amplitude = fields.positive("amplitude", kWidestShake),
+  return {.gamma = fields.positive("gamma", kMaxGamma),
+          .amplitude = fields.positive("amplitude", kMaxShakeAmplitude),
           .sideways = fields.choice("direction", kShakeDirectionNames, false)};
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/fields.hpp"
+#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
@@ -12,7 +12,7 @@ namespace clca::scene {
 
 namespace {
 
-/// The part of the segment, from 0 to 1, that lies in the rectangle; low > high when none does.
+/// Parameter range (0 to 1) of the segment inside the rectangle; low > high if none.
 std::pair<double, double> clipped(const lattice::Segment& segment,
                                   const lattice::Rectangle& rectangle) {
   double low = 0;
@@ -33,8 +33,8 @@ std::pair<double, double> clipped(const lattice::Segment& segment,
 }
 
 bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
-  // Further inside than two spacings there is a site beside every point; this spares counting all
-  // sites of a long wall.
+  // More than two spacings inside, every point has a nearby site; this avoids counting the sites of
+  // long walls.
   const lattice::Rectangle inside = {2, 2, lattice::kColumnPitch * lattice.columns() - 3,
                                      lattice.rows() - 3.0};
   const auto [low, high] = clipped(segment, inside);
@@ -51,9 +51,9 @@ lattice::Segment read_line(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kLineKeys);
   lattice::Segment segment = {.from = read_point(fields.at("from"), fields.path("from")),
                               .to = read_point(fields.at("to"), fields.path("to")),
-                              .thickness = fields.number("thickness", 0, kThickest, 1)};
+                              .thickness = fields.number("thickness", 0, kMaxThickness, 1)};
   if (segment.from == segment.to) {
-    fail(fields.at("to").place, fmt::format("{}: from and to are the same point", path));
+    fail(fields.at("to").location, fmt::format("{}: from and to are the same point", path));
   }
   return segment;
 }
@@ -61,24 +61,25 @@ lattice::Segment read_line(const Value& value, const std::string& path) {
 lattice::Disc read_disc(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kDiscKeys);
   return {.centre = read_point(fields.at("centre"), fields.path("centre")),
-          .radius = fields.positive("radius", kFarthest)};
+          .radius = fields.positive("radius", kMaxCoordinate)};
 }
 
 lattice::Ring read_ring(const KeyedMap& fields) {
   return {.centre = read_point(fields.at("centre"), fields.path("centre")),
-          .radius = fields.positive("radius", kFarthest),
-          .thickness = fields.number("thickness", kThinnestRing, kThickest, 1)};
+          .radius = fields.positive("radius", kMaxCoordinate),
+          .thickness = fields.number("thickness", kMinRingThickness, kMaxThickness, 1)};
 }
 
 lattice::Arc read_arc(const Value& value, const std::string& path) {
   const KeyedMap fields(value, path, kArcKeys);
   lattice::Arc arc = {.ring = read_ring(fields),
-                      .from = fields.number("from", -kFarthestAngle, kFarthestAngle),
-                      .to = fields.number("to", -kFarthestAngle, kFarthestAngle)};
+                      .from = fields.number("from", -kMaxAngle, kMaxAngle),
+                      .to = fields.number("to", -kMaxAngle, kMaxAngle)};
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
-    fail(value.place, fmt::format("{}: expected from < to, less than 360 degrees apart, found {} "
-                                  "to {}; a whole circle is a ring",
-                                  path, arc.from, arc.to));
+    fail(value.location,
+         fmt::format("{}: expected from < to, less than 360 degrees apart, found {} "
+                     "to {}; a whole circle is a ring",
+                     path, arc.from, arc.to));
   }
   return arc;
 }
@@ -110,8 +111,8 @@ WallPart read_part(const KeyedMap& fields, std::string_view key, const Box& box,
   const lattice::Lattice lattice = lattice_of(box);
   const auto empty = [&](const auto& form) { return covers_no_site(lattice, form); };
   if (!moves && std::visit(empty, part)) {
-    fail(value.place, fmt::format("{}: no site of the box, {} wide and {} high, lies on it", path,
-                                  box.width, box.height));
+    fail(value.location, fmt::format("{}: no site of the box, {} wide and {} high, lies on it",
+                                     path, box.width, box.height));
   }
   return part;
 }
@@ -123,7 +124,7 @@ std::vector<WallPart> read_parts(const KeyedMap& fields, const Box& box, bool mo
   }
   std::vector<WallPart> parts;
   const std::string path = fields.path(key);
-  for (const Value& item : read_list(fields.at(key), path, 1, kMostThings)) {
+  for (const Value& item : read_list(fields.at(key), path, 1, kMaxItems)) {
     const KeyedMap part(item, join_path(path, std::to_string(parts.size())), kPartKeys);
     parts.push_back(read_part(part, part.only({"box", "line", "disc", "ring", "arc"}), box, moves));
   }
@@ -135,17 +136,17 @@ Wall read_wall(const Entry& entry, const Box& box) {
   const Value* motion = fields.find("motion");
   const Value* passive = fields.find("passive");
   Wall wall{.name = entry.key, .parts = read_parts(fields, box, motion != nullptr)};
-  wall.place = to_string(entry.value.place);
+  wall.location = to_string(entry.value.location);
   if (motion != nullptr) {
     wall.motion = read_motion(*motion, fields.path("motion"));
   } else if (passive != nullptr) {
-    fail(passive->place,
+    fail(passive->location,
          fmt::format("{}: only a wall that moves has it; give the wall a motion, or leave it out",
                      fields.path("passive")));
   }
   wall.passive = fields.choice("passive", kPassiveNames, wall.passive);
   if (fields.find("friction") != nullptr) {
-    wall.friction = fields.number("friction", 0, kGreatestContactFriction);
+    wall.friction = fields.number("friction", 0, kMaxContactFriction);
   }
   return wall;
 }

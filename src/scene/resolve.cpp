@@ -96,10 +96,10 @@ std::string until(const UntilTime& end) {
   return fmt::format("{{time: {}}}", end.time);
 }
 
-template <class Thing>
+template <class Item>
 std::string references(std::string_view key, const std::vector<std::size_t>& places,
-                       const std::vector<Thing>& things) {
-  const auto text = [&](std::size_t place) { return name(things[place].name); };
+                       const std::vector<Item>& things) {
+  const auto text = [&](std::size_t index) { return name(things[index].name); };
   return places.empty() ? "" : fmt::format("    {}: {}\n", key, list(places, text));
 }
 
@@ -180,10 +180,10 @@ std::string output_block(const Output& output, Model model) {
 }
 
 /// `title:` and a line or block for each thing; nothing when there is none.
-template <class Thing, class Text>
-std::string section(std::string_view title, const std::vector<Thing>& things, Text text) {
+template <class Item, class Text>
+std::string section(std::string_view title, const std::vector<Item>& things, Text text) {
   std::string result = things.empty() ? "" : fmt::format("\n{}:\n", title);
-  for (const Thing& thing : things) {
+  for (const Item& thing : things) {
     result += text(thing);
   }
   return result;

@@ -24,8 +24,8 @@ std::string rectangle(const lattice::Rectangle& edges) {
   return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
 }
 
-std::string point(const Eigen::Vector2d& place) {
-  return fmt::format("[{}, {}]", place.x(), place.y());
+std::string point(const Eigen::Vector2d& location) {
+  return fmt::format("[{}, {}]", location.x(), location.y());
 }
 
 std::string checkpoint_text(const std::optional<Checkpoints>& checkpoints) {

@@ -16,7 +16,7 @@ std::string quoted(std::string_view text);
 std::string name(std::string_view text);
 
 std::string rectangle(const lattice::Rectangle& edges);
-std::string point(const Eigen::Vector2d& place);
+std::string point(const Eigen::Vector2d& location);
 
 /// `  NAME: {...}` and a line end.
 std::string wall_line(const Wall& wall);

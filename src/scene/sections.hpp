@@ -1,5 +1,5 @@
 #pragma once
-// The parts of a scene, each from its value in the tree. All throw SceneError.
+// Parsers for the parts of a scene. All throw SceneError.
 
 #include "clca/lattice/lattice.hpp"
 #include "clca/scene/boltzmann.hpp"
@@ -34,9 +34,9 @@ Eigen::Vector2d read_point(const Value& value, const std::string& path);
 /// True when no site of the lattice lies in the rectangle; costs nothing.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 
-grains::Motion read_motion(const Value& value, const std::string& path);
+grains::WallMotion read_motion(const Value& value, const std::string& path);
 
-// These take the scene as far as it has been read: its box and whatever they refer to by name.
+// These take the part of the scene parsed so far: its box and all names referred to.
 std::vector<Wall> read_walls(const Value& value, const Scene& scene);
 std::vector<Source> read_sources(const Value& value, const Scene& scene);
 std::vector<Outlet> read_outlets(const Value& value, const Scene& scene);
@@ -48,8 +48,7 @@ class KeyedMap;
 /// The end of a stage that has been read as far as what it moves.
 Until read_until(const Value& value, const std::string& path, const Stage& stage,
                  const Scene& scene);
-/// The bound on the steps of a stage that has been read so far, and whether the end that it waits
-/// for can come at all.
+/// The maximum steps of a stage parsed so far; rejects ends that can never come.
 std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene);
 
 /// The steps of stages until a time, once all that the time step follows from has been read.
@@ -69,16 +68,14 @@ void read_boltzmann_output(const Value* output, const Value& block, BoltzmannSce
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
 void check_history(const Scene& scene, const Value& list);
-/// What the model has and can do, of a scene that has been read as far as its walls. It comes
-/// before what stages and output need, so that nobody is told to add what the model cannot do.
+/// Checks what the model supports, for a scene parsed up to its walls; before stages and output, so
+/// that no message asks for something unsupported.
 void check_model(const Scene& scene, const Value& root);
-/// Of the contact model: resolution and fall height, which may follow from the stages, and the
-/// vessels of these.
+/// Contact model: resolution, fall height (which may depend on stages) and vessels.
 void check_time_step(const Scene& scene, const Value& root);
-/// Forces between sleepers stay as they were when these fell asleep: a scene must not ask for them.
+/// Forces between sleeping grains are not updated, so a scene must not request them.
 void check_sleeping(const Scene& scene, const Value& root);
-/// What concerns the scene as a whole: every species, source and motion is used, there are
-/// particles.
+/// Checks the scene as a whole: every species, source and motion is used, and there are particles.
 void check_use(const Scene& scene, const Value& root);
 
 }  // namespace clca::scene

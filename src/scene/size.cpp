@@ -1,16 +1,16 @@
-// What a scene will need, from above.
+// Upper estimates of the memory of a scene.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "automaton/claims.hpp"
+#include "clca/automaton/automaton.hpp"
 #include "clca/contact/force.hpp"
-#include "clca/grains/occupancy.hpp"
 #include "clca/scene/resolve.hpp"
+#include "grains/internal/occupancy_table.hpp"
 #include "scene/sections.hpp"
-#include "scene/sweep.hpp"
+#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 
@@ -66,15 +66,15 @@ double emitted(const Scene& scene, std::size_t source) {
   return count ? std::min(most, static_cast<double>(*count)) : most;
 }
 
-/// Sites of the catchment in the rectangle, from above.
-double most_sites(const lattice::Catchment& catchment, const lattice::Rectangle& rectangle) {
+/// Sites of the swept region in the rectangle, from above.
+double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
   const auto share = [](double low, double high, double first, double end) {
     return std::clamp(high, first, end) - std::clamp(low, first, end);
   };
   const double columns =
       share(rectangle.left / lattice::kColumnPitch - 1, rectangle.right / lattice::kColumnPitch + 1,
-            catchment.first_column(), catchment.end_column());
-  const lattice::Rows rows = catchment.all_rows();
+            swept_region.first_column(), swept_region.end_column());
+  const lattice::RowRange rows = swept_region.all_rows();
   return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
 }
 
@@ -96,11 +96,11 @@ double area(const lattice::Arc& arc) {
 }
 
 /// From above: by the area, or by the rectangle around it.
-double part_sites(const lattice::Catchment& catchment, const WallPart& part) {
+double part_sites(const lattice::SweptRegion& swept_region, const WallPart& part) {
   return std::visit(
       [&](const auto& form) {
         return std::min(area(form) / lattice::kColumnPitch,
-                        most_sites(catchment, lattice::around(form)));
+                        max_sites(swept_region, lattice::around(form)));
       },
       part);
 }
@@ -109,24 +109,25 @@ double part_sites(const lattice::Catchment& catchment, const WallPart& part) {
 double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   const double columns = lattice.columns();
   const double rows = lattice.rows();
-  const grains::Range range = wall.motion ? grains::range_of(*wall.motion) : grains::Range{};
+  const grains::OffsetRange range =
+      wall.motion ? grains::range_of(*wall.motion) : grains::OffsetRange{};
   const double all = columns * rows + (range.high - range.low) * (columns + rows + 1);
   double sum = 0;
   for (const WallPart& part : wall.parts) {
-    sum += std::min(all, part_sites(catchment_of(lattice, wall), part));
+    sum += std::min(all, part_sites(swept_region_of(lattice, wall), part));
   }
   return sum;
 }
 
 /// The list of places that the largest fill tries.
 double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
-  const lattice::Catchment box(lattice);
+  const lattice::SweptRegion box(lattice);
   double most = 0;
   for (const Stage& stage : scene.stages) {
     const bool tries = stage.fill && stage.fill->method == FillMethod::random;
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
-      const double places = stage.fill->counts[i] > 0 ? most_sites(box, stage.fill->region) : 0;
+      const double places = stage.fill->counts[i] > 0 ? max_sites(box, stage.fill->region) : 0;
       most = std::max(most, places * (sizeof(lattice::Site) + kTrialBytes * kinds));
     }
   }
@@ -182,9 +183,9 @@ Size size_of(const Scene& scene) {
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == grains::Passive::overlap;
   });
-  double bytes = grains::Occupancy::bytes_for(places, overlaps) +
-                 automaton::Claims::bytes_for(places) + kParticleBytes * particles +
-                 kAwakeBytes * awake + fill_bytes(scene, lattice) + picture_bytes(scene.output) +
+  double bytes = grains::OccupancyTable::bytes_for(places, overlaps) +
+                 automaton::step_bytes(places) + kParticleBytes * particles + kAwakeBytes * awake +
+                 fill_bytes(scene, lattice) + picture_bytes(scene.output) +
                  trajectory_bytes(scene, particles);
   if (scene.model == Model::contact) {
     bytes += (kContactGrainBytes + kForceWindowBytes * force_windows(scene)) * particles;

@@ -1,4 +1,4 @@
-// What a scene of the Boltzmann equation will need, from above.
+// Upper estimates of the memory of a Boltzmann scene.
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,12 @@ constexpr double kSavedCopies = 3;
 
 }  // namespace
 
-double lasting_bytes(const BoltzmannScene& scene) {
-  constexpr double kMostBytes = 1024.0 * 1024 * 1024;
+double retained_gas_bytes(const BoltzmannScene& scene) {
+  constexpr double kMaxBytes = 1024.0 * 1024 * 1024;
   const double bytes = kMotionBytes * static_cast<double>(scene.particles) *
                        static_cast<double>(scene.ensemble) *
                        static_cast<double>(scene.restitutions.size());
-  return scene.checkpoint && bytes <= kMostBytes ? bytes : 0;
+  return scene.checkpoint && bytes <= kMaxBytes ? bytes : 0;
 }
 
 double bytes_of(const BoltzmannScene& scene, int threads) {
@@ -64,7 +64,7 @@ double bytes_of(const BoltzmannScene& scene, int threads) {
   per_particle =
       scene.checkpoint ? per_particle + saved : std::max(per_particle, saved + kMotionBytes);
   return members * per_particle * static_cast<double>(scene.particles) +
-         (1 + kSavedCopies) * lasting_bytes(scene) + table_bytes(scene);
+         (1 + kSavedCopies) * retained_gas_bytes(scene) + table_bytes(scene);
 }
 
 }  // namespace clca::scene

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "clca/scene/parse.hpp"
-#include "scene/text.hpp"
+#include "clca/text/message.hpp"
+#include "clca/text/utf8.hpp"
 
 namespace clca::scene {
 
@@ -23,8 +24,8 @@ std::size_t count_characters(std::string_view text) {
 
 SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
     : text_(text), origin_(std::move(origin)) {
-  if (text_.size() > kMostSceneBytes) {
-    fail({origin_, 1, 1}, fmt::format("the text is larger than {} MiB", kMostSceneBytes >> 20U));
+  if (text_.size() > kMaxSceneBytes) {
+    fail({origin_, 1, 1}, fmt::format("the text is larger than {} MiB", kMaxSceneBytes >> 20U));
   }
   characters_ = {0};
   for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
@@ -40,7 +41,7 @@ SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> orig
   check_brackets();
 }
 
-Place SourceText::place(std::size_t position) const {
+TextLocation SourceText::location(std::size_t position) const {
   const std::size_t end = std::min(position, text_.size());
   const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), end);
   const auto line = static_cast<std::size_t>(next - line_starts_.begin());
@@ -55,27 +56,27 @@ std::size_t SourceText::characters_before(std::size_t position) const {
 
 void SourceText::check_character(std::size_t position, std::size_t length) const {
   if (length == 0) {
-    fail(place(position), fmt::format("the byte 0x{:02x} is not UTF-8 text",
-                                      static_cast<unsigned char>(text_[position])));
+    fail(location(position), fmt::format("the byte 0x{:02x} is not UTF-8 text",
+                                         static_cast<unsigned char>(text_[position])));
   }
-  const char32_t character = character_at(text_, position, length);
+  const char32_t character = text::character_at(text_, position);
   if (position == 0 && character == 0xFEFF) {
-    fail(place(0), "a byte order mark; save the file as UTF-8 without it");
+    fail(location(0), "a byte order mark; save the file as UTF-8 without it");
   }
   const bool line_end = text_.substr(position, 2) == "\r\n";
-  if (is_control(character) && character != '\n' && character != '\t' && !line_end) {
-    fail(place(position), fmt::format("the control character U+{:04X} is not allowed",
-                                      static_cast<unsigned>(character)));
+  if (text::is_control(character) && character != '\n' && character != '\t' && !line_end) {
+    fail(location(position), fmt::format("the control character U+{:04X} is not allowed",
+                                         static_cast<unsigned>(character)));
   }
 }
 
 void SourceText::check_characters() const {
   bool comment = false;
   for (std::size_t i = 0; i < text_.size();) {
-    const std::size_t length = character_length(text_, i);
+    const std::size_t length = text::character_length(text_, i);
     check_character(i, length);
     if (text_[i] == '\t' && !comment) {
-      fail(place(i), "a tab; indent and align with spaces");
+      fail(location(i), "a tab; indent and align with spaces");
     }
     comment = text_[i] != '\n' && (comment || text_[i] == '#');
     i += length;
@@ -86,7 +87,7 @@ void SourceText::check_directives() const {
   for (const std::size_t start : line_starts_) {
     const std::string_view rest = text_.substr(start);
     if (rest.starts_with('%')) {
-      fail(place(start), "YAML directives ('%') are not part of the format");
+      fail(location(start), "YAML directives ('%') are not part of the format");
     }
     const std::size_t first = std::min(rest.find_first_not_of(" \r"), rest.size());
     if (first < rest.size() && rest[first] != '\n' && rest[first] != '#') {
@@ -110,8 +111,8 @@ void SourceText::check_brackets() const {
       before = letter;
     } else if (letter != ' ' && letter != '\r') {
       const bool opens = letter == '[' || letter == '{';
-      if (opens && begins && ++depth > kDeepest) {
-        fail(place(i), fmt::format("nested deeper than {} levels", kDeepest));
+      if (opens && begins && ++depth > kMaxDepth) {
+        fail(location(i), fmt::format("nested deeper than {} levels", kMaxDepth));
       }
       depth -= (letter == ']' || letter == '}') && depth > 0 ? 1 : 0;
       before = opens && !begins ? 'a' : letter;  // in the middle of a text it is a letter

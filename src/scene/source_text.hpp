@@ -1,5 +1,5 @@
 #pragma once
-// The characters of a scene, before YAML: what may stand there at all, and on which line.
+// The text of a scene before YAML parsing: allowed characters and line numbers.
 
 #include <memory>
 #include <string_view>
@@ -9,19 +9,19 @@
 
 namespace clca::scene {
 
-/// Of lists and maps inside each other.
-inline constexpr std::size_t kDeepest = 32;
+/// Maximum nesting of lists and maps.
+inline constexpr std::size_t kMaxDepth = 32;
 
 class SourceText {
  public:
   /// Throws SceneError unless the text is UTF-8 without control characters, tabs (comments may
-  /// hold some), byte order mark and YAML directives, not larger than kMostSceneBytes and not with
-  /// more than kDeepest brackets inside each other.
+  /// hold some), byte order mark and YAML directives, not larger than kMaxSceneBytes and not with
+  /// more than kMaxDepth brackets inside each other.
   SourceText(std::string_view text, std::shared_ptr<const Origin> origin);
 
   std::string_view text() const { return text_; }
-  /// The place of the byte at `position`.
-  Place place(std::size_t position) const;
+  /// The location of the byte at `position`.
+  TextLocation location(std::size_t position) const;
 
  private:
   std::size_t characters_before(std::size_t position) const;

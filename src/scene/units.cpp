@@ -11,9 +11,9 @@
 namespace clca::scene {
 
 std::string Conversion::time_text(std::uint64_t steps) const {
-  constexpr int kMostDecimals = 12;
+  constexpr int kMaxDecimals = 12;
   int decimals = 0;
-  for (double least = time_step; least < 1 && decimals < kMostDecimals; least *= 10) {
+  for (double least = time_step; least < 1 && decimals < kMaxDecimals; least *= 10) {
     ++decimals;
   }
   return fmt::format("{:.{}f} {}", time(steps), decimals, time_unit);

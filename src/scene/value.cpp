@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "clca/scene/parse.hpp"
-#include "scene/text.hpp"
+#include "clca/text/message.hpp"
 
 namespace clca::scene {
 
-std::string to_string(const Place& place) {
-  const Origin& origin = *place.origin;
-  return origin.has_lines ? fmt::format("{}:{}:{}", origin.label, place.line, place.column)
+std::string to_string(const TextLocation& location) {
+  const Origin& origin = *location.origin;
+  return origin.has_lines ? fmt::format("{}:{}:{}", origin.label, location.line, location.column)
                           : origin.label;
 }
 
-void fail(const Place& place, std::string_view message) {
-  throw SceneError(fmt::format("{}: error: {}", to_string(place), message));
+void fail(const TextLocation& location, std::string_view message) {
+  throw SceneError(fmt::format("{}: error: {}", to_string(location), message));
 }
 
 const Value* Value::find(std::string_view key) const {
@@ -41,7 +41,7 @@ std::string found(const Value& value) {
     case Value::Kind::scalar:
       break;
   }
-  return shown(value.text) + (value.quoted ? " in quotes" : "");
+  return text::shown(value.text) + (value.quoted ? " in quotes" : "");
 }
 
 }  // namespace clca::scene

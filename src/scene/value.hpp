@@ -1,5 +1,5 @@
 #pragma once
-// YAML text as a tree in which everything knows its place.
+// YAML as a tree of values with their text locations.
 
 #include <memory>
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace clca::scene {
 
-/// Where text comes from: a file, or a `--set` of the command line.
+/// Source of text: a file, or a `--set` option.
 struct Origin {
   std::string label;  ///< printable
   bool has_lines = true;
 };
 
 /// Lines and columns from 1; columns count characters.
-struct Place {
+struct TextLocation {
   std::shared_ptr<const Origin> origin;
   std::size_t line = 1;
   std::size_t column = 1;
 };
 
 /// `FILE:LINE:COLUMN`, or `--set KEY=VALUE`.
-std::string to_string(const Place& place);
+std::string to_string(const TextLocation& location);
 
 /// Throws SceneError: `FILE:LINE:COLUMN: error: MESSAGE`.
-[[noreturn]] void fail(const Place& place, std::string_view message);
+[[noreturn]] void fail(const TextLocation& location, std::string_view message);
 
 struct Entry;
 
@@ -34,7 +34,7 @@ struct Value {
 
   Kind kind = Kind::nothing;
   bool quoted = false;
-  Place place;
+  TextLocation location;
   std::string text;            ///< of a scalar
   std::vector<Value> items;    ///< of a list
   std::vector<Entry> entries;  ///< of a map, in the order of the text
@@ -47,7 +47,7 @@ struct Value {
 
 struct Entry {
   std::string key;
-  Place place;
+  TextLocation location;
   Value value;
 };
 

@@ -3,37 +3,37 @@
 #include <algorithm>
 
 #include "clca/lattice/region.hpp"
-#include "scene/sweep.hpp"
+#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-std::vector<lattice::Site> sites_of(const lattice::Catchment& catchment,
+std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region,
                                     const lattice::Segment& segment) {
-  return lattice::sites_along(catchment, segment);
+  return lattice::sites_along(swept_region, segment);
 }
 template <class Form>
-std::vector<lattice::Site> sites_of(const lattice::Catchment& catchment, const Form& form) {
-  return lattice::sites_in(catchment, form);
+std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region, const Form& form) {
+  return lattice::sites_in(swept_region, form);
 }
 
 }  // namespace
 
-lattice::Catchment catchment_of(const lattice::Lattice& lattice, const Wall& wall) {
+lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall) {
   if (!wall.motion) {
-    return lattice::Catchment(lattice);
+    return lattice::SweptRegion(lattice);
   }
-  const grains::Range range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::range_of(*wall.motion);
   return {lattice, wall.motion->direction, range.low, range.high};
 }
 
 std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wall& wall) {
-  const lattice::Catchment catchment = catchment_of(lattice, wall);
+  const lattice::SweptRegion swept_region = swept_region_of(lattice, wall);
   std::vector<lattice::Site> sites;
   for (const WallPart& part : wall.parts) {
     const std::vector<lattice::Site> more =
-        std::visit([&](const auto& form) { return sites_of(catchment, form); }, part);
+        std::visit([&](const auto& form) { return sites_of(swept_region, form); }, part);
     sites.insert(sites.end(), more.begin(), more.end());
   }
   if (wall.parts.size() > 1) {
@@ -43,7 +43,7 @@ std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wal
   return sites;
 }
 
-std::vector<bool> walls_there_first(const Scene& scene) {
+std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
   std::vector<bool> known(scene.walls.size(), false);
   const auto note = [&](const std::vector<std::size_t>& walls, bool before) {
@@ -59,8 +59,8 @@ std::vector<bool> walls_there_first(const Scene& scene) {
   return there;
 }
 
-std::vector<std::vector<bool>> walls_there(const Scene& scene) {
-  std::vector<bool> there = walls_there_first(scene);
+std::vector<std::vector<bool>> walls_present_by_stage(const Scene& scene) {
+  std::vector<bool> there = walls_present_at_start(scene);
   std::vector<std::vector<bool>> all;
   for (const Stage& stage : scene.stages) {
     for (const std::size_t wall : stage.remove) {

@@ -25,7 +25,7 @@ bool rename_without_replacing(int folder, const std::string& from, const std::st
   if (::renameat2(folder, from.c_str(), folder, to.c_str(), RENAME_NOREPLACE) == 0) {
     return true;
   }
-  // Some file systems (NFS) do not know the flag.
+  // Some file systems (NFS) do not support the flag.
   return (errno == EINVAL || errno == ENOSYS) &&
          ::linkat(folder, from.c_str(), folder, to.c_str(), 0) == 0 &&
          ::unlinkat(folder, from.c_str(), 0) == 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What an AtomicFile is made of.
+// The members of an AtomicFile.
 
 #include <functional>
 #include <string>
@@ -20,15 +20,14 @@ struct AtomicFile::State {
   std::string name;       ///< in the folder
   std::string temporary;  ///< likewise; empty when there is nothing to remove
   Descriptor file;
-  /// Called right before the file gets its name; returns whether it may replace one.
+  /// Called right before the file gets its name. Returns whether it may replace an existing file.
   std::function<bool()> claim;
-  /// Called where the claim was wrong: another file has the name.
+  /// Called if the name turned out to be taken by another file.
   std::function<void()> disown = [] {};
   std::uint64_t size = 0;
 };
 
-/// Gives a file a name in its folder that no other file has. Sets errno and returns false where
-/// that fails.
+/// Gives a file an unused name in its folder. On failure sets errno and returns false.
 bool rename_without_replacing(int folder, const std::string& from, const std::string& to);
 
 /// `cannot write PATH: clca did not write the file that is there; ...`

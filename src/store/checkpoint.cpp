@@ -20,10 +20,10 @@ fs::path one_before(const fs::path& run_folder) {
   return run_folder / kCheckpointBefore;
 }
 
-Checkpoint read(const fs::path& file, double most_bytes) {
-  const std::vector<std::uint8_t> bytes = read_whole(file, most_bytes);
+Checkpoint read(const fs::path& file, double max_bytes) {
+  const std::vector<std::uint8_t> bytes = read_whole(file, max_bytes);
   try {
-    return parse_checkpoint(bytes, most_bytes);
+    return parse_checkpoint(bytes, max_bytes);
   } catch (const std::runtime_error& error) {
     throw StoreError(fmt::format("cannot read {}: {}", file.string(), error.what()));
   }
@@ -47,16 +47,16 @@ void remove_checkpoints(const OutputFolder& folder) {
   folder.remove(kCheckpointFile);
 }
 
-std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double most_bytes) {
+std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double max_bytes) {
   if (!fs::exists(newest(run_folder)) && !fs::exists(one_before(run_folder))) {
     return std::nullopt;
   }
   try {
-    return FoundCheckpoint{read(newest(run_folder), most_bytes), ""};
+    return FoundCheckpoint{read(newest(run_folder), max_bytes), ""};
   } catch (const StoreError& first) {
     try {
       return FoundCheckpoint{
-          read(one_before(run_folder), most_bytes),
+          read(one_before(run_folder), max_bytes),
           fmt::format("{}; going on from {}", first.what(), one_before(run_folder).string())};
     } catch (const StoreError&) {
       throw first;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr FileKind kCheckpointKind = {"checkpoint", 2};
 
-/// Of an entry; the other types are one more than their place in fields::Column.
+/// Type of text entries; other types are their index in reflection::Column plus one.
 constexpr std::uint8_t kText = 0;
 constexpr std::size_t kEntryBytes = 1 + 2 + 8 + 8;  // without name and data
 constexpr double kBytesBeside = 160;                // in memory: name, node of the map, vector
@@ -70,7 +70,7 @@ void require(bool holds, const char* reason) {
   }
 }
 
-/// Takes entries off the begin of a file.
+/// Reads entries from the start of a file.
 class Entries {
  public:
   explicit Entries(std::span<const std::uint8_t> rest) : rest_(rest) {}
@@ -110,14 +110,14 @@ class Entries {
   std::span<const std::uint8_t> rest_;
 };
 
-/// Bytes of a number of an entry; 0 for a type that is none.
+/// Size of a number of this type; 0 for an unknown type.
 double item_bytes(std::uint8_t type) {
   constexpr std::array<double, 8> kBytes = {1, 1, 2, 4, 8, 4, 8, 8};
   return type < kBytes.size() ? kBytes.at(type) : 0;
 }
 
-/// All entries, and all of them fit into memory.
-std::vector<Entry> entries_of(std::span<const std::uint8_t> content, double most_bytes) {
+/// Reads all entries and checks that they fit into memory.
+std::vector<Entry> entries_of(std::span<const std::uint8_t> content, double max_bytes) {
   std::vector<Entry> entries;
   std::set<std::pair<bool, std::string_view>> names;
   double sum = 0;
@@ -125,10 +125,10 @@ std::vector<Entry> entries_of(std::span<const std::uint8_t> content, double most
     const Entry entry = rest.next();
     const double bytes = static_cast<double>(entry.count) * item_bytes(entry.type);
     require(item_bytes(entry.type) > 0, "an entry of an unknown type");
-    require(bytes <= kMostExpansion * static_cast<double>(entry.data.size()),
+    require(bytes <= kMaxExpansion * static_cast<double>(entry.data.size()),
             "an entry that is longer than its data can be");
     sum += bytes + kBytesBeside + 2 * static_cast<double>(entry.name.size() + sizeof(Entry));
-    require(sum <= most_bytes, "it needs more memory than the limit");
+    require(sum <= max_bytes, "it needs more memory than the limit");
     require(names.emplace(entry.type == kText, entry.name).second, "an entry that is there twice");
     entries.push_back(entry);
   }
@@ -136,20 +136,21 @@ std::vector<Entry> entries_of(std::span<const std::uint8_t> content, double most
 }
 
 template <class T>
-std::vector<T> expanded(const Entry& entry, Expander& expander) {
+std::vector<T> expanded(const Entry& entry, Decompressor& expander) {
   std::vector<T> values(entry.count);
   expander.expand(entry.data, std::span(values));
   return values;
 }
 
 template <std::size_t... kIndex>
-fields::Column column_of(const Entry& entry, Expander& expander,
-                         std::index_sequence<kIndex...> /*types*/) {
-  fields::Column column;
+reflection::Column column_of(const Entry& entry, Decompressor& expander,
+                             std::index_sequence<kIndex...> /*types*/) {
+  reflection::Column column;
   static_cast<void>(
       ((entry.type == kIndex + 1 &&
-        (column = expanded<typename std::variant_alternative_t<kIndex, fields::Column>::value_type>(
-             entry, expander),
+        (column =
+             expanded<typename std::variant_alternative_t<kIndex, reflection::Column>::value_type>(
+                 entry, expander),
          true)) ||
        ...));
   return column;
@@ -174,21 +175,21 @@ std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint) {
   return with_header(kCheckpointKind, content);
 }
 
-Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double most_bytes) {
+Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes) {
   const auto content = content_of(kCheckpointKind, file);
   const std::vector<Entry> entries =
-      entries_of(content, most_bytes - static_cast<double>(file.size()));
+      entries_of(content, max_bytes - static_cast<double>(file.size()));
   Checkpoint checkpoint;
-  Expander expander;
+  Decompressor expander;
   std::size_t texts = 0;
   for (const Entry& entry : entries) {
     if (entry.type != kText) {
-      constexpr auto kTypes = std::make_index_sequence<std::variant_size_v<fields::Column>>();
+      constexpr auto kTypes = std::make_index_sequence<std::variant_size_v<reflection::Column>>();
       checkpoint.fields[std::string(entry.name)] = column_of(entry, expander, kTypes);
       continue;
     }
     require(std::find(kTexts.begin(), kTexts.end(), entry.name) != kTexts.end(),
-            "a text that is none of its own");
+            "a text of an unknown name");
     std::string& text = text_of(checkpoint, entry.name);
     text.resize(entry.count);
     expander.expand(entry.data, std::span(text));

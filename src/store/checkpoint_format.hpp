@@ -25,8 +25,8 @@ namespace clca::store {
 /// The whole file.
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint);
 
-/// Throws std::runtime_error with the reason for whatever checkpoint_bytes() does not make, or what
-/// needs, with the file itself, more than `most_bytes`; nothing of such size is allocated before.
-Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double most_bytes);
+/// Throws std::runtime_error with the reason for data that checkpoint_bytes() does not produce, or
+/// that needs more than `max_bytes` including the file; checked before allocation.
+Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes);
 
 }  // namespace clca::store

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kMark = "clca ";
 
-/// Of the bytes, in words of eight, and their number.
+/// Hash of the bytes in words of eight, and of their number.
 std::uint64_t checksum(std::string_view title, std::span<const std::uint8_t> content) {
   random::WordHash hash;
   const auto add = [&](const void* bytes, std::size_t size) {
@@ -38,7 +38,7 @@ std::string header_text(const FileKind& kind, std::span<const std::uint8_t> cont
                      checksum(title, content));
 }
 
-/// The number after `key` in the header; none where it is not there.
+/// The number after `key` in the header, if present.
 template <class T>
 bool read_number(std::string_view header, std::string_view key, T& number) {
   const std::size_t at = header.find(key);

@@ -1,6 +1,6 @@
 #pragma once
-// A header of 512 bytes: what a file is, how long, and a checksum of it all. It finds what was cut
-// off or damaged; it has no key, so who reads a file still has to check all that is in it.
+// A header of 512 bytes: kind, length and checksum of a file. Detects truncation and damage.
+// It is not a signature, so readers still check all content.
 
 #include <cstdint>
 #include <span>
@@ -9,20 +9,20 @@
 
 namespace clca::store {
 
-/// What a file is for, and the version of its layout, from 1.
+/// Purpose of a file and version of its layout, from 1.
 struct FileKind {
   std::string_view name;
   std::uint32_t version = 1;
 };
 
-/// Programs for HDF5 look for its data behind 0, 512, 1024, ... bytes.
+/// HDF5 programs look for their data at 0, 512, 1024, ... bytes.
 inline constexpr std::size_t kHeaderBytes = 512;
 
-/// `content` with its header in front: text that fills up with zeros.
+/// `content` preceded by its header: text padded with zeros.
 std::vector<std::uint8_t> with_header(const FileKind& kind, std::span<const std::uint8_t> content);
 
-/// What is behind the header of `file`. Throws std::runtime_error with the reason for a file that
-/// is cut off, changed, of another kind or another version than `kind`.
+/// The content after the header of `file`. Throws std::runtime_error with the reason if it is
+/// truncated, damaged, or of another kind or version.
 std::span<const std::uint8_t> content_of(const FileKind& kind, std::span<const std::uint8_t> file);
 
 }  // namespace clca::store

@@ -43,27 +43,27 @@ void Compressor::compress_block(bool last, std::vector<std::uint8_t>& output) {
   }
 }
 
-Expander::Expander() {
+Decompressor::Decompressor() {
   if (::inflateInit(&stream_) != Z_OK) {
     throw std::bad_alloc();
   }
 }
 
-Expander::~Expander() {
+Decompressor::~Decompressor() {
   ::inflateEnd(&stream_);
 }
 
-void Expander::begin(std::span<const std::uint8_t> input, bool is_empty) {
+void Decompressor::begin(std::span<const std::uint8_t> input, bool is_empty) {
   require_whole(!is_empty || input.empty());
   ::inflateReset(&stream_);
   stream_.avail_in = 0;
   input_ = input;
 }
 
-int Expander::expand_some() {
-  constexpr std::size_t kMostInput = std::size_t{1} << 30U;
+int Decompressor::expand_some() {
+  constexpr std::size_t kMaxInput = std::size_t{1} << 30U;
   if (stream_.avail_in == 0) {
-    const auto piece = input_.first(std::min(input_.size(), kMostInput));
+    const auto piece = input_.first(std::min(input_.size(), kMaxInput));
     input_ = input_.subspan(piece.size());
     stream_.next_in = const_cast<std::uint8_t*>(piece.data());
     stream_.avail_in = static_cast<uInt>(piece.size());
@@ -71,7 +71,7 @@ int Expander::expand_some() {
   return ::inflate(&stream_, Z_NO_FLUSH);
 }
 
-void Expander::expand_block(bool last) {
+void Decompressor::expand_block(bool last) {
   stream_.next_out = block_.data();
   stream_.avail_out = static_cast<uInt>(block_.size());
   int state = Z_OK;

@@ -1,6 +1,6 @@
 #pragma once
-// Columns of numbers compressed by zlib, their bytes sorted by significance before: of numbers that
-// are alike the high bytes are the same.
+// Columns of numbers compressed by zlib after sorting their bytes by significance: similar numbers
+// share high bytes.
 
 #include <zlib.h>
 
@@ -13,8 +13,8 @@
 
 namespace clca::store {
 
-/// Bytes that one compressed byte can stand for.
-inline constexpr double kMostExpansion = 1032;
+/// Maximum number of bytes that one compressed byte can expand to.
+inline constexpr double kMaxExpansion = 1032;
 
 namespace detail {
 
@@ -31,7 +31,7 @@ struct Bits<4> : std::type_identity<std::uint32_t> {};
 template <>
 struct Bits<8> : std::type_identity<std::uint64_t> {};
 
-/// The lowest bytes of all numbers first, then the second bytes, and so on.
+/// Lowest bytes of all numbers first, then the second bytes, and so on.
 template <class T>
 void sort_bytes(std::span<const T> values, std::span<std::uint8_t> bytes) {
   for (std::size_t i = 0; i < sizeof(T); ++i) {
@@ -65,7 +65,7 @@ class Compressor {
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
 
-  /// Adds a column to the end of `output`; of an empty one nothing.
+  /// Appends a column to `output`; an empty column adds nothing.
   template <class T>
   void add(std::span<const T> values, std::vector<std::uint8_t>& output) {
     while (!values.empty()) {
@@ -84,14 +84,14 @@ class Compressor {
   std::vector<std::uint8_t> block_;
 };
 
-class Expander {
+class Decompressor {
  public:
-  Expander();
-  ~Expander();
-  Expander(const Expander&) = delete;
-  Expander& operator=(const Expander&) = delete;
+  Decompressor();
+  ~Decompressor();
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
 
-  /// Throws std::runtime_error where `input` is not just such a column of this length.
+  /// Throws std::runtime_error if `input` is not exactly such a column of this length.
   template <class T>
   void expand(std::span<const std::uint8_t> input, std::span<T> values) {
     begin(input, values.empty());

@@ -1,5 +1,5 @@
 #pragma once
-// Files by their descriptors, as the system has them.
+// File descriptors.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -39,7 +39,7 @@ class Descriptor {
     return ::fstat(number_, &status) == 0 && S_ISREG(status.st_mode);
   }
   int release() { return std::exchange(number_, -1); }
-  /// Reports what writing has left to report (a full disk, a quota).
+  /// Closes and reports delayed write errors (full disk, quota).
   bool close() { return ::close(release()) == 0; }
 
  private:

@@ -22,7 +22,7 @@ namespace clca::store {
 
 namespace {
 
-/// The process that holds the lock of an open file, from /proc/locks; empty where it is not told.
+/// The id of the process that holds the lock, from /proc/locks; empty if unknown.
 std::string holder_of(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) {

@@ -1,6 +1,6 @@
 #pragma once
-// A little order for the C interface of HDF5, which runs in child processes only: objects that
-// close themselves, errors that throw.
+// Wrappers for the C interface of HDF5, used in child processes only: objects that close
+// themselves, errors that throw.
 
 #include <hdf5.h>
 
@@ -13,28 +13,28 @@
 
 namespace clca::store::hdf5 {
 
-/// A call of HDF5 that failed: what() says what was wanted or what is wrong.
+/// A failed HDF5 call. what() is the operation or the problem.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::bad_alloc where HDF5 says that memory is short, else Error, naming `what`.
+/// Throws std::bad_alloc if HDF5 reports lack of memory, else Error with `what`.
 [[noreturn]] void fail(const char* what);
 
-/// Throws where a call has failed, as fail() does.
+/// Throws as fail() if a call has failed.
 inline void check(herr_t result, const char* what) {
   if (result < 0) {
     fail(what);
   }
 }
 
-/// An object of HDF5, closed at the end of its scope.
+/// An HDF5 object, closed at the end of its scope.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  /// Throws when the call that gave `id` has failed, as fail() does.
+  /// Throws as fail() if the call that returned `id` has failed.
   Handle(hid_t id, Close close, const char* what) : id_(id), close_(close) {
     if (id < 0) {
       fail(what);
@@ -57,11 +57,11 @@ class Handle {
   Close close_;
 };
 
-/// To be called first in a child: no error on the terminal, no code from other files.
+/// Call first in a child: no error output, no plugin code.
 void begin();
 
-/// The bytes of an HDF5 file that `fill` makes in a child process. Throws StoreError: `cannot write
-/// PATH: REASON`.
+/// The bytes of an HDF5 file that `fill` creates in a child process. Throws StoreError: `cannot
+/// write PATH: REASON`.
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill);
 

@@ -12,10 +12,10 @@ namespace clca::store::hdf5 {
 
 namespace {
 
-constexpr double kMostChunkBytes = 1U << 24U;  // ours have up to 512 KiB
-constexpr std::size_t kMostTextBytes = 1U << 16U;
+constexpr double kMaxChunkBytes = 1U << 24U;  // ours have up to 512 KiB
+constexpr std::size_t kMaxTextBytes = 1U << 16U;
 
-/// The library would copy the file twice; it is not changed, so it may have it as it lies here.
+/// Lends the file to the library without copies; it is not changed.
 hid_t give_in_place(const Handle& access, std::span<const std::uint8_t> file) {
   H5FD_file_image_callbacks_t callbacks = {
       .image_malloc = [](std::size_t, H5FD_file_image_op_t, void* bytes) { return bytes; },
@@ -44,7 +44,7 @@ Handle open_image(std::span<const std::uint8_t> file) {
   return {H5Fopen("image", H5F_ACC_RDONLY, give_in_place(access, file)), H5Fclose, kNone};
 }
 
-/// Only hard links: others lead to other files, or round and round.
+/// Only hard links: others may lead to other files or form cycles.
 Handle open_dataset(const Handle& file, const std::string& path) {
   for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
     const std::string front = path.substr(0, end);
@@ -62,7 +62,7 @@ Handle open_dataset(const Handle& file, const std::string& path) {
   }
 }
 
-/// As Hdf5Writer lays datasets out: no other files, no filters of others, chunks of some size.
+/// Only the layout of Hdf5Writer: no external files, no foreign filters, chunks of limited size.
 void check_layout(const Handle& dataset, std::size_t item_bytes) {
   const Handle creation(H5Dget_create_plist(dataset.id()), H5Pclose, "has no layout");
   const H5D_layout_t layout = H5Pget_layout(creation.id());
@@ -91,20 +91,20 @@ void check_layout(const Handle& dataset, std::size_t item_bytes) {
     for (int dimension = 0; dimension < dimensions; ++dimension) {
       bytes *= static_cast<double>(chunk.at(static_cast<std::size_t>(dimension)));
     }
-    if (bytes > kMostChunkBytes) {
+    if (bytes > kMaxChunkBytes) {
       throw Error("has chunks that are too large");
     }
   }
 }
 
-/// Rows and columns; plain lists have one column.
+/// Number of rows and columns; lists have one column.
 std::array<hsize_t, 2> extent_of(const Handle& space) {
   std::array<hsize_t, 2> extent = {1, 1};
   const H5S_class_t kind = H5Sget_simple_extent_type(space.id());
   const int dimensions = H5Sget_simple_extent_ndims(space.id());
   if ((kind != H5S_SCALAR && kind != H5S_SIMPLE) || dimensions < 0 || dimensions > 2 ||
       H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr) < 0) {
-    throw Error("has an extent out of the ordinary");
+    throw Error("has an unexpected extent");
   }
   return extent;
 }
@@ -117,7 +117,7 @@ void check_type(const Handle& type, const Hdf5Dataset::Values& values) {
             throw Error("holds other numbers");
           }
         } else if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
-                   H5Tget_size(type.id()) > kMostTextBytes) {
+                   H5Tget_size(type.id()) > kMaxTextBytes) {
           throw Error("is no text");
         }
       },
@@ -125,7 +125,7 @@ void check_type(const Handle& type, const Hdf5Dataset::Values& values) {
 }
 
 /// A dataset that has been checked.
-struct Opened {
+struct CheckedDataset {
   Handle dataset;
   Handle type;
   DatasetHeader header;
@@ -137,7 +137,7 @@ struct Opened {
   }
 };
 
-Opened open(const Handle& file, const Hdf5Dataset& wanted) {
+CheckedDataset open(const Handle& file, const Hdf5Dataset& wanted) {
   Handle dataset = open_dataset(file, wanted.path);
   Handle type(H5Dget_type(dataset.id()), H5Tclose, "has no type");
   check_type(type, wanted.values);
@@ -153,7 +153,7 @@ Opened open(const Handle& file, const Hdf5Dataset& wanted) {
           .columns = wanted.columns};
 }
 
-void send_dataset(const Opened& opened, const process::Child::Send& send) {
+void send_dataset(const CheckedDataset& opened, const process::Child::Send& send) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(opened.bytes()));
   check(H5Dread(opened.dataset.id(), opened.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
         "cannot be read");
@@ -161,7 +161,7 @@ void send_dataset(const Opened& opened, const process::Child::Send& send) {
   send(bytes);
 }
 
-/// Calls something for each dataset and names it where that fails.
+/// Calls a function for each dataset; errors name the dataset.
 template <class Call>
 void for_each_named(const std::vector<Hdf5Dataset>& datasets, Call call) {
   for (std::size_t i = 0; i < datasets.size(); ++i) {
@@ -176,10 +176,10 @@ void for_each_named(const std::vector<Hdf5Dataset>& datasets, Call call) {
 }  // namespace
 
 void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dataset>& datasets,
-                   double most_bytes, const process::Child::Send& send) {
+                   double max_bytes, const process::Child::Send& send) {
   begin();
   const Handle image = open_image(file);
-  std::vector<Opened> all;
+  std::vector<CheckedDataset> all;
   all.reserve(datasets.size());
   double sum = 0;
   double largest = 0;
@@ -187,7 +187,7 @@ void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dat
     all.push_back(open(image, datasets[i]));
     sum += all.back().bytes();
     largest = std::max(largest, all.back().bytes());
-    if (sum + largest > most_bytes) {
+    if (sum + largest > max_bytes) {
       throw Error("needs more memory than the limit");
     }
   });

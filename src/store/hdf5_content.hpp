@@ -1,5 +1,5 @@
 #pragma once
-// What the child process does that reads an HDF5 file.
+// The work of the child process that reads an HDF5 file.
 
 #include <cstdint>
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace clca::store::hdf5 {
 
-/// Before the bytes of each dataset: how many they are.
+/// Sent before each dataset: its size.
 struct DatasetHeader {
   std::uint64_t rows = 0;        ///< or texts
   std::uint64_t item_bytes = 0;  ///< of a number or text
 };
 
-/// Sends these datasets of an HDF5 file, in their order: a header and the bytes of each. Throws
-/// std::runtime_error before the first is sent where one is not as it should be, or where all of
-/// them and once more the largest are more than `most_bytes`.
+/// Sends these datasets of an HDF5 file in order: header and bytes of each.
+/// Before sending, throws std::runtime_error if a dataset is invalid, or if all of them plus the
+/// largest again exceed `max_bytes`.
 void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dataset>& datasets,
-                   double most_bytes, const process::Child::Send& send);
+                   double max_bytes, const process::Child::Send& send);
 
 }  // namespace clca::store::hdf5

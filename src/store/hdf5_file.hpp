@@ -1,6 +1,7 @@
 #pragma once
-// HDF5 files behind a checksum header, which any program for HDF5 opens. The library works in child
-// processes only: what it does with a damaged file, or short of memory, stays there.
+// HDF5 files with a checksum header, readable by any HDF5 program.
+// The library runs in child processes only, so that damaged files or lack of memory cannot harm
+// this process.
 
 #include <concepts>
 #include <cstdint>
@@ -16,20 +17,20 @@
 
 namespace clca::store {
 
-/// Numbers that a dataset may hold.
+/// Number types of a dataset.
 template <class T>
 concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
     std::same_as<T, std::int32_t> || std::same_as<T, double>;
 
-/// Adds datasets to a file, in the child process that makes it. Every path is relative to the root;
-/// groups are made on the way. Throws what hdf5::check throws.
+/// Adds datasets to a file, in the child process that creates it. Paths are relative to the root;
+/// groups are made as needed. Throws as hdf5::check.
 class Hdf5Writer {
  public:
-  /// `file`: of the HDF5 library.
+  /// `file`: HDF5 identifier.
   explicit Hdf5Writer(std::int64_t file) : file_(file) {}
 
-  /// A dataset of `values` in rows of `columns` numbers (1: a plain list), chunked and compressed.
+  /// A chunked, compressed dataset of `values` in rows of `columns` numbers (1: a list).
   template <Number T>
   void add(const std::string& path, std::span<const T> values, std::size_t columns = 1) const;
   /// A string, as UTF-8.
@@ -41,12 +42,11 @@ class Hdf5Writer {
   std::int64_t file_;
 };
 
-/// The bytes of a file that is to be written to `path`. `add` is called in a child process. Throws
-/// StoreError.
+/// The bytes of a file for `path`. `add` is called in a child process. Throws StoreError.
 std::vector<std::uint8_t> hdf5_file(const std::filesystem::path& path, const FileKind& kind,
                                     const std::function<void(const Hdf5Writer& file)>& add);
 
-/// A dataset that is wanted: rows of `columns` numbers, or texts; and where it goes.
+/// A dataset to read: rows of `columns` numbers, or texts, and its destination.
 struct Hdf5Dataset {
   using Values =
       std::variant<std::vector<std::uint8_t>*, std::vector<std::uint16_t>*,
@@ -57,11 +57,11 @@ struct Hdf5Dataset {
   std::size_t columns = 1;
 };
 
-/// Reads these datasets of a file and no others. `most_bytes`: that the file, all that is read of
-/// it and once more the largest dataset may take. Throws StoreError, with the path of the file, for
-/// whatever is not as it should be: cut off, changed, of another kind or version, a dataset that is
-/// missing, of other numbers, laid out as none of ours or larger than what memory may hold.
+/// Reads these datasets of a file. `max_bytes`: memory limit for the file, the data, and the
+/// largest dataset again.
+/// Throws StoreError with the path for a file that is truncated, damaged, or of another kind or
+/// version, and for datasets that are missing, of another type or layout, or too large.
 void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
-               const std::vector<Hdf5Dataset>& datasets, double most_bytes);
+               const std::vector<Hdf5Dataset>& datasets, double max_bytes);
 
 }  // namespace clca::store

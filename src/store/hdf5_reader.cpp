@@ -11,19 +11,19 @@ namespace clca::store {
 
 namespace {
 
-/// A second for each MiB beyond: more than a hundred times what reading takes.
+/// One second more per MiB: over a hundred times what reading takes.
 unsigned seconds_for(double bytes) {
-  constexpr double kLeast = 10;
-  return static_cast<unsigned>(std::min(kLeast + bytes / (1U << 20U), 1e6));
+  constexpr double kMinSeconds = 10;
+  return static_cast<unsigned>(std::min(kMinSeconds + bytes / (1U << 20U), 1e6));
 }
 
-/// What the child may allocate beside the numbers: the library's own, chunks, what it inflates.
+/// Memory of the child besides the numbers: library, chunks, decompression.
 constexpr double kLibraryBytes = 1U << 26U;
 
-/// Nothing that the child says is believed: it may be a damaged one.
+/// The output of the child is checked: the child may be damaged.
 class Receiver {
  public:
-  Receiver(process::Child& child, double most_bytes) : child_(child), bytes_left_(most_bytes) {}
+  Receiver(process::Child& child, double max_bytes) : child_(child), bytes_left_(max_bytes) {}
 
   template <Number T>
   void receive(std::vector<T>& values, std::size_t columns) {
@@ -51,7 +51,7 @@ class Receiver {
     take(header.rows, row_bytes);
     return header;
   }
-  /// All that is read counts: whoever reads keeps it.
+  /// All data read count, as the caller keeps them.
   void take(std::uint64_t rows, double row_bytes) {
     bytes_left_ -= static_cast<double>(rows) * row_bytes;
     if (bytes_left_ < 0) {
@@ -64,14 +64,14 @@ class Receiver {
 };
 
 void receive_all(std::span<const std::uint8_t> content, const std::vector<Hdf5Dataset>& datasets,
-                 double most_bytes) {
+                 double max_bytes) {
   process::Child child(
       [&](const process::Child::Send& send) {
-        hdf5::send_datasets(content, datasets, most_bytes, send);
+        hdf5::send_datasets(content, datasets, max_bytes, send);
       },
-      {.memory_bytes = most_bytes + kLibraryBytes,
+      {.memory_bytes = max_bytes + kLibraryBytes,
        .cpu_seconds = seconds_for(static_cast<double>(content.size()))});
-  Receiver receiver(child, most_bytes);
+  Receiver receiver(child, max_bytes);
   for (const Hdf5Dataset& dataset : datasets) {
     std::visit([&](auto* values) { receiver.receive(*values, dataset.columns); }, dataset.values);
   }
@@ -81,13 +81,13 @@ void receive_all(std::span<const std::uint8_t> content, const std::vector<Hdf5Da
 }  // namespace
 
 void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
-               const std::vector<Hdf5Dataset>& datasets, double most_bytes) {
+               const std::vector<Hdf5Dataset>& datasets, double max_bytes) {
   const auto refuse = [&path](const std::string& reason) {
     throw StoreError(fmt::format("cannot read {}: {}", path.string(), reason));
   };
-  const std::vector<std::uint8_t> file = read_whole(path, most_bytes);
+  const std::vector<std::uint8_t> file = read_whole(path, max_bytes);
   try {
-    receive_all(content_of(kind, file), datasets, most_bytes - static_cast<double>(file.size()));
+    receive_all(content_of(kind, file), datasets, max_bytes - static_cast<double>(file.size()));
   } catch (const process::ChildError& error) {
     refuse(error.crashed() ? fmt::format("it is damaged: the HDF5 library {}", error.what())
                            : error.what());

@@ -16,7 +16,7 @@ constexpr std::size_t kSmall = 4096;         // bytes that are not worth compres
 constexpr hsize_t kChunkNumbers = 1U << 16;  // in a chunk
 constexpr unsigned kDeflateLevel = 1;        // more costs time and gains little on shuffled numbers
 
-/// Groups on the way are made.
+/// Creates parent groups.
 Handle make_links() {
   Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "link creation");
   check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
@@ -24,7 +24,7 @@ Handle make_links() {
   return links;
 }
 
-/// How a dataset is laid out: no times, so that equal contents are equal bytes.
+/// Layout of datasets: without times, so that equal content gives equal bytes.
 Handle layout(hsize_t rows, hsize_t columns, std::size_t number_bytes) {
   Handle create(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset creation");
   check(H5Pset_obj_track_times(create.id(), false), "times");

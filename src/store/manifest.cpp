@@ -21,13 +21,13 @@ namespace {
 
 constexpr const char* kManifest = ".clca.manifest";
 constexpr std::string_view kHeader = "clca manifest 1\n";
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
 std::string line_of(std::string_view kind, std::string_view name) {
   return fmt::format("{} \"{}\"\n", kind, name);
 }
 
-/// The name in a line of that kind; nothing where it is no such line, or was not written whole.
+/// The name in a line of this kind; none if it is another line or incomplete.
 std::optional<std::string> name_in(std::string_view line, std::string_view kind) {
   const std::size_t before = kind.size() + 2;  // the kind, a blank and a quote
   if (line.size() <= before || !line.starts_with(kind) || line.substr(kind.size(), 2) != " \"" ||
@@ -37,7 +37,7 @@ std::optional<std::string> name_in(std::string_view line, std::string_view kind)
   return std::string(line.substr(before, line.size() - before - 1));
 }
 
-/// At most so many bytes of a file.
+/// Reads at most `count` bytes of a file.
 std::string read_text(int file, std::size_t most) {
   struct stat status {};
   if (::fstat(file, &status) == 0) {
@@ -54,7 +54,7 @@ std::string read_text(int file, std::size_t most) {
   return text;
 }
 
-/// Whether a text begins as a manifest; the last word of the header may be missing.
+/// Whether a text starts like a manifest; the last word of the header may be missing.
 bool is_header(const std::string& text) {
   return kHeader.starts_with(std::string_view(text).substr(0, kHeader.size()));
 }
@@ -72,7 +72,7 @@ bool is_inside(std::string_view name) {
   return true;
 }
 
-/// The manifest, open and locked against other processes that change it.
+/// The open manifest, locked against changes by other processes.
 class ManifestFile::Locked {
  public:
   explicit Locked(const ManifestFile& manifest) : manifest_(manifest) {
@@ -90,7 +90,7 @@ class ManifestFile::Locked {
         manifest_.refuse("write", "it is not a clca manifest");
       }
       if (held.st_nlink > 1) {  // of a backup, which is not to be changed
-        manifest_.put(read_text(file_.number(), kMostBytes));
+        manifest_.put(read_text(file_.number(), kMaxBytes));
       }
     } while (!is_in_place(held));
     size_ = held.st_size;
@@ -119,7 +119,7 @@ class ManifestFile::Locked {
   }
 
  private:
-  /// Waits a few seconds for other processes, which hold the lock for a moment only.
+  /// Waits a few seconds for other processes, which hold the lock only briefly.
   bool lock() const {
     constexpr int kTries = 500;
     constexpr useconds_t kPause = 10'000;
@@ -134,7 +134,7 @@ class ManifestFile::Locked {
     }
     return false;
   }
-  /// Whether no other process has put a new manifest in place before this one was locked.
+  /// Whether no other process replaced the manifest before this one locked it.
   bool is_in_place(const struct stat& held) const {
     struct stat named {};
     return ::fstatat(manifest_.folder_, kManifest, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
@@ -160,10 +160,10 @@ Manifest ManifestFile::read() const {
   if (!file.is_open()) {
     refuse("read", std::strerror(errno));
   }
-  if (!file.is_regular() || ::lseek(file.number(), 0, SEEK_END) > static_cast<off_t>(kMostBytes)) {
+  if (!file.is_regular() || ::lseek(file.number(), 0, SEEK_END) > static_cast<off_t>(kMaxBytes)) {
     refuse("read", "it is not a clca manifest");
   }
-  const std::string text = read_text(file.number(), kMostBytes);
+  const std::string text = read_text(file.number(), kMaxBytes);
   if (!is_header(text)) {
     refuse("read", "it is not a clca manifest");
   }

@@ -1,12 +1,12 @@
 #pragma once
-// What HDF5 calls the numbers of a dataset.
+// HDF5 number types.
 
 #include "store/hdf5.hpp"
 #include "store/hdf5_file.hpp"
 
 namespace clca::store {
 
-/// In the order of bytes of the machine; HDF5 notes which that is.
+/// In the byte order of the machine, which HDF5 records.
 template <Number T>
 hid_t number_type() {
   if constexpr (std::same_as<T, std::uint8_t>) {

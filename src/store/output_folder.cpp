@@ -30,7 +30,7 @@ constexpr int kFolderFlags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
   throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
 }
 
-/// In the names of all temporary files of this process: nobody else has it by chance.
+/// Part of the names of all temporary files of this process; practically unique.
 const std::string& mark_of_process() {
   static const std::string kMark = [] {
     std::random_device device;
@@ -79,7 +79,7 @@ bool is_temporary(const std::string& name) {
   return name.starts_with(kTemporary);
 }
 
-/// Removes a temporary file unless a process is still at work on it.
+/// Removes a temporary file unless a process still uses it.
 void remove_if_abandoned(int folder, const std::string& name) {
   const Descriptor file(
       ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -90,11 +90,11 @@ void remove_if_abandoned(int folder, const std::string& name) {
 
 }  // namespace
 
-/// The open folder and what its manifest lists. Names are from the root on.
+/// The open folder and its manifest. Names are relative to the root folder.
 class OutputFolder::State {
  public:
-  /// `named`: for files that the user names, which want a manifest only for temporary files. In a
-  /// folder of several users (/tmp) it may be somebody else's: then it is done without.
+  /// `named`: for files named by the user, where the manifest is needed for temporary files only.
+  /// In a shared folder (/tmp) the manifest may belong to another user; then none is used.
   State(fs::path path, bool named) : path_(std::move(path)), named_(named) {
     open();
     if (!folder_.is_open() && !named_ && errno != ENOENT) {
@@ -120,7 +120,7 @@ class OutputFolder::State {
   State& operator=(const State&) = delete;
 
   const fs::path& path() const { return path_; }
-  /// Throws where the folder of a file that the user has named is not there.
+  /// Throws if the folder of a file named by the user does not exist.
   void require_folder(const fs::path& file) {
     open();
     if (!folder_.is_open()) {
@@ -137,24 +137,24 @@ class OutputFolder::State {
   }
   std::vector<std::string> files(const std::string& prefix);
   void require_free(const std::string& name);
-  /// Lists a file that is about to get its name. Returns whether it was listed before.
+  /// Lists a file before it gets its name. Returns whether it was listed already.
   bool claim(const std::string& name);
-  /// Takes a file off the list.
+  /// Removes a file from the list.
   void disown(const std::string& name);
-  /// The folder that the file `name` lies in; not open where it is not there or is reached by a
-  /// symbolic link only.
+  /// The folder of the file `name`; not open if it does not exist or is reached only through a
+  /// symbolic link.
   Descriptor parent(const std::string& name) const;
-  /// The same, made if need be. Throws StoreError.
+  /// The same, created if needed. Throws StoreError.
   Descriptor make_parent(const std::string& name);
-  /// Lists the mark of this process before its first temporary file is made.
+  /// Lists the mark of this process before it makes its first temporary file.
   void mark();
   void remove(const std::string& name) const;
   void clear(const std::string& first, const std::string& kept);
-  /// Of processes that were killed.
+  /// Removes temporary files of killed processes.
   void remove_temporary_files() const;
 
  private:
-  /// Errors do not matter to files that the user names.
+  /// Ignores errors for files named by the user.
   template <class Act>
   void unless_named(Act act) {
     try {

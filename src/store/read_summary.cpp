@@ -1,4 +1,4 @@
-// run.json back to a summary: strict, since the file may be cut off or somebody else's.
+// Parses run.json: strict, since the file may be truncated or foreign.
 
 #include <fmt/format.h>
 
@@ -18,10 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMostSummaryBytes = 16 << 20;
+constexpr double kMaxSummaryBytes = 16 << 20;
 
-/// What is wrong with a run.json.
-class Unsound : public std::runtime_error {
+/// The problem with a run.json.
+class FormatError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
@@ -29,7 +29,7 @@ class Unsound : public std::runtime_error {
 const Json& field(const Json& object, const char* key, bool (Json::*is)() const noexcept) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   if (found == object.end() || !((*found).*is)()) {
-    throw Unsound(fmt::format("'{}' is missing or not what it should be", key));
+    throw FormatError(fmt::format("'{}' is missing or not what it should be", key));
   }
   return *found;
 }
@@ -45,12 +45,12 @@ std::uint64_t count(const Json& object, const char* key) {
 int threads(const Json& object) {
   const std::uint64_t number = count(object, "threads");
   if (number > std::numeric_limits<int>::max()) {
-    throw Unsound("'threads' is more than there can be");
+    throw FormatError("'threads' is more than there can be");
   }
   return static_cast<int>(number);
 }
 
-/// NaN and infinities are written as null; where a number must stand there are none.
+/// NaN and infinities are written as null; mandatory numbers are never null.
 double number(const Json& object, const char* key) {
   return field(object, key, &Json::is_number).get<double>();
 }
@@ -62,7 +62,7 @@ std::uint64_t hash(const Json& object, const char* key) {
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(digits.data(), end, value, kHexadecimal);
   if (stop != end || error != std::errc()) {
-    throw Unsound(fmt::format("'{}' is no hash", key));
+    throw FormatError(fmt::format("'{}' is no hash", key));
   }
   return value;
 }
@@ -77,14 +77,14 @@ MeasureValue measure(const Json& value) {
   if (value.is_null()) {
     return {};
   }
-  throw Unsound("a measure is neither a number nor true, false or null");
+  throw FormatError("a measure is neither a number nor true, false or null");
 }
 
-/// What files are named after.
+/// Names that become file names.
 std::string name(const Json& object, const char* key) {
   std::string found = text(object, key);
   if (!clca::text::is_file_name(found)) {
-    throw Unsound(fmt::format("'{}' is '{}', which cannot name a file", key, found));
+    throw FormatError(fmt::format("'{}' is '{}', which cannot name a file", key, found));
   }
   return found;
 }
@@ -100,26 +100,26 @@ StageSummary stage(const Json& object) {
   return summary;
 }
 
-/// Ends the parser where a text would take memory or time out of proportion.
+/// Stops the parser if a text would take excessive memory or time.
 class Limits {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& /*value*/) {
     const auto level = static_cast<std::size_t>(depth);
-    if (level >= kDeepest) {
-      throw Unsound(fmt::format("it is nested deeper than {} levels", kDeepest));
+    if (level >= kMaxDepth) {
+      throw FormatError(fmt::format("it is nested deeper than {} levels", kMaxDepth));
     }
     if (event == Json::parse_event_t::object_start) {
       keys_[level + 1] = 0;
-    } else if (event == Json::parse_event_t::key && ++keys_[level] > kMostKeys) {
-      throw Unsound(fmt::format("it has an object of more than {} keys", kMostKeys));
+    } else if (event == Json::parse_event_t::key && ++keys_[level] > kMaxKeys) {
+      throw FormatError(fmt::format("it has an object of more than {} keys", kMaxKeys));
     }
     return true;
   }
 
  private:
-  static constexpr std::size_t kDeepest = 16;
-  static constexpr int kMostKeys = 1000;     // of an object, since looking one up takes that long
-  std::array<int, kDeepest + 1> keys_ = {};  // so far, by depth
+  static constexpr std::size_t kMaxDepth = 16;
+  static constexpr int kMaxKeys = 1000;       // of an object, since looking one up takes that long
+  std::array<int, kMaxDepth + 1> keys_ = {};  // so far, by depth
 };
 
 std::optional<scene::Conversion> units(const Json& object) {
@@ -139,6 +139,8 @@ RunSummary summary_of(const Json& object) {
   RunSummary summary = {.kind = text(object, "kind"),
                         .version = text(object, "clca"),
                         .scene = text(object, "scene"),
+                        // Runs of earlier versions have none.
+                        .title = object.contains("title") ? text(object, "title") : "",
                         .seed = count(object, "seed"),
                         .threads = threads(object),
                         .status = text(object, "status"),
@@ -168,13 +170,13 @@ RunSummary parse_summary(std::string_view json, const std::string& name) {
     return summary_of(Json::parse(json, Limits()));
   } catch (const Json::exception&) {
     throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", name));
-  } catch (const Unsound& error) {
+  } catch (const FormatError& error) {
     throw StoreError(fmt::format("cannot read {}: {}", name, error.what()));
   }
 }
 
 RunSummary read_summary(const std::filesystem::path& file) {
-  const auto bytes = read_whole(file, kMostSummaryBytes);
+  const auto bytes = read_whole(file, kMaxSummaryBytes);
   return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 

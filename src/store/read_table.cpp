@@ -1,4 +1,4 @@
-// CSV back to a table: strict, since the file may be cut off or somebody else's.
+// Parses CSV: strict, since the file may be truncated or foreign.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ namespace {
   throw StoreError(fmt::format("cannot read {}: line {}: {}", file.string(), line, reason));
 }
 
-/// Takes the cells of a text one after the other.
+/// Reads the cells of a text one by one.
 class CellReader {
  public:
   CellReader(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
@@ -107,8 +107,8 @@ std::vector<double> ReadTable::numbers(const std::string& name) const {
   return values;
 }
 
-ReadTable read_table(const std::filesystem::path& file, double most_bytes) {
-  const auto bytes = read_whole(file, most_bytes);
+ReadTable read_table(const std::filesystem::path& file, double max_bytes) {
+  const auto bytes = read_whole(file, max_bytes);
   CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
   std::set<std::string_view> known;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMuchMemory = 1 << 30;
 
-/// The step in the name of a frame; nothing for other names.
+/// The step in the name of a frame; none for other names.
 std::optional<std::uint64_t> step_of(const std::string& name) {
   const std::size_t dash = name.rfind('-');
   if (!name.starts_with(std::string(kFramesFolder) + "/") || !name.ends_with(".png") ||
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> step_of(const std::string& name) {
   return stop == end && error == std::errc() ? std::optional(step) : std::nullopt;
 }
 
-/// "2026-11-22 14:05", local time; empty where it cannot be told.
+/// "2026-11-22 14:05", local time; empty if unknown.
 std::string time_of(const fs::path& file) {
   std::error_code error;
   const fs::file_time_type written = fs::last_write_time(file, error);
@@ -75,7 +75,8 @@ RunFolder RunFolder::for_new_run(const fs::path& path) {
 RunFolder RunFolder::for_resumed_run(const fs::path& path) {
   std::error_code unknown;
   if (!fs::is_directory(path, unknown)) {
-    throw StoreError(fmt::format("cannot go on in {}: there is no such folder", path.string()));
+    throw StoreError(
+        fmt::format("cannot resume the run in {}: there is no such folder", path.string()));
   }
   if (!is_of_run(OutputFolder(path))) {
     const char* reason = fs::exists(path / "checkpoint.h5", unknown)
@@ -83,7 +84,7 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
                          : fs::exists(path / kSummaryFile, unknown)
                              ? "no run has begun there, or it has lost its .clca.manifest"
                              : "no run has begun there";
-    throw StoreError(fmt::format("cannot go on in {}: {}", path.string(), reason));
+    throw StoreError(fmt::format("cannot resume the run in {}: {}", path.string(), reason));
   }
   return {path, FolderLock(path)};
 }
@@ -135,7 +136,7 @@ void RunFolder::start_over(const Checkpoint& start) const {
   clear_results();
 }
 
-// run.json first: nobody may take what is left for a whole run.
+// run.json first, so that the rest is not mistaken for a complete run.
 void RunFolder::clear_results() const {
   files_.clear(kSummaryFile, kCheckpointFile);
 }

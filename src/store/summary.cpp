@@ -28,7 +28,7 @@ Json to_object(const scene::Conversion& units) {
           {"time_step", units.time_step}};
 }
 
-/// The time that the steps take, where they have one.
+/// The simulated time, if steps have a length.
 void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
   if (units) {
     object["time"] = units->time(steps);
@@ -58,10 +58,10 @@ std::string to_json(const RunSummary& summary) {
   for (const StageSummary& stage : summary.stages) {
     stages.push_back(to_object(stage, summary.units));
   }
-  Json object = {{"clca", summary.version},        {"kind", summary.kind},
-                 {"scene", summary.scene},         {"seed", summary.seed},
-                 {"threads", summary.threads},     {"status", summary.status},
-                 {"particles", summary.particles}, {"steps", summary.steps}};
+  Json object = {
+      {"clca", summary.version},  {"kind", summary.kind},           {"scene", summary.scene},
+      {"title", summary.title},   {"seed", summary.seed},           {"threads", summary.threads},
+      {"status", summary.status}, {"particles", summary.particles}, {"steps", summary.steps}};
   add_time(object, summary.steps, summary.units);
   if (summary.units) {
     object["units"] = to_object(*summary.units);

@@ -13,8 +13,8 @@ namespace clca::store {
 
 namespace {
 
-/// Columns run on across a periodic seam, but not so far that their differences would overflow.
-constexpr std::int32_t kMostColumn = std::int32_t{1} << 28;
+/// Columns are not wrapped at a periodic boundary; limited so that differences do not overflow.
+constexpr std::int32_t kMaxColumn = std::int32_t{1} << 28;
 
 void require(bool well, const PartContext& context, const char* reason) {
   if (!well) {
@@ -30,7 +30,7 @@ void require_in_frame(bool well, const PartContext& context, std::uint64_t step,
 }
 
 bool is_inside(const lattice::Lattice& lattice, std::int32_t column, std::int32_t row) {
-  return column >= -kMostColumn && column <= kMostColumn && lattice.contains({column, row});
+  return column >= -kMaxColumn && column <= kMaxColumn && lattice.contains({column, row});
 }
 
 bool ascend(const std::vector<std::uint32_t>& ids, RowSpan rows, std::uint32_t end) {
@@ -51,7 +51,7 @@ bool all_inside(const lattice::Lattice& lattice, const std::vector<std::int32_t>
   return true;
 }
 
-/// One dataset may be longer than another.
+/// Datasets must have equal lengths.
 template <class... Lists>
 bool have_size(std::size_t size, const Lists&... lists) {
   return ((lists.size() == size) && ...);
@@ -82,13 +82,14 @@ void check_wall_rows(const PartContext& context, const PartFrames& frames, const
   require(all_below(rows.wall_present, 2), context, "a wall neither present nor absent");
   for (std::size_t at = 0; at < size; ++at) {
     const grains::Wall& wall = walls[at % walls.size()];
-    const grains::Range range = wall.motion ? grains::range_of(*wall.motion) : grains::Range{};
+    const grains::OffsetRange range =
+        wall.motion ? grains::range_of(*wall.motion) : grains::OffsetRange{};
     require_in_frame(rows.wall_offset[at] >= range.low && rows.wall_offset[at] <= range.high,
                      context, frames.step[at / walls.size()], "a wall where it cannot come");
   }
 }
 
-/// One grain is there, and so is the other body, and they meet near the grain.
+/// The grain is present, the other body exists, and the contact is near the grain.
 bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
                 const grains::State& fixed) {
   const auto first = rows.id.begin() + static_cast<std::ptrdiff_t>(particles.first);
@@ -106,7 +107,7 @@ bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
   const auto at = static_cast<std::size_t>(upper - rows.id.begin());
   const Eigen::Vector2d site =
       lattice::position(lattice::Site{rows.site[2 * at], rows.site[2 * at + 1]});
-  const Eigen::Vector2d place(rows.place[2 * row], rows.place[2 * row + 1]);
+  const Eigen::Vector2d place(rows.point[2 * row], rows.point[2 * row + 1]);
   return (place - site).norm() <= 2 * fixed.lattice.size().norm();
 }
 
@@ -114,9 +115,9 @@ void check_contact_rows(const PartContext& context, const PartFrames& frames, co
                         const grains::State& fixed) {
   const auto contacts = static_cast<std::size_t>(frames.extents().contacts);
   require(have_size(contacts, rows.upper, rows.other) &&
-              have_size(2 * contacts, rows.place, rows.normal, rows.branch, rows.force),
+              have_size(2 * contacts, rows.point, rows.normal, rows.branch, rows.force),
           context, "contacts and frames do not go together");
-  require(all_finite(rows.place) && all_finite(rows.normal) && all_finite(rows.branch) &&
+  require(all_finite(rows.point) && all_finite(rows.normal) && all_finite(rows.branch) &&
               all_finite(rows.force),
           context, "a number of a contact that is not finite");
   for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
@@ -128,7 +129,7 @@ void check_contact_rows(const PartContext& context, const PartFrames& frames, co
   }
 }
 
-/// The two of a push have to be there, and the wall where it began has to be one that enters.
+/// Both bodies of a push must be present, and the wall of its origin must be one that overlaps.
 bool is_push(const grains::State& state, const grains::Push& push) {
   const auto is_present = [&state](std::size_t id) {
     return id < state.particles.size() && state.particles[id].present;

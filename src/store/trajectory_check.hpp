@@ -1,5 +1,5 @@
 #pragma once
-// Refuses parts of a trajectory that no run has written.
+// Rejects trajectory data that no run can have written.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace clca::store {
 
-/// What is known before a part is read.
+/// Known before a part is read.
 struct PartContext {
   std::filesystem::path path;
   Extents before;                ///< of the parts before
@@ -21,20 +21,21 @@ struct PartContext {
   std::size_t most_entered = 0;  ///< particles whose state fits into memory
 };
 
-/// Throws StoreError: `cannot read FILE: frame of step STEP: REASON`. So do all of these.
+/// Throws StoreError: `cannot read FILE: frame of step STEP: REASON`, as all of these functions do.
 [[noreturn]] void refuse_frame(const PartContext& context, std::uint64_t step,
                                const std::string& reason);
-/// `read`: of the part; `scene`: of the scene that it has to be of.
+/// `read`: scene group of the part; `scene`: the expected one.
 void check_scene(const std::filesystem::path& path, const SceneTables& scene,
                  const SceneTables& read);
 void check_frames(const PartContext& context, const PartFrames& frames, const Layout& layout);
-/// After check_frames.
+/// Call after check_frames.
 void check_origins(const PartContext& context, const PartFrames& frames, const PartOrigins& origins,
                    const lattice::Lattice& lattice);
-/// After check_frames. `fixed`: a state of the scene.
+/// Call after check_frames. `fixed`: a state of the scene.
 void check_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,
                 const grains::State& fixed, const Layout& layout);
-/// That particles, walls and pushes of a frame go together: an Automaton can go on with them.
+/// Checks that particles, walls and pushes of a frame are consistent, so that an Automaton can use
+/// them.
 void check_state(const PartContext& context, const grains::State& state);
 
 }  // namespace clca::store

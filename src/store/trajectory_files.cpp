@@ -24,7 +24,7 @@ std::optional<std::uint64_t> part_number(const std::string& name) {
   return name == part_name(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Names in a folder; none where there is no such folder.
+/// Names in a folder; none if it does not exist.
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code error;

@@ -16,12 +16,12 @@ inline constexpr const char* kTrajectoryIndex = "trajectory.h5";
 /// `part-000012.h5`.
 std::string part_name(std::uint64_t number);
 
-/// The parts of a run folder, in order. Throws StoreError when there is none or one is missing
-/// between others.
+/// The parts of a run folder, in order. Throws StoreError if there are none or one is missing in
+/// between.
 std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder);
 
-/// Removes parts that clca has written from the number `kept` on, the last one first; the index as
-/// well where no part is kept. Throws StoreError.
+/// Removes the parts written by clca from number `kept` on, last first; also the index if no part
+/// is kept. Throws StoreError.
 void remove_parts(const OutputFolder& run_folder, std::uint64_t kept);
 
 }  // namespace clca::store

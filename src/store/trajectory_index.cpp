@@ -44,7 +44,7 @@ Dimensions shape_in_part(const Column& column, std::uint64_t rows) {
   return column.width() == 1 ? Dimensions{rows} : Dimensions{rows, column.width()};
 }
 
-/// Maps the rows of each part, one after the other, into a dataset of all rows.
+/// Maps the rows of all parts, in order, into one dataset.
 void map_parts(const Handle& creation, const Handle& whole, const Column& column,
                const std::vector<Extents>& parts) {
   Dimensions start(1 + column.row.size(), 0);
@@ -66,8 +66,7 @@ void map_parts(const Handle& creation, const Handle& whole, const Column& column
   }
 }
 
-/// What a reader sees of a part that it cannot open: HDF5 does not tell, so it must not look like
-/// a value.
+/// Fill value for unreadable parts: HDF5 does not report them, so it must not look like data.
 template <Number T>
 constexpr T no_value() {
   using Numbers = std::numeric_limits<T>;

@@ -10,8 +10,8 @@
 
 namespace clca::store {
 
-/// Writes `trajectory.h5` of a run folder: virtual datasets over parts with these extents, and
-/// group `scene` as a link into the first part. At least one part. Throws StoreError.
+/// Writes `trajectory.h5`: virtual datasets over parts with these extents, and a link to group
+/// `scene` of the first part. At least one part. Throws StoreError.
 void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
                  const Layout& layout);
 

@@ -109,7 +109,7 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   for (const contact::Force& force : contact.forces) {
     rows.upper.push_back(force.upper);
     rows.other.push_back(force.other);
-    add_point_row(rows.place, force.place);
+    add_point_row(rows.point, force.point);
     add_point_row(rows.normal, force.normal);
     add_point_row(rows.branch, force.branch);
     add_point_row(rows.force, {force.along_normal, force.along_shear});
@@ -140,7 +140,7 @@ Extents TrajectoryPart::extents() const {
 
 std::size_t TrajectoryPart::bytes() const {
   std::size_t sum = 0;
-  // All there may be: what is not written is empty.
+  // All possible datasets; unused ones are empty.
   for_each_column(
       *this, {.walls = 1, .velocities = true, .contacts = true},
       [&sum](const Column&, const auto& values) { sum += values.size() * sizeof(values.front()); });

@@ -13,7 +13,7 @@ namespace clca::store {
 
 inline constexpr FileKind kTrajectoryKind{.name = "trajectory", .version = 1};
 
-/// Which datasets there are beside those that all trajectories have.
+/// Optional datasets of a trajectory.
 struct Layout {
   std::size_t walls = 0;
   bool velocities = false;
@@ -37,14 +37,14 @@ struct Extents {
   bool operator==(const Extents&) const = default;
 };
 
-/// A dataset: its path, what its rows are and the shape of a row (none: one number). A part has
-/// all numbers of a row beside each other.
+/// A dataset: path, meaning of its rows, shape of a row (none: one number). The numbers of a row
+/// are contiguous.
 struct Column {
   const char* path;
   Axis axis;
   std::vector<std::size_t> row = {};
 
-  /// Numbers in a row.
+  /// Numbers per row.
   std::size_t width() const;
 };
 
@@ -54,7 +54,7 @@ struct RowSpan {
   std::size_t end = 0;
 };
 
-/// Rows of each frame: first ones, counted over all parts, and numbers of rows.
+/// Rows of each frame: first row, counted over all parts, and number of rows.
 struct RowRanges {
   std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> count;
@@ -63,7 +63,7 @@ struct RowRanges {
   RowSpan rows_of(std::size_t frame) const;
 };
 
-/// One entry a frame.
+/// One entry per frame.
 struct PartFrames {
   std::vector<std::uint64_t> step;
   std::vector<std::uint32_t> stage;
@@ -77,7 +77,7 @@ struct PartFrames {
   Extents extents() const;
 };
 
-/// Of the particles that are new since the frame before; of all in the first frame of a stage.
+/// Origins of particles new since the last frame; of all in the first frame of a stage.
 struct PartOrigins {
   std::vector<std::uint32_t> id;
   std::vector<std::int32_t> site;  ///< column, row
@@ -98,13 +98,13 @@ struct PartRows {
   // Of contacts: see contact::Force.
   std::vector<std::uint32_t> upper;
   std::vector<std::int32_t> other;
-  std::vector<double> place;   ///< x, y
+  std::vector<double> point;   ///< x, y
   std::vector<double> normal;  ///< x, y
   std::vector<double> branch;  ///< x, y
   std::vector<double> force;   ///< along the normal, along the shear
 };
 
-/// What follows from the rest and the scene, for the convenience of other readers.
+/// Derived data, for the convenience of other readers.
 struct PartDerived {
   std::vector<std::uint16_t> species;
   std::vector<double> position;       ///< x, y of the centre of mass
@@ -117,7 +117,7 @@ struct TrajectoryPart {
   PartRows rows;
   PartDerived derived;
 
-  /// Adds a frame. `before`: extents of the parts before. Origins are those of the particles with
+  /// Adds a frame. `before`: extents of the previous parts. Stores origins of the particles with
   /// ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
            const Extents& before, const ContactFrame& contact);
@@ -169,7 +169,7 @@ void for_each_rows_column(Rows& rows, const Layout& layout, Visit visit) {
   if (layout.contacts) {
     visit(Column{"contacts/upper", Axis::contacts}, rows.upper);
     visit(Column{"contacts/other", Axis::contacts}, rows.other);
-    visit(Column{"contacts/place", Axis::contacts, {2}}, rows.place);
+    visit(Column{"contacts/place", Axis::contacts, {2}}, rows.point);
     visit(Column{"contacts/normal", Axis::contacts, {2}}, rows.normal);
     visit(Column{"contacts/branch", Axis::contacts, {2}}, rows.branch);
     visit(Column{"contacts/force", Axis::contacts, {2}}, rows.force);
@@ -193,7 +193,7 @@ void for_each_column(Part& part, const Layout& layout, Visit visit) {
   for_each_derived_column(part.derived, layout.walls, visit);
 }
 
-/// For the functions above: notes where a column is to be read to.
+/// Records the destination of each column to be read.
 inline auto add_to(std::vector<Hdf5Dataset>& datasets) {
   return [&datasets](const Column& column, auto& values) {
     datasets.push_back({.path = column.path, .values = &values, .columns = column.width()});

@@ -1,4 +1,4 @@
-// Parts back to states.
+// Reads parts and reconstructs states.
 
 #include <algorithm>
 #include <limits>
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/grains/occupancy.hpp"
 #include "clca/store/trajectory.hpp"
+#include "grains/internal/occupancy_table.hpp"
 #include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
@@ -17,7 +17,7 @@ namespace clca::store {
 
 namespace {
 
-/// No site of a box has such a row.
+/// An impossible row.
 constexpr lattice::Site kUnknown = {0, -1};
 
 lattice::Site site_at(const std::vector<std::int32_t>& sites, std::size_t row) {
@@ -28,13 +28,13 @@ Eigen::Vector2d point_at(const std::vector<double>& points, std::size_t row) {
   return {points[2 * row], points[2 * row + 1]};
 }
 
-/// Particles whose state, and the check of it, fit into so many bytes.
-std::size_t most_particles(const grains::State& fixed, double bytes) {
+/// Number of particles whose state and checks fit into `bytes`.
+std::size_t max_particles(const grains::State& fixed, double bytes) {
   constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 1;
   const double places =
-      grains::Occupancy::bytes_for(static_cast<double>(fixed.lattice.memory_size()), true);
-  constexpr double kMostIds = std::numeric_limits<grains::Owner>::max();
-  return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMostIds));
+      grains::OccupancyTable::bytes_for(static_cast<double>(fixed.lattice.memory_size()), true);
+  constexpr double kMaxIds = std::numeric_limits<grains::Owner>::max();
+  return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMaxIds));
 }
 
 }  // namespace
@@ -42,12 +42,12 @@ std::size_t most_particles(const grains::State& fixed, double bytes) {
 class Trajectory::Impl {
  public:
   Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, grains::State fixed,
-       double most_bytes)
-      : fixed_(std::move(fixed)), layout_(layout_of(scene)), bytes_left_(most_bytes) {
+       double max_bytes)
+      : fixed_(std::move(fixed)), layout_(layout_of(scene)), bytes_left_(max_bytes) {
     const SceneTables tables(scene, fixed_);
     PartContext context;
     context.stages = scene.stages.size();
-    context.most_entered = most_particles(fixed_, most_bytes);
+    context.most_entered = max_particles(fixed_, max_bytes);
     for (const std::filesystem::path& path : find_parts(run_folder)) {
       context.path = path;
       learn(context, tables);
@@ -94,7 +94,7 @@ class Trajectory::Impl {
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         result.forces.push_back({.upper = rows_.upper[row],
                                  .other = rows_.other[row],
-                                 .place = point_at(rows_.place, row),
+                                 .point = point_at(rows_.point, row),
                                  .normal = point_at(rows_.normal, row),
                                  .branch = point_at(rows_.branch, row),
                                  .along_normal = rows_.force[2 * row],
@@ -105,7 +105,7 @@ class Trajectory::Impl {
   }
 
  private:
-  /// What is kept of every part: enough to find frames and origins.
+  /// Kept for every part: enough to find frames and origins.
   struct KnownPart {
     PartContext context;
     PartFrames frames;
@@ -169,7 +169,7 @@ class Trajectory::Impl {
     loaded_ = part;
   }
 
-  /// Those of particles that were present in a frame of the stage so far.
+  /// Origins of particles that were present in a frame of the stage so far.
   void gather_origins(std::size_t frame) {
     const bool goes_on = origins_frame_ && *origins_frame_ <= frame &&
                          frames_[*origins_frame_].stage == frames_[frame].stage;
@@ -245,8 +245,8 @@ class Trajectory::Impl {
 };
 
 Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
-                       grains::State fixed, double most_bytes)
-    : impl_(std::make_unique<Impl>(run_folder, scene, std::move(fixed), most_bytes)) {}
+                       grains::State fixed, double max_bytes)
+    : impl_(std::make_unique<Impl>(run_folder, scene, std::move(fixed), max_bytes)) {}
 Trajectory::~Trajectory() = default;
 
 const std::vector<Trajectory::Frame>& Trajectory::frames() const {

@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const Things& things) {
   return names;
 }
 
-/// Calls visit(path, list, columns) for each dataset that tells scenes apart.
+/// Calls visit(path, list, columns) for each dataset that identifies the scene.
 template <class Tables, class Visit>
 void for_each_table(Tables& tables, Visit visit) {
   visit("scene/seed", tables.seed, 1);

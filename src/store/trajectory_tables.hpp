@@ -1,5 +1,5 @@
 #pragma once
-// What does not change in a trajectory: group `scene` of each part.
+// Constant data of a trajectory: group `scene` of each part.
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace clca::store {
 
-/// Sets of sites, one after the other.
+/// Concatenated sets of sites.
 struct SiteSets {
   std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> size;
@@ -39,9 +39,9 @@ struct SceneTables {
   SceneTables(const scene::Scene& scene, const grains::State& state);
 
   void write(const Hdf5Writer& file) const;
-  /// All but name and units. This object has to outlive the list.
+  /// All datasets except name and units. This object must outlive the list.
   std::vector<Hdf5Dataset> datasets();
-  /// What differs, in words; nothing where they are of the same scene.
+  /// The difference in words; none if they are of the same scene.
   std::string difference(const SceneTables& other) const;
 };
 

@@ -1,4 +1,4 @@
-// Frames into parts, parts into the index.
+// Collects frames into parts and writes the index.
 
 #include <fmt/format.h>
 
@@ -17,18 +17,18 @@ namespace clca::store {
 
 namespace {
 
-/// Of what is not yet compressed: large enough that parts are few, small enough that little is in
-/// memory and readers see what there is soon.
+/// Size of a part before compression: large enough for few parts, small enough for memory and for
+/// readers to see new frames soon.
 constexpr std::size_t kPartBytes = std::size_t{16} << 20U;
 
-/// Room for the file itself and `most_frames` of columns by frame.
-double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t most_frames) {
+/// Memory for the file and `max_frames` entries of the columns by frame.
+double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t max_frames) {
   constexpr double kOthers = 1U << 24U;
   constexpr double kBytesPerFrame = 256;
   std::error_code error;
   const auto size = std::filesystem::file_size(part, error);
   return (error ? 0 : 4 * static_cast<double>(size)) +
-         kBytesPerFrame * static_cast<double>(most_frames) + kOthers;
+         kBytesPerFrame * static_cast<double>(max_frames) + kOthers;
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ class TrajectoryWriter::Impl {
     written_ += part;
   }
 
-  /// Learns how much the kept parts hold.
+  /// Reads the extents of the kept parts.
   void take_up(const Written& kept) {
     const std::vector<std::filesystem::path> parts = find_parts(run_folder_.path());
     if (parts.size() < kept.parts) {

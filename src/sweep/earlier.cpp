@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_text(const fs::path& file, std::string_view text) {
-  const auto bytes = store::read_whole(file, scene::kMostSceneBytes);
+  const auto bytes = store::read_whole(file, scene::kMaxSceneBytes);
   return std::equal(
       bytes.begin(), bytes.end(), text.begin(), text.end(),
       [](std::uint8_t byte, char letter) { return static_cast<char>(byte) == letter; });

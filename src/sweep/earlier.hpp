@@ -1,5 +1,5 @@
 #pragma once
-// Runs that an earlier sweep has left.
+// Runs of an earlier sweep.
 
 #include <filesystem>
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace clca::sweep {
 
-/// The summary of the run in `folder` if it is a whole run of just this scene by this version of
-/// the program, with its pictures: that of the final state, or all of them.
+/// The summary of the run in `folder` if it is complete, of exactly this scene and program version,
+/// and has its pictures: the final state, or all.
 std::optional<store::RunSummary> earlier_run(const std::filesystem::path& folder,
                                              const scene::Scene& scene, bool all_pictures);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The folder that a sweep leaves.
+// The folder of a sweep.
 
 #include <filesystem>
 #include <string>
@@ -11,9 +11,8 @@ namespace clca::sweep {
 
 class Folder {
  public:
-  /// Makes the folder if need be and writes what is asked. What lies there stays, but for the
-  /// overview of an earlier sweep, which may show something else. Throws store::StoreError, also
-  /// for a folder of a run.
+  /// Makes the folder if needed and writes the request. Existing files stay, except an old
+  /// overview. Throws store::StoreError, also for the folder of a run.
   Folder(const std::filesystem::path& path, const Plan& plan);
 
   std::filesystem::path run(const std::string& name) const { return files_.path() / "runs" / name; }

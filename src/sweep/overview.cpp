@@ -14,8 +14,8 @@ namespace clca::sweep {
 
 namespace {
 
-constexpr std::size_t kMostColumns = 8;
-constexpr std::size_t kMostPictures = 64;
+constexpr std::size_t kMaxColumns = 8;
+constexpr std::size_t kMaxPictures = 64;
 
 int cell_width(int columns) {
   constexpr int kSheet = 1920;  // pixels, about
@@ -46,8 +46,8 @@ render::Image final_picture(const std::filesystem::path& folder, const scene::Sc
                             std::uint64_t step, int width) {
   try {
     render::Image image =
-        render::decode_png(store::read_whole(store::frame_path(folder, scene.name, step),
-                                             store::kMostPictureBytes))
+        render::decode_png(
+            store::read_whole(store::frame_path(folder, scene.name, step), store::kMaxPictureBytes))
             .image;
     while (image.width >= 4 * width && image.height > 1) {
       image = halved(image);
@@ -74,10 +74,10 @@ std::string label(const Plan& plan, std::size_t run, Status status) {
 
 Selection selection(const Plan& plan) {
   const std::size_t seeds = plan.request.seeds.size();
-  const std::size_t columns = std::min(seeds, kMostColumns);
+  const std::size_t columns = std::min(seeds, kMaxColumns);
   const bool one_variant = plan.variants.size() == 1;
-  const std::size_t shown_seeds = one_variant ? std::min(seeds, kMostPictures) : columns;
-  const std::size_t shown_variants = std::min(plan.variants.size(), kMostPictures / shown_seeds);
+  const std::size_t shown_seeds = one_variant ? std::min(seeds, kMaxPictures) : columns;
+  const std::size_t shown_variants = std::min(plan.variants.size(), kMaxPictures / shown_seeds);
   Selection result = {{}, static_cast<int>(columns)};
   for (std::size_t variant = 0; variant < shown_variants; ++variant) {
     for (std::size_t seed = 0; seed < shown_seeds; ++seed) {

@@ -12,18 +12,18 @@
 
 namespace clca::sweep {
 
-/// Which runs are shown, by rows.
+/// The runs shown, row by row.
 struct Selection {
   std::vector<std::size_t> runs;
   int columns = 1;
 };
 
-/// A row for each combination and a column for each of the first seeds; when nothing varies the
-/// seeds fill the rows.
+/// A row per combination and a column per seed (the first ones). If nothing varies, the seeds fill
+/// the rows.
 Selection selection(const Plan& plan);
 
-/// Reads the pictures back from the run folders; an empty box stands for a run without. Nothing if
-/// the scenes ask for no pictures.
+/// Reads the pictures from the run folders; missing ones are empty boxes. None if the scenes
+/// request no pictures.
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
                                       const Folder& folder);
 

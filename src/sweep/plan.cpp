@@ -38,10 +38,10 @@ void check_count(const Request& request) {
   std::size_t runs = request.seeds.size();
   for (const Variation& variation : request.variations) {
     runs *= variation.values.size();
-    if (runs > kMostRuns) {
+    if (runs > kMaxRuns) {
       throw scene::SceneError(
           fmt::format("--vary {}={},...: error: {} runs and more; a sweep has at most {}",
-                      variation.key, variation.values.front(), runs, kMostRuns));
+                      variation.key, variation.values.front(), runs, kMaxRuns));
     }
   }
 }
@@ -64,8 +64,8 @@ Variant parsed(const Request& request, std::vector<std::string> values) {
   }
   scene::AnyScene any = scene::parse_any_file(request.scene, request.overrides, varied);
   if (const auto* boltzmann = std::get_if<scene::BoltzmannScene>(&any)) {
-    throw scene::SceneError(boltzmann->place +
-                            ": error: a sweep takes scenes of the automaton only; this one has "
+    throw scene::SceneError(boltzmann->location +
+                            ": error: a sweep takes scenes of grains only; this one has "
                             "boltzmann.ensemble and lists of boltzmann.restitution of its own");
   }
   auto scene = std::get<scene::Scene>(std::move(any));
@@ -85,14 +85,14 @@ std::uint64_t hash(std::string_view text) {
 /// `text` where it can name a file as it is; else its beginning with other signs for what cannot
 /// stand there, and a hash of the whole.
 std::string file_name(const std::string& text) {
-  constexpr std::size_t kLongest = 120;
+  constexpr std::size_t kMaxLength = 120;
   const auto can_stand = [](char letter) {
     constexpr std::string_view kOthers = "=,._+-";
     const auto code = static_cast<unsigned char>(letter);
     return code < 0x80 &&
            (std::isalnum(code) != 0 || kOthers.find(letter) != std::string_view::npos);
   };
-  std::string name = text.substr(0, kLongest);
+  std::string name = text.substr(0, kMaxLength);
   std::replace_if(
       name.begin(), name.end(), [&](char letter) { return !can_stand(letter); }, '_');
   return name == text ? name : fmt::format("{}-{:016x}", name, hash(text));

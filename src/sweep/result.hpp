@@ -1,5 +1,5 @@
 #pragma once
-// What came of a run.
+// The result of a run.
 
 #include <cstdint>
 #include <string>

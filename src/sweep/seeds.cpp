@@ -44,8 +44,8 @@ Range range(std::string_view part, std::string_view text) {
   if (*last < *first) {
     fail_seeds(text, fmt::format("{} descends; the smaller seed comes first", part));
   }
-  if (*last - *first >= kMostRuns) {
-    fail_seeds(text, fmt::format("more than {} runs", kMostRuns));
+  if (*last - *first >= kMaxRuns) {
+    fail_seeds(text, fmt::format("more than {} runs", kMaxRuns));
   }
   return {*first, *last};
 }
@@ -56,8 +56,8 @@ void append(std::vector<std::uint64_t>& seeds, Range range, std::string_view tex
         text, fmt::format("{} comes after {}; seeds ascend, each once", range.first, seeds.back()));
   }
   const std::uint64_t count = range.last - range.first + 1;
-  if (seeds.size() + count > kMostRuns) {
-    fail_seeds(text, fmt::format("more than {} runs", kMostRuns));
+  if (seeds.size() + count > kMaxRuns) {
+    fail_seeds(text, fmt::format("more than {} runs", kMaxRuns));
   }
   for (std::uint64_t i = 0; i < count; ++i) {
     seeds.push_back(range.first + i);

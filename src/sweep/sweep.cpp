@@ -9,10 +9,10 @@
 #include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
-#include "sweep/crew.hpp"
 #include "sweep/earlier.hpp"
 #include "sweep/folder.hpp"
 #include "sweep/overview.hpp"
+#include "sweep/run_pool.hpp"
 #include "sweep/tables.hpp"
 
 namespace clca::sweep {
@@ -42,8 +42,8 @@ void prepare_drawing(const Plan& plan) {
   try {
     render::prepare_environment();
   } catch (const render::RenderError& error) {
-    throw run::ScenePlaceError(
-        fmt::format("{}: error: {}", drawn->scene.output.frames->place, error.what()));
+    throw run::SceneRunError(
+        fmt::format("{}: error: {}", drawn->scene.output.frames->location, error.what()));
   }
 }
 
@@ -64,7 +64,7 @@ class Sweep {
   /// Takes over what earlier sweeps have left; returns the runs that remain.
   std::vector<std::size_t> remaining_runs();
   void carry_out(const std::vector<std::size_t>& runs);
-  void take(Ended one);
+  void take(FinishedRun one);
   void show_progress();
   void write_tables();
   void refresh_tables();
@@ -122,25 +122,25 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
   if (stop_asked()) {
     return;
   }
-  Crew crew(plan_, folder_, runs, options_);
-  if (crew.at_a_time() < crew.wanted()) {
+  RunPool pool(plan_, folder_, runs, options_);
+  if (pool.at_a_time() < pool.wanted()) {
     tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
                                       "started",
-                                      crew.at_a_time(), crew.wanted()));
+                                      pool.at_a_time(), pool.wanted()));
   }
-  while (!crew.finished()) {
-    for (Ended& one : crew.ended(kPause)) {
+  while (!pool.finished()) {
+    for (FinishedRun& one : pool.take_finished(kPause)) {
       take(std::move(one));
     }
     if (stop_asked() || !store_error_.empty()) {
-      crew.stop();
+      pool.stop();
     }
     show_progress();
     refresh_tables();
   }
 }
 
-void Sweep::take(Ended one) {
+void Sweep::take(FinishedRun one) {
   const std::string name = plan_.name(one.run);
   for (const std::string& warning : one.warnings) {
     tell(events_.warning, fmt::format("{}: {}", name, warning));
@@ -160,9 +160,9 @@ void Sweep::take(Ended one) {
 
 void Sweep::show_progress() {
   const std::size_t ended = progress_.done + progress_.failed;
-  const auto carried_out = static_cast<double>(ended - progress_.reused);
-  if (carried_out > 0) {
-    progress_.runs_per_second = carried_out / seconds_since(start_);
+  const auto executed = static_cast<double>(ended - progress_.reused);
+  if (executed > 0) {
+    progress_.runs_per_second = executed / seconds_since(start_);
     progress_.seconds_left =
         static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
   }

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "clca/statistics/sample.hpp"
 #include "clca/store/table.hpp"
-#include "sweep/statistics.hpp"
 
 namespace clca::sweep {
 
@@ -119,7 +119,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto& [stage, measure] = measures.keys()[i];
-    const Statistics found = statistics(columns[i]);
+    const statistics::Sample found = statistics::sample(columns[i]);
     std::vector<store::Cell> row(values.begin(), values.end());
     row.insert(row.end(),
                {stage, measure, found.mean, found.standard_deviation, found.standard_error,

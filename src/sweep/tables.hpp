@@ -1,6 +1,5 @@
 #pragma once
-// The tables of a sweep. They depend on the plan and on what came of each run, not on the order in
-// which the runs ended.
+// The tables of a sweep. They do not depend on the order in which runs ended.
 
 #include <string>
 #include <vector>
@@ -13,8 +12,7 @@ namespace clca::sweep {
 /// runs.csv: a row for each run of the plan; `results` in the order of the plan.
 std::string runs_table(const Plan& plan, const std::vector<Result>& results);
 
-/// measures.csv: for each combination, stage and measure the statistics over the runs that are
-/// done.
+/// measures.csv: statistics over the completed runs for each combination, stage and measure.
 std::string measures_table(const Plan& plan, const std::vector<Result>& results);
 
 }  // namespace clca::sweep

@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Walks over YAML text and knows which commas stand between values. Whether brackets and quotes
-/// are closed is left to the reader of YAML, who says it better.
+/// are closed is left to the YAML parser, which has the better message.
 class Splitter {
  public:
   /// True when `letter`, the next one, ends a value.
@@ -84,11 +84,11 @@ Variation parse_variation(std::string_view text) {
   std::vector<std::string> sorted = variation.values;
   std::sort(sorted.begin(), sorted.end());
   if (sorted.front().empty()) {
-    fail_variation(text, "a value is missing; null is the value that says nothing");
+    fail_variation(text, "a value is missing; write null for an empty value");
   }
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    fail_variation(text, fmt::format("the value {} stands there twice", *twice));
+    fail_variation(text, fmt::format("the value {} is named twice", *twice));
   }
   return variation;
 }

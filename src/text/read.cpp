@@ -14,7 +14,7 @@ namespace {
 
 class OpenFile {
  public:
-  /// Does not wait for somebody to write into a pipe.
+  /// Does not block on a pipe.
   explicit OpenFile(const std::filesystem::path& file)
       : number_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
     if (number_ < 0) {
@@ -52,28 +52,28 @@ class OpenFile {
   int number_;
 };
 
-[[noreturn]] void refuse_size(double most_bytes) {
+[[noreturn]] void refuse_size(double max_bytes) {
   constexpr double kMebibyte = 1 << 20;
-  throw ReadError(fmt::format("it is larger than the limit of {:.4g} MiB", most_bytes / kMebibyte));
+  throw ReadError(fmt::format("it is larger than the limit of {:.4g} MiB", max_bytes / kMebibyte));
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double most_bytes) {
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes) {
   const OpenFile open(file);
   const struct stat status = open.status();
   if (!S_ISREG(status.st_mode)) {
     throw ReadError(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file");
   }
-  if (static_cast<double>(status.st_size) > most_bytes) {
-    refuse_size(most_bytes);
+  if (static_cast<double>(status.st_size) > max_bytes) {
+    refuse_size(max_bytes);
   }
   std::vector<std::uint8_t> bytes;
   bytes.reserve(static_cast<std::size_t>(status.st_size));  // growing would take twice as much
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = open.read(block)) {
-    if (static_cast<double>(bytes.size()) + static_cast<double>(count) > most_bytes) {
-      refuse_size(most_bytes);
+    if (static_cast<double>(bytes.size()) + static_cast<double>(count) > max_bytes) {
+      refuse_size(max_bytes);
     }
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
   }

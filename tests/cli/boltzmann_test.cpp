@@ -52,6 +52,7 @@ boltzmann:
 output:
   series: {every: 10}
   histograms: [0]
+  checkpoint: {seconds: 0.01}
 )";
 
 constexpr const char* kAutomaton = R"(clca: 1
@@ -162,18 +163,19 @@ TEST_F(GasCommand, AGasBeyondTheMemoryLimitIsRefusedWithItsPlace) {
 
 TEST_F(GasCommand, InterruptedItEndsCleanlyWithWholeTables) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const auto result =
-        run({"boltzmann", "endless.yaml", "-o", "out", "--threads", "1", "--overwrite"},
-            {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
+    const std::string out = "out" + std::to_string(signal);
+    const auto result = run(
+        {"boltzmann", "endless.yaml", "-o", out, "--threads", "1"},
+        {.signal = signal, .once = out + "/checkpoint-previous.clca", .once_has = "checkpoint"});
     EXPECT_EQ(result.code, 128 + signal) << result.err;
     EXPECT_THAT(result.out, HasSubstr("interrupted: "));
-    const auto json = summary("out");
+    const auto json = summary(out);
     EXPECT_EQ(json["status"], "interrupted");
     const auto& last = json["stages"].back();
     EXPECT_EQ(last["ended"], "interrupted");
-    const auto series = store::read_table(folder_.path() / "out" / "series.csv");
+    const auto series = store::read_table(folder_.path() / out / "series.csv");
     EXPECT_EQ(series.numbers("time").back(), last["measures"]["time"].get<double>());
-    EXPECT_EQ(store::read_table(folder_.path() / "out" / "histogram-0.csv").rows() % 40, 0U);
+    EXPECT_EQ(store::read_table(folder_.path() / out / "histogram-0.csv").rows() % 40, 0U);
   }
 }
 

@@ -51,6 +51,7 @@ stages:
     max_steps: 1000000000000
 output:
   series: {every: 1000}
+  checkpoint: {every: 1000}
 )";
 
 class CliTest : public ::testing::Test {
@@ -86,6 +87,40 @@ TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
                               HasSubstr("diff"), HasSubstr("Exit codes")));
   EXPECT_THAT(run({"run", "--help"}).out, AllOf(HasSubstr("--set"), HasSubstr("--threads")));
   EXPECT_THAT(run({"--version"}).out, StartsWith("clca "));
+  EXPECT_EQ(run({"-V"}).out, run({"--version"}).out);
+  EXPECT_EQ(run({"help"}).out, help.out);
+  EXPECT_EQ(run({"help", "run"}).out, run({"run", "--help"}).out);
+}
+
+TEST_F(CliTest, AnUnknownCommandIsNamedWithTheNearestOne) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"rum", "a.yaml"}, {"help", "rum"}}) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "clca: error: no command 'rum'; did you mean 'run'? (see clca --help)\n");
+  }
+}
+
+TEST_F(CliTest, ASceneOfTheProgramIsFoundByItsName) {
+  const auto result = run({"check", "wall-removal"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Wall-removal flow test"));
+  write("wall-removal", "clca: 1\nboks: 3\n");  // a file of the user comes first
+  EXPECT_THAT(run({"check", "wall-removal"}).err, StartsWith("wall-removal:2:1: error: "));
+  EXPECT_THAT(run({"check", "wall-remval"}).err,
+              StartsWith("wall-remval:1:1: error: cannot read the file: No such file"));
+}
+
+TEST_F(CliTest, ASceneMayComeFromStandardInput) {
+  write("small.yaml", kScene);
+  const auto result = testing::run_program(
+      {"-c", "\"$0\" run - --json --frames-every 0 < small.yaml", CLCA_PROGRAM},
+      {.folder = folder_.path().string(), .program = "/bin/sh"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  run({"run", "small.yaml", "-o", "file"});
+  EXPECT_EQ(summary("renders/stdin")["state_hash"], summary("file")["state_hash"]);
+  EXPECT_EQ(nlohmann::json::parse(result.out), summary("renders/stdin"));
+  EXPECT_THAT(run({"check", "-"}).err, StartsWith("stdin:1:1: error: "));
 }
 
 TEST_F(CliTest, WrongUsageIsExitCodeTwo) {
@@ -231,14 +266,17 @@ TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
   write("gas.yaml", kEndless);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto result = run({"run", "gas.yaml", "-o", "out", "--overwrite"},
-                            {.signal_after = 0.3, .once = "out/run.json", .signal = signal});
+                            {.signal = signal, .once = "out/series.csv", .once_has = "\n1000,"});
     EXPECT_EQ(result.code, 128 + signal) << result.err;
     EXPECT_THAT(result.out, StartsWith("interrupted: "));
+    EXPECT_THAT(result.err, HasSubstr("\ncontinue with: clca resume out\n"));
     const auto json = summary("out");
     EXPECT_EQ(json["status"], "interrupted");
     EXPECT_EQ(json["stages"][0]["ended"], "interrupted");
-    const auto steps = testing::csv_column(folder_.path() / "out" / "series.csv", "step");
+    const fs::path series = folder_.path() / "out" / "series.csv";
+    const auto steps = testing::csv_column(series, "step");
     EXPECT_EQ(steps.back(), json["steps"].get<double>());
+    fs::remove(series);  // the next signal waits for that of its run
   }
 }
 
@@ -250,7 +288,7 @@ TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
   store::write_whole(folder_.path() / "c.png", render::encode_png(render::Image(5, 5, {}), {}));
   write("d.png", "no picture");
   EXPECT_EQ(run({"diff", "a.png", "a.png"}).code, 0);
-  const auto different = run({"diff", "a.png", "b.png", "--out", "where.png"});
+  const auto different = run({"diff", "a.png", "b.png", "-o", "where.png"});
   EXPECT_EQ(different.code, 1);
   EXPECT_EQ(different.out, "1 pixels differ by up to 10 in x 3 to 3, y 4 to 4\n");
   EXPECT_TRUE(fs::exists(folder_.path() / "where.png"));

@@ -57,9 +57,9 @@ TEST_F(InputTest, WholeNumbersArePlainDigitsInRange) {
       {"sweep", "small.yaml", "--jobs"},  {"diff", "a", "b", "--pixels"},
       {"diff", "a", "b", "--tolerance"},  {"render", "out", "--from"},
       {"render", "out", "--to"},          {"render", "out", "--fps"},
-      {"render", "out", "--columns"},     {"export", "out", "--to", "xyz", "--from"},
-      {"plot", "out", "--width"},         {"export", "out", "--to", "xyz", "--until"},
-      {"report", "out", "--max-frames"},  {"export", "out", "--to", "xyz", "--every"}};
+      {"render", "out", "--columns"},     {"export", "out", "--format", "xyz", "--from"},
+      {"plot", "out", "--width"},         {"export", "out", "--format", "xyz", "--to"},
+      {"report", "out", "--max-frames"},  {"export", "out", "--format", "xyz", "--every"}};
   const auto expect_wrong = [&](std::vector<std::string> arguments, const std::string& value) {
     const std::string option = arguments.back();
     arguments.push_back(value);
@@ -100,9 +100,9 @@ TEST_F(InputTest, AnArgumentIsNotEmpty) {
 
 TEST_F(InputTest, AFormatThatThereIsNotIsToldInPrintableText) {
   for (const std::string name : {"foo", "0", "VTP", "\x01"}) {
-    const auto result = run({"export", "out", "--to", name});
+    const auto result = run({"export", "out", "--format", name});
     EXPECT_EQ(result.code, 2);
-    EXPECT_THAT(result.err, HasSubstr("--to: "));
+    EXPECT_THAT(result.err, HasSubstr("--format: "));
     EXPECT_THAT(result.err, AllOf(HasSubstr("vtp"), HasSubstr("gsd"), HasSubstr("xyz")));
     EXPECT_EQ(std::count_if(result.err.begin(), result.err.end(),
                             [](char letter) { return letter > 0 && letter < ' '; }),
@@ -145,7 +145,7 @@ TEST_F(InputTest, SoAreThoseInTheFolderOfARun) {
        std::vector<std::vector<std::string>>{{"plot", "out"},
                                              {"report", "out"},
                                              {"render", "out"},
-                                             {"export", "out", "--to", "xyz"}}) {
+                                             {"export", "out", "--format", "xyz"}}) {
     expect_refused(arguments, HasSubstr("run.json: it is not a regular file"));
   }
 }

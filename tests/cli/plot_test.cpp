@@ -1,5 +1,6 @@
 // clca plot as a user meets it.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -112,8 +113,23 @@ output:
       testing::run_program({"run", "small.yaml", "-o", "run"}, {.folder = folder_.path().string()})
           .code,
       0);
-  EXPECT_EQ(plot({"run"}).out, "run/plots/motion.png\nrun/plots/profile.png\n");
+  EXPECT_EQ(plot({"run"}).out,
+            "run/plots/mean-height.png\nrun/plots/motion.png\nrun/plots/profile.png\n");
   expect_picture("run/plots/profile.png", 960, 600);
+}
+
+TEST_F(PlotCommandTest, DrawsVectorsOfTheSameSize) {
+  write_gas(folder_.path() / "gas", "gas");
+  const auto file_of = [&](const char* format) {
+    const auto result = plot(
+        {"gas", "--only", "collisions", "--format", format, "--width", "480", "--height", "300"});
+    EXPECT_EQ(result.out, fmt::format("gas/plots/collisions.{}\n", format));
+    const auto content = bytes(fmt::format("gas/plots/collisions.{}", format));
+    return std::string(content.begin(), content.end());
+  };
+  EXPECT_THAT(file_of("svg"), AllOf(HasSubstr("viewBox=\"0 0 480 300\""), HasSubstr("</svg>")));
+  EXPECT_THAT(file_of("pdf"), AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 360 225 ]")));
+  expect_refused(plot({"gas", "--format", "gif"}), 2, HasSubstr("--format"));
 }
 
 TEST_F(PlotCommandTest, TheSameTablesGiveTheSameBytes) {
@@ -141,7 +157,7 @@ TEST_F(PlotCommandTest, WithoutGnuplotItSaysWhatToInstall) {
   write_gas(folder_.path() / "gas", "gas");
   for (const char* path : {"", "/nonexistent", "."}) {
     expect_refused(plot({"gas"}, {.environment = {{"PATH", path}}}), 1,
-                   StartsWith("clca: error: collisions: gnuplot not found; install gnuplot-nox"));
+                   StartsWith("clca: error: gnuplot not found; install gnuplot-nox"));
   }
   EXPECT_FALSE(fs::exists(folder_.path() / "gas/plots"));
 }

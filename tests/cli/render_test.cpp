@@ -13,6 +13,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
+#include "support/missing.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
@@ -138,7 +139,7 @@ TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
 
 TEST_F(RenderCommandTest, AMovieAndASheetNeedNoFolderOfPictures) {
   if (!process::find_program("ffmpeg")) {
-    GTEST_SKIP() << "there is no ffmpeg";
+    CLCA_SKIP_AS_MISSING("there is no ffmpeg");
   }
   const auto result = render({"run", "--movie", "a.mp4", "--sheet", "a.png", "--columns", "2"});
   EXPECT_EQ(result.code, 0) << result.err;
@@ -168,7 +169,7 @@ TEST_F(RenderCommandTest, WithoutFfmpegThereIsNoMovieAndWithTroubleItsReason) {
 
 TEST_F(RenderCommandTest, AFullDiskLeavesNoMovie) {
   if (!process::find_program("ffmpeg")) {
-    GTEST_SKIP() << "there is no ffmpeg";
+    CLCA_SKIP_AS_MISSING("there is no ffmpeg");
   }
   expect_refused(
       render({"run", "--movie", "a.png", "--every", "2"}, {.file_size_limit = 3000}), 1,
@@ -177,11 +178,10 @@ TEST_F(RenderCommandTest, AFullDiskLeavesNoMovie) {
 }
 
 TEST_F(RenderCommandTest, CtrlCLeavesWhatIsDrawnWhole) {
-  store("long", {"output.frames.width=3000", "output.frames.height=3000",
-                 "output.frames.supersampling=1", "output.frames.every=1"});
-  const auto result =
-      render({"long", "-o", "some"},
-             {.signal_after = 0.001, .once = "some/small-000000.png", .once_has = "IEND"});
+  // Many pictures, and large: most are still to be drawn when the first is there.
+  const auto result = render({"run", "-o", "some", "--every", "1", "--width", "3000", "--height",
+                              "3000", "--set", "output.frames.supersampling=1"},
+                             {.once = "some/small-000000.png", .once_has = "IEND"});
   EXPECT_EQ(result.code, 130) << result.err;
   EXPECT_THAT(result.out, HasSubstr(" pictures drawn"));
   const std::set<std::string> drawn = names(path("some"));

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "clca/render/png.hpp"
+#include "support/missing.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
@@ -76,6 +77,18 @@ TEST_F(ReportCommand, WritesAPageAndSaysWhere) {
   EXPECT_EQ(count_of(text("page.html"), "\"step\":"), 2U);
 }
 
+TEST_F(ReportCommand, WithoutGnuplotHasTheRestAndOneWarning) {
+  const auto result = testing::run_program(
+      {"report", "run"}, {.folder = folder_.path().string(), .environment = {{"PATH", "/none"}}});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err,
+            "clca: warning: gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the "
+            "PATH\n");
+  EXPECT_THAT(text("run/report.html"),
+              AllOf(HasSubstr("id=\"measures\""), HasSubstr("gnuplot not found"),
+                    Not(HasSubstr("id=\"figures\""))));
+}
+
 TEST_F(ReportCommand, IsClearedAwayByTheNextRun) {
   clca({"report", "run"});
   ASSERT_EQ(clca({"run", "small.yaml", "-o", "run"}).code, 0);
@@ -112,7 +125,7 @@ class ReportInABrowser : public ReportCommand {
   void SetUp() override {
     chromium_ = find_chromium();
     if (!chromium_) {
-      GTEST_SKIP() << "no chromium on the PATH; install chromium";
+      CLCA_SKIP_AS_MISSING("no chromium on the PATH; install chromium");
     }
     ReportCommand::SetUp();
     ASSERT_EQ(clca({"report", "run"}).code, 0);
@@ -143,13 +156,21 @@ class ReportInABrowser : public ReportCommand {
   std::optional<fs::path> chromium_;
 };
 
-TEST_F(ReportInABrowser, TheScriptShowsTheLastPictureAndTheCurvesAreThere) {
+TEST_F(ReportInABrowser, TheScriptShowsTheLastPictureAndTheFiguresAreThere) {
   const std::string page = browse({"--dump-dom"}, "").out;
   EXPECT_THAT(page, HasSubstr("stage flow ("));
   EXPECT_THAT(page, Not(HasSubstr("id=\"player\" hidden")));
   EXPECT_THAT(page, HasSubstr("<img id=\"frame\" alt=\"Picture of the particles. Step "));
   EXPECT_EQ(count_of(page, "<figure class=\"chart\""), 3U);  // surface, share that moves, height
-  EXPECT_EQ(count_of(page, "class=\"curve\" d=\"M"), 2 * (2 + 2 + 2U));  // each with its key
+}
+
+// gnuplot's script replaces what calls it in the figure where it has found its axes.
+TEST_F(ReportInABrowser, EachFigureAnswersThePointer) {
+  const std::string before = text("run/report.html");
+  const std::string page = browse({"--dump-dom"}, "").out;
+  EXPECT_EQ(count_of(before, "id=\"gnuplot_canvas\" onclick"), 3U);
+  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\""), 3U);
+  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\" onclick"), 0U);
 }
 
 TEST_F(ReportInABrowser, APlaceInTheAddressShowsItsPicture) {

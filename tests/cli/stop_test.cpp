@@ -35,12 +35,12 @@ output:
 
 class StopTest : public ::testing::Test {
  protected:
-  /// A program of that name that tells its process id and then does nothing.
-  void hang(const std::string& name) const {
+  /// A program of that name that runs a command, tells its process id and then does nothing.
+  void hang(const std::string& name, const std::string& first = ":") const {
     fs::create_directories(folder_.path() / "bin");
     const fs::path file = folder_.path() / "bin" / name;
-    std::ofstream(file) << "#!/bin/sh\necho $$ > " << (folder_.path() / "pid").string()
-                        << "\nexec /bin/sleep 1000\n";
+    std::ofstream(file) << "#!/bin/sh\n" << first << "\necho $$ > "
+                        << (folder_.path() / "pid").string() << "\nexec /bin/sleep 1000\n";
     fs::permissions(file, fs::perms::owner_all);
   }
   /// Sends the signal once that program runs.
@@ -48,10 +48,9 @@ class StopTest : public ::testing::Test {
     return testing::run_program(arguments,
                                 {.folder = folder_.path().string(),
                                  .environment = {{"PATH", (folder_.path() / "bin").string()}},
-                                 .signal_after = 0.01,
+                                 .signal = signal,
                                  .once = "pid",
-                                 .once_has = "\n",
-                                 .signal = signal});
+                                 .once_has = "\n"});
   }
   void expect_ended(const testing::ProgramResult& result, int signal) const {
     EXPECT_EQ(result.code, 128 + signal) << result.err;
@@ -66,7 +65,7 @@ class StopTest : public ::testing::Test {
 
 TEST_F(StopTest, TheFirstSignalEndsAnFfmpegThatHangsAndLeavesNothingOfTheMovie) {
   testing::run_and_store(scene::parse(kScene, "small.yaml"), folder_.path() / "run", 2);
-  hang("ffmpeg");
+  hang("ffmpeg", "/usr/bin/head -c 1 > /dev/null");  // until the first picture is on its way
   expect_ended(stopped({"render", "run", "--movie", "a.mp4", "--quiet"}, SIGINT), SIGINT);
   for (const auto& entry : fs::directory_iterator(folder_.path())) {
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("a.mp4")));
@@ -92,9 +91,8 @@ TEST_F(StopTest, AHangUpThatWasIgnoredFromTheBeginningStaysSo) {
   const auto result = testing::run_program(
       {"-c", "trap '' HUP; exec \"$0\" run small.yaml -o out --quiet", CLCA_PROGRAM},
       {.folder = folder_.path().string(),
-       .signal_after = 0.001,
-       .once = "out/run.json",
        .signal = SIGHUP,
+       .once = "out/run.json",
        .program = "/bin/sh"});
   EXPECT_EQ(result.code, 0) << result.err;
 }

@@ -163,10 +163,10 @@ TEST_F(UserFiles, BesideThoseOfARunStayAsTheyAreUnderEveryCommand) {
                     {"report", "earlier"},
                     {"render", "earlier"},
                     {"render", "earlier", "--sheet", "earlier/sheet.png"},
-                    {"export", "earlier", "--to", "vtp"},
-                    {"export", "earlier", "--to", "gsd"},
+                    {"export", "earlier", "--format", "vtp"},
+                    {"export", "earlier", "--format", "gsd"},
                     {"diff", "earlier/render/scene-000000.png", "earlier/render/scene-000008.png",
-                     "--out", "earlier/difference.png"},
+                     "-o", "earlier/difference.png"},
                     {"compare", "earlier", "gas", "-o", "earlier/beside"},
                     {"run", "scene.yaml", "-o", "earlier"},
                     {"run", "scene.yaml", "-o", "earlier", "--overwrite", "--frames-every", "0"},
@@ -184,8 +184,8 @@ TEST_F(UserFiles, InAFolderOfTheirOwnStayAsTheyAreUnderEveryCommand) {
                     {"report", "earlier", "-o", "mine/page.html"},
                     {"render", "mine"},
                     {"render", "earlier", "-o", "mine"},
-                    {"export", "mine", "--to", "xyz"},
-                    {"export", "earlier", "--to", "vtp", "-o", "mine/all.pvd"},
+                    {"export", "mine", "--format", "xyz"},
+                    {"export", "earlier", "--format", "vtp", "-o", "mine/all.pvd"},
                     {"compare", "earlier", "gas", "-o", "mine"},
                     {"run", "scene.yaml", "-o", "mine"},
                     {"sweep", "scene.yaml", "--seeds", "1..2", "-o", "mine"}});
@@ -224,7 +224,7 @@ TEST_F(UserFiles, BehindSymbolicLinksAreNotReached) {
                       {"resume", folder, "--until", "30"},
                       {"plot", folder},
                       {"render", folder},
-                      {"export", folder, "--to", "xyz"},
+                      {"export", folder, "--format", "xyz"},
                       {"run", "scene.yaml", "-o", folder, "--overwrite"}});
     EXPECT_TRUE(fs::is_symlink(path(folder) / name)) << name;
   }

@@ -11,6 +11,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
 #include "export/recorded_run.hpp"
+#include "support/missing.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
@@ -69,7 +70,7 @@ class Export : public ::testing::Test {
   }
   /// What the reader says of an export of all frames.
   std::string read_back(const std::string& format, const std::string& ending) const {
-    const auto result = call({"run", "--to", format});
+    const auto result = call({"run", "--format", format});
     EXPECT_EQ(result.code, 0) << result.err;
     const fs::path file = run_ / "export" / ("recorded" + ending);
     EXPECT_THAT(result.out, HasSubstr("recorded" + ending));
@@ -104,8 +105,9 @@ class ReadBack : public Export, public ::testing::WithParamInterface<Named> {
  protected:
   void SetUp() override {
     if (std::string(CLCA_PYTHON).empty()) {
-      GTEST_SKIP() << "no python3 with h5py, gsd and vtk: apt-get install python3-h5py python3-gsd "
-                      "python3-vtk9";
+      CLCA_SKIP_AS_MISSING(
+          "no python3 with h5py, gsd and vtk: apt-get install python3-h5py python3-gsd "
+          "python3-vtk9");
     }
   }
   std::string read() const { return read_back(GetParam().format, GetParam().ending); }
@@ -137,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(All, ReadBack,
 TEST_F(Export, TakesTheStepsThatAreAskedFor) {
   record(kPeriodic, 40, 5);
   const auto result = call(
-      {"run", "--to", "xyz", "-o", "some.xyz", "--from", "5", "--until", "30", "--every", "10"});
+      {"run", "--format", "xyz", "-o", "some.xyz", "--from", "5", "--to", "30", "--every", "10"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out, "3 frames\nsome.xyz\n");
   const auto bytes = testing::bytes_of(folder_.path() / "some.xyz");
@@ -151,7 +153,7 @@ TEST_F(Export, TakesTheStepsThatAreAskedFor) {
 
 TEST_F(Export, WallsThatStandAreWrittenOnce) {
   record(kPlate);
-  EXPECT_EQ(call({"run", "--to", "vtp", "--until", "20"}).code, 0);
+  EXPECT_EQ(call({"run", "--format", "vtp", "--to", "20"}).code, 0);
   std::size_t walls = 0;
   for (const auto& entry : fs::directory_iterator(run_ / "export")) {
     walls += entry.path().filename().string().find("-walls-") != std::string::npos ? 1 : 0;
@@ -172,15 +174,15 @@ TEST_F(Export, WrongInputIsExitCodeTwoWithOneLineAndNoFile) {
   const std::size_t before = files_beside();
   for (const auto& [arguments, reason] :
        std::vector<std::pair<std::vector<std::string>, std::string>>{
-           {{"run"}, "--to"},
-           {{"run", "--to", "png"}, "png"},
-           {{"nowhere", "--to", "gsd"}, "run.json"},
-           {{"gas", "--to", "gsd"}, "boltzmann"},
-           {{"untracked", "--to", "gsd"}, "output.trajectory"},
-           {{"run", "--to", "gsd", "--every", "0"}, "--every"},
-           {{"run", "--to", "gsd", "--from", "21"}, "from step 0 to 20"},
-           {{"run", "--to", "gsd", "--from", "9", "--until", "8"}, "no frame"},
-           {{"run", "--to", "gsd", "--memory-limit", "1000"}, "--memory-limit"}}) {
+           {{"run"}, "--format"},
+           {{"run", "--format", "png"}, "png"},
+           {{"nowhere", "--format", "gsd"}, "run.json"},
+           {{"gas", "--format", "gsd"}, "boltzmann"},
+           {{"untracked", "--format", "gsd"}, "output.trajectory"},
+           {{"run", "--format", "gsd", "--every", "0"}, "--every"},
+           {{"run", "--format", "gsd", "--from", "21"}, "from step 0 to 20"},
+           {{"run", "--format", "gsd", "--from", "9", "--to", "8"}, "no frame"},
+           {{"run", "--format", "gsd", "--memory-limit", "1000"}, "--memory-limit"}}) {
     const auto result = call(arguments);
     EXPECT_EQ(result.code, 2) << result.err;
     EXPECT_THAT(result.err, HasSubstr(reason));
@@ -197,7 +199,7 @@ TEST_F(Export, ADamagedTrajectoryIsWrongInput) {
   auto bytes = testing::bytes_of(part);
   bytes[bytes.size() / 2] ^= 1U;
   store::write_whole(part, bytes);
-  const auto result = call({"run", "--to", "gsd"});
+  const auto result = call({"run", "--format", "gsd"});
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.err, HasSubstr(part.filename().string()));
   EXPECT_FALSE(fs::exists(run_ / "export"));
@@ -207,7 +209,7 @@ TEST_F(Export, AFullDiskIsAFailureThatLeavesNothingHalf) {
   record(kPlate);
   for (const char* format : {"vtp", "gsd", "xyz"}) {
     const auto result = testing::run_program(
-        {"export", "run", "--to", format, "-o", std::string("out/x.") + format},
+        {"export", "run", "--format", format, "-o", std::string("out/x.") + format},
         {.folder = folder_.path().string(), .file_size_limit = 3000});
     EXPECT_EQ(result.code, 1);
     EXPECT_THAT(result.err, HasSubstr("cannot write out/"));

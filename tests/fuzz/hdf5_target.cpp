@@ -20,9 +20,9 @@ using Texts = std::vector<std::string>;
 
 constexpr store::FileKind kKind = {"thing", 3};
 constexpr std::array kPaths = {"a", "b", "g/a", "g/h/a", "g/h/b"};
-constexpr std::uint32_t kMostRows = 1U << 16U;
-constexpr std::uint32_t kMostColumns = 8;
-constexpr std::uint32_t kMostLimit = 1U << 23U;
+constexpr std::uint32_t kMaxRows = 1U << 16U;
+constexpr std::uint32_t kMaxColumns = 8;
+constexpr std::uint32_t kMaxLimit = 1U << 23U;
 constexpr double kBeside = 1e5;  // names, what reads a file
 
 template <class T>
@@ -51,8 +51,8 @@ T scattered(std::size_t place) {
 /// A few numbers again and again, or all different: many need little input.
 template <class T>
 Numbers<T> numbers(fuzz::Choices& choices) {
-  Numbers<T> result = {.columns = 1 + choices.up_to(kMostColumns - 1), .values = {}};
-  const std::size_t count = result.columns * choices.up_to(choices.yes() ? kMostRows : 16);
+  Numbers<T> result = {.columns = 1 + choices.up_to(kMaxColumns - 1), .values = {}};
+  const std::size_t count = result.columns * choices.up_to(choices.yes() ? kMaxRows : 16);
   std::vector<T> few(1 + choices.up_to(7));
   for (T& number : few) {
     number = choices.any<T>();
@@ -151,9 +151,8 @@ bool read(const fuzz::ScratchFile& file, const std::vector<store::Hdf5Dataset>& 
   } catch (const store::StoreError&) {
     was_read = false;
   }
-  fuzz::require(
-      meter.most_bytes() <= limit + kBeside,
-      "took " + std::to_string(meter.most_bytes()) + " bytes, not " + std::to_string(limit));
+  fuzz::require(meter.max_bytes() <= limit + kBeside, "took " + std::to_string(meter.max_bytes()) +
+                                                          " bytes, not " + std::to_string(limit));
   return was_read;
 }
 
@@ -210,7 +209,7 @@ void change_and_read(const std::vector<Item>& items, const Bytes& file_bytes,
   }
   file.hold(store::with_header(kKind, content));
   std::vector<Item> changed = items;
-  read(file, datasets_of(changed), static_cast<double>(choices.up_to(kMostLimit)));
+  read(file, datasets_of(changed), static_cast<double>(choices.up_to(kMaxLimit)));
 }
 
 }  // namespace

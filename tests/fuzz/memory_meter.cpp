@@ -64,7 +64,7 @@ MemoryMeter::MemoryMeter() {
   most = 0;
 }
 
-double MemoryMeter::most_bytes() {
+double MemoryMeter::max_bytes() {
   return static_cast<double>(most);
 }
 

@@ -11,7 +11,7 @@ class MemoryMeter {
   /// From here on.
   MemoryMeter();
   /// Most bytes that were there at once, beyond those there at the begin; 0 without the sanitizer.
-  static double most_bytes();
+  static double max_bytes();
 };
 
 }  // namespace clca::fuzz

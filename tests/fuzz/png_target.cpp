@@ -9,7 +9,7 @@ namespace {
 
 using namespace clca;
 
-constexpr std::size_t kMostPixels = 1U << 16U;
+constexpr std::size_t kMaxPixels = 1U << 16U;
 
 /// What may stand in a PNG file need not be what we write: text with odd keywords.
 void require_same_again(const render::DecodedPng& decoded) {
@@ -29,7 +29,7 @@ void require_same_again(const render::DecodedPng& decoded) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    require_same_again(render::decode_png({data, size}, kMostPixels));
+    require_same_again(render::decode_png({data, size}, kMaxPixels));
   } catch (const std::runtime_error&) {
     return 0;
   }

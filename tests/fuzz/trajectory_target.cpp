@@ -25,7 +25,7 @@ using namespace clca;
 constexpr std::size_t kWalls = 2;
 constexpr store::Layout kLayout = {.walls = kWalls};
 constexpr std::size_t kFramesInFirst = 5;
-constexpr std::uint32_t kMostLimit = 1U << 23U;
+constexpr std::uint32_t kMaxLimit = 1U << 23U;
 constexpr double kBeside = 3e6;  // names, the state itself, what is checked of it
 
 /// A run folder whose two parts lie in memory.
@@ -83,11 +83,11 @@ void with_column(store::TrajectoryPart& part, std::size_t number, Change change)
 
 template <class T>
 void change_values(const store::Column& column, std::vector<T>& values, fuzz::Choices& choices) {
-  constexpr std::uint32_t kMostRows = 100;
+  constexpr std::uint32_t kMaxRows = 100;
   const auto any_place = [&] { return choices.up_to(0xFF) % values.size(); };
   const std::size_t how = choices.up_to(3);
   if (how == 0) {
-    values.resize(column.width() * choices.up_to(kMostRows));
+    values.resize(column.width() * choices.up_to(kMaxRows));
   } else if (!values.empty()) {
     T& value = values[any_place()];
     value = how == 1   ? values[any_place()]
@@ -98,7 +98,7 @@ void change_values(const store::Column& column, std::vector<T>& values, fuzz::Ch
 
 /// As long as the numbers of rows have it, which follow each other.
 void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
-  constexpr std::uint64_t kMostRows = 10'000;
+  constexpr std::uint64_t kMaxRows = 10'000;
   const auto follow = [](store::RowRanges& ranges, std::uint64_t first) {
     ranges.count.resize(ranges.first.size());
     std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
@@ -108,7 +108,7 @@ void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
   follow(part.frames.pushes, before.pushes);
   const store::Extents extents = part.frames.extents();
   store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
-    values.resize(column.width() * std::min(extents.along(column.axis), kMostRows));
+    values.resize(column.width() * std::min(extents.along(column.axis), kMaxRows));
   });
 }
 
@@ -208,12 +208,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Parts parts = whole;
   folder.hold(0, file_of(parts[0], change(parts[0], {}, choices)));
   folder.hold(1, file_of(parts[1], change(parts[1], parts[0].frames.extents(), choices)));
-  const double limit = kMostLimit - static_cast<double>(choices.up_to(kMostLimit));
+  const double limit = kMaxLimit - static_cast<double>(choices.up_to(kMaxLimit));
   const fuzz::MemoryMeter meter;
   const std::size_t sound = read(folder, parts, limit);
   fuzz::require(size > 0 || sound == frames.size(), "a run is not read");
-  fuzz::require(
-      meter.most_bytes() <= limit + kBeside,
-      "took " + std::to_string(meter.most_bytes()) + " bytes, not " + std::to_string(limit));
+  fuzz::require(meter.max_bytes() <= limit + kBeside, "took " + std::to_string(meter.max_bytes()) +
+                                                          " bytes, not " + std::to_string(limit));
   return 0;
 }

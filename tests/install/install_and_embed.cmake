@@ -13,12 +13,18 @@ if(NOT EXISTS ${prefix}/share/clca/plots/style.gp)
   message(FATAL_ERROR "the templates of figures are not installed")
 endif()
 
+# What clca::core must not need is not to be found.
+set(disabled)
+foreach(package fmt yaml-cpp nlohmann_json PNG ZLIB Freetype PkgConfig HDF5)
+  list(APPEND disabled -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
 set(flags)
 if(SANITIZE)
   set(flags -fsanitize=${SANITIZE})
 endif()
 run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${example_build} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${prefix})
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${prefix}
+    ${disabled})
 run(${CMAKE_COMMAND} --build ${example_build})
 
 execute_process(COMMAND ${example_build}/embed OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)

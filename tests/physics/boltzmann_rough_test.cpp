@@ -21,14 +21,14 @@ testing::GasCase gas(const boltzmann::Law& law, double energy_ratio, std::uint64
 std::vector<double> ratios(const testing::GasCase& one, const std::vector<double>& times) {
   std::vector<double> found;
   for (const testing::GasResult& result : testing::results(one, times)) {
-    found.push_back(one.beginning.energy_ratio * testing::statistics(result.at("Trot")).mean /
-                    testing::statistics(result.at("Ttr")).mean);
+    found.push_back(one.beginning.energy_ratio * testing::sample(result.at("Trot")).mean /
+                    testing::sample(result.at("Ttr")).mean);
   }
   return found;
 }
 
 double mean(const std::vector<double>& values) {
-  return testing::statistics(values).mean;
+  return testing::sample(values).mean;
 }
 
 // The closure takes velocities and spins for normal and independent: its ratio is too high, by up

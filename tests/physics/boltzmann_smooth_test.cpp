@@ -44,7 +44,7 @@ TEST_P(SmoothSpheres, CoolByHaffsLaw) {
   }
   // The rate that theory ties to the cumulant just found.
   const double theory = 1 / std::sqrt(boltzmann::haff_temperature(expected.restitution, 1,
-                                                                  testing::statistics(a2).mean)) -
+                                                                  testing::sample(a2).mean)) -
                         1;
   testing::expect_mean("1/tau by its a2", rates, theory, 0, 2e-3 * theory);
 }

@@ -16,7 +16,7 @@
 namespace clca::testing {
 
 struct GasCase {
-  boltzmann::Beginning beginning;
+  boltzmann::InitialCondition beginning;
   boltzmann::Process process;
   int members = 4;
 };
@@ -26,8 +26,8 @@ using GasResult = std::map<std::string, std::vector<double>>;
 
 /// Results at each of `times`, which ascend.
 inline std::vector<GasResult> results(const GasCase& one, const std::vector<double>& times) {
-  const auto bins = boltzmann::Bins::equiprobable(20, 3);
-  const auto reference = boltzmann::chi_square_shares(bins, 3);
+  const auto bins = statistics::Bins::equiprobable(20, 3);
+  const auto reference = statistics::chi_square_shares(bins, 3);
   std::vector<GasResult> all(times.size());
   for (int member = 0; member < one.members; ++member) {
     const auto seed = boltzmann::member_seed(1982, static_cast<std::uint64_t>(member));
@@ -49,8 +49,8 @@ inline std::vector<GasResult> results(const GasCase& one, const std::vector<doub
       result["Pxx"].push_back(moments.p_xx);
       result["Pyy"].push_back(moments.p_yy);
       result["Pxy"].push_back(moments.p_xy);
-      result["DHt_q20"].push_back(boltzmann::hellinger_distance(shares.translational, reference));
-      result["DHr_q20"].push_back(boltzmann::hellinger_distance(shares.rotational, reference));
+      result["DHt_q20"].push_back(statistics::hellinger_distance(shares.translational, reference));
+      result["DHr_q20"].push_back(statistics::hellinger_distance(shares.rotational, reference));
     }
   }
   return all;
@@ -80,7 +80,7 @@ inline void expect_near(const std::string& what, double measured, double expecte
 /// The same for the mean of an ensemble: within 4 standard errors, and `systematic`.
 inline void expect_mean(const std::string& what, const std::vector<double>& values, double expected,
                         double expected_error = 0, double systematic = 0) {
-  const Statistics measured = statistics(values);
+  const statistics::Sample measured = sample(values);
   expect_near(what, measured.mean, expected,
               4 * std::hypot(measured.standard_error, expected_error) + systematic);
 }

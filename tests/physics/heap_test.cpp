@@ -40,7 +40,7 @@ TEST_P(Heap, HasTheAngleOfReposeOfItsShapes) {
         {.folder = folder.path()});
     angles.push_back(testing::measure_of(summary, summary.stages.back().name, "repose_angle_deg"));
   }
-  const double mean = testing::statistics(angles).mean;
+  const double mean = testing::sample(angles).mean;
   RecordProperty("repose_angle_deg", fmt::format("{:.4g}", mean));
   EXPECT_GE(mean, reference.low);
   EXPECT_LE(mean, reference.high);

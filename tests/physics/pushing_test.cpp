@@ -50,7 +50,7 @@ class Pushing {
     return report;
   }
 
-  std::vector<measure::Contact> contacts() const {
+  std::vector<measure::OverlapContact> contacts() const {
     return measure::contacts(automaton_.state(), automaton_.occupancy());
   }
   const grains::State& state() const { return automaton_.state(); }
@@ -61,7 +61,7 @@ class Pushing {
   void look() const {
     EXPECT_EQ(testing::complaint(state()), "");
     EXPECT_EQ(grains::present_count(state()), count_);
-    for (const measure::Contact& contact : contacts()) {
+    for (const measure::OverlapContact& contact : contacts()) {
       EXPECT_EQ(contact.depth, 1);
     }
   }

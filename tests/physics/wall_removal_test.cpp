@@ -39,7 +39,7 @@ class Runs {
     for (const auto& summary : summaries_) {
       values.push_back(testing::measure_of(summary, stage, measure));
     }
-    return testing::statistics(values).mean;
+    return testing::sample(values).mean;
   }
   double mean_steps(const std::string& stage) const {
     double sum = 0;

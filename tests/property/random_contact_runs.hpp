@@ -104,7 +104,7 @@ inline void add_outlet(grains::State& state) {
 /// Velocities up to some sites a step, now and then as fast as can be.
 inline void stir(contact::State& state) {
   const std::int32_t most = *rc::gen::element(contact::kSpacing / 8, contact::kSpacing,
-                                              4 * contact::kSpacing, contact::kFastest);
+                                              4 * contact::kSpacing, contact::kMaxVelocity);
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
     if (state.grains.particles[id].present) {
       state.velocities[id] = {within(-most, most + 1), within(-most, most + 1),

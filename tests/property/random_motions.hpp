@@ -29,8 +29,8 @@ inline grains::Path any_path() {
   return path;
 }
 
-inline grains::Motion any_motion() {
-  grains::Motion motion;
+inline grains::WallMotion any_motion() {
+  grains::WallMotion motion;
   motion.direction = lattice::kDirections[*rc::gen::inRange<std::size_t>(0, 6)];
   const int amplitude = *rc::gen::inRange(1, 6);
   switch (*rc::gen::inRange(0, 4)) {
@@ -87,7 +87,7 @@ inline void add_moving_wall(grains::State& state, lattice::Direction gravity, Mo
     return others.contains({state.lattice.wrapped(site.column), site.row});
   });
   if (*rc::gen::arbitrary<bool>()) {
-    wall.motion = grains::Motion{gravity, grains::Drive{within<std::uint64_t>(1, 4), 30}};
+    wall.motion = grains::WallMotion{gravity, grains::Drive{within<std::uint64_t>(1, 4), 30}};
   }
   const bool overlaps = which == MovingWalls::overlapping ||
                         (which == MovingWalls::any && *rc::gen::arbitrary<bool>());

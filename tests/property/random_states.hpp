@@ -71,19 +71,19 @@ inline automaton::Rules any_rules(bool downward_only) {
   return rules;
 }
 
-/// A box with `least_walls` to two walls and some particles placed by the fill.
-inline RuledState any_state(bool downward_only, int least_walls = 0, int most_columns = 50) {
+/// A box with `min_walls` to two walls and some particles placed by the fill.
+inline RuledState any_state(bool downward_only, int min_walls = 0, int max_columns = 50) {
   const automaton::Rules rules = any_rules(downward_only);
   // Where gravity has a sideways part, a periodic box has no floor to come to rest on.
   const bool upright =
       rules.gravity == lattice::Direction::down || rules.gravity == lattice::Direction::up;
   const bool periodic = *rc::gen::arbitrary<bool>() && (upright || !downward_only);
-  const int columns = 2 * *rc::gen::inRange(8, most_columns / 2);
+  const int columns = 2 * *rc::gen::inRange(8, max_columns / 2);
   const int rows = *rc::gen::inRange(10, 70);
   grains::State state{.lattice = lattice::Lattice(columns, rows, periodic),
                       .seed = *rc::gen::arbitrary<std::uint64_t>()};
   const double width = columns * lattice::kColumnPitch;
-  const int walls = *rc::gen::inRange(least_walls, 3);
+  const int walls = *rc::gen::inRange(min_walls, 3);
   for (int i = 0; i < walls; ++i) {
     const auto along = [&](double extent) { return extent * *rc::gen::inRange(0, 100) / 100; };
     const lattice::Segment segment{{along(width), along(rows)}, {along(width), along(rows)}, 1.5};

@@ -124,7 +124,7 @@ TEST_F(Faults, KilledAtAnyCallInANewFolderTheRunGoesOnOrHasNotBegun) {
     ASSERT_TRUE(killed.code == -SIGKILL || killed.code == 0) << killed.err;
     auto resumed = resume();
     if (resumed.code == 1) {
-      EXPECT_THAT(resumed.err, ::testing::StartsWith("clca: error: cannot go on in"));
+      EXPECT_THAT(resumed.err, ::testing::StartsWith("clca: error: cannot resume the run in"));
       resumed = run("out", {"--seed", "2"});
     }
     ASSERT_EQ(resumed.code, 0) << resumed.err;

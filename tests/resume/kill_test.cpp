@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <random>
 
 #include "support/program.hpp"
@@ -70,7 +71,7 @@ class Killed : public ::testing::Test {
     while (true) {
       const bool last = kills == 30;
       const auto result = testing::run_program(
-          arguments, {.signal_after = last ? 0 : moment(random_), .signal = SIGKILL});
+          arguments, {.signal = SIGKILL, .signal_after = last ? 0 : moment(random_)});
       if (result.code != -SIGKILL) {
         EXPECT_EQ(result.code, 0) << result.err;
         return kills;
@@ -83,7 +84,17 @@ class Killed : public ::testing::Test {
   }
 
   testing::ScratchFolder folder_;
-  std::mt19937 random_{std::random_device()()};
+  std::mt19937 random_{seed()};
+
+ private:
+  /// CLCA_KILL_SEED, or one drawn now. Printed, so that a run that failed can be repeated.
+  static unsigned seed() {
+    const char* given = std::getenv("CLCA_KILL_SEED");
+    const unsigned seed =
+        given != nullptr ? static_cast<unsigned>(std::stoul(given)) : std::random_device()();
+    std::cout << "CLCA_KILL_SEED=" << seed << '\n';
+    return seed;
+  }
 };
 
 // A machine may be faster at one moment than at another: where a run was over before it could be

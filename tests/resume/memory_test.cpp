@@ -58,7 +58,7 @@ std::string text_of(const fs::path& file) {
 
 /// The least number of MiB with which `ends_well`, nearly.
 template <class EndsWell>
-std::size_t least_mebibytes(std::size_t low, EndsWell ends_well) {
+std::size_t min_mebibytes(std::size_t low, EndsWell ends_well) {
   std::size_t high = std::max<std::size_t>(low, 1);
   while (!ends_well(high)) {
     low = high;
@@ -107,11 +107,11 @@ void TooLittleMemory::compare_at(std::size_t mebibytes, int threads) const {
 
 TEST_P(TooLittleMemory, EndsWithOneLineAndARunThatCanBeGoneOnWith) {
   ASSERT_EQ(run(enough_, 1, 0).code, 0);
-  const std::size_t low = least_mebibytes(1, [](std::size_t mebibytes) {
+  const std::size_t low = min_mebibytes(1, [](std::size_t mebibytes) {
     return testing::run_program({"--version"}, {.memory_limit = mebibytes * kMebibyte}).code == 0;
   });
   for (const int threads : {1, 2}) {
-    const std::size_t high = least_mebibytes(low, [&](std::size_t mebibytes) {
+    const std::size_t high = min_mebibytes(low, [&](std::size_t mebibytes) {
       const std::string out = (folder_.path() / "out").string();
       fs::remove_all(out);
       return run(out, threads, mebibytes).code == 0;

@@ -41,9 +41,9 @@ inline std::string trouble_with_message(std::string_view message) {
 
 /// Checks the walls unless that takes long. Pictures, which need most memory, play no part.
 inline void check_walls_of(scene::Scene scene) {
-  constexpr double kMostBytes = 1e6;
+  constexpr double kMaxBytes = 1e6;
   scene.output.frames.reset();
-  if (scene::size_of(scene).bytes < kMostBytes) {
+  if (scene::size_of(scene).bytes < kMaxBytes) {
     scene::check_walls(scene);
   }
 }

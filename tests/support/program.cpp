@@ -1,6 +1,7 @@
 #include "support/program.hpp"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,14 +31,20 @@ void redirect(int descriptor, const std::filesystem::path& file) {
   ::close(opened);
 }
 
-/// Until the file has the text or the child has ended.
-void wait_for_text(const std::filesystem::path& file, const std::string& text, pid_t child) {
+/// Until the file has the text or the child has ended; false if neither happens within kLimit.
+bool wait_for_text(const std::filesystem::path& file, const std::string& text, pid_t child) {
+  constexpr std::chrono::minutes kLimit(2);
+  const auto start = std::chrono::steady_clock::now();
   siginfo_t ended = {};
   while (text_of(file).find(text) == std::string::npos &&
          ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          ended.si_pid == 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (std::chrono::steady_clock::now() - start > kLimit) {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  return true;
 }
 
 }  // namespace
@@ -74,11 +81,13 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
     ::_exit(127);
   }
   if (setting.signal_after > 0) {
-    if (!setting.once.empty()) {
-      wait_for_text(std::filesystem::path(setting.folder) / setting.once, setting.once_has, child);
-    }
     std::this_thread::sleep_for(std::chrono::duration<double>(setting.signal_after));
     ::kill(child, setting.signal);
+  } else if (!setting.once.empty()) {
+    const bool there = wait_for_text(std::filesystem::path(setting.folder) / setting.once,
+                                     setting.once_has, child);
+    EXPECT_TRUE(there) << setting.once << " has not come to have " << setting.once_has;
+    ::kill(child, there ? setting.signal : SIGKILL);
   }
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -16,11 +16,12 @@ struct ProgramResult {
 struct ProgramSetting {
   std::string folder = ".";                             ///< to run in
   std::map<std::string, std::string> environment = {};  ///< added to the present one
-  double signal_after = 0;                              ///< seconds; 0: never
-  /// The seconds count from when this file has the text: the summary of a run that is under way.
+  int signal = 2;                                       ///< sent if one of the next two says when
+  double signal_after = 0;                              ///< seconds, for kills at any moment
+  /// When this file has the text: the summary of a run that is under way. Tables of a run grow at
+  /// its checkpoints.
   std::string once = "";
   std::string once_has = "\"running\"";
-  int signal = 2;
   std::size_t file_size_limit = 0;  ///< bytes a file may have, as on a full disk; 0: no limit
   std::size_t memory_limit = 0;     ///< bytes of address space; 0: no limit
   std::string program = "";         ///< another one than clca, with its path

@@ -1,12 +1,12 @@
 #include "support/runs.hpp"
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -76,14 +76,10 @@ std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stag
   return stage_of(summary, stage).steps;
 }
 
-Statistics statistics(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  double squares = 0;
-  for (const double value : values) {
-    squares += (value - mean) * (value - mean);
-  }
-  return {.mean = mean, .standard_error = std::sqrt(squares / (count - 1) / count)};
+statistics::Sample sample(const std::vector<double>& values) {
+  const statistics::Sample result = statistics::sample(values);
+  EXPECT_EQ(result.count, values.size()) << "not all values are numbers";
+  return result;
 }
 
 std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column) {

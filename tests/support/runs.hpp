@@ -8,6 +8,7 @@
 
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::testing {
 
@@ -36,11 +37,8 @@ double measure_of(const store::RunSummary& summary, const std::string& stage,
                   const std::string& measure);
 std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stage);
 
-struct Statistics {
-  double mean = 0;
-  double standard_error = 0;
-};
-Statistics statistics(const std::vector<double>& values);
+/// Fails the test if a value is not finite.
+statistics::Sample sample(const std::vector<double>& values);
 
 /// A column of a CSV file with a header line.
 std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column);

@@ -21,9 +21,10 @@ inline grains::State good_state() {
   grains::State state = empty_state(40, 40);
   state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
   state.particles = {particle_at(10, 10)};
-  state.walls = {{.sites = {{30, 30}},
-                  .motion = grains::Motion{.direction = lattice::Direction::down,
-                                           .program = grains::Drive{.period = 2, .distance = 5}}}};
+  state.walls = {
+      {.sites = {{30, 30}},
+       .motion = grains::WallMotion{.direction = lattice::Direction::down,
+                                    .program = grains::Drive{.period = 2, .distance = 5}}}};
   state.sources = {{.sites = {{20, 30}}, .weights = {1, 1}}};
   return state;
 }

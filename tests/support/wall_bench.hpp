@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "automaton/wall_mover.hpp"
+#include "automaton/rule/moving_walls.hpp"
 #include "support/states.hpp"
 
 namespace clca::testing {
@@ -11,12 +11,12 @@ namespace clca::testing {
 class WallBench {
  public:
   explicit WallBench(grains::State state)
-      : world(std::move(state), automaton::Rules()), mover(world.state) {}
+      : world(std::move(state), automaton::Rules()), walls(world.state) {}
 
   /// Lets the walls take one step.
   automaton::StepReport advance() {
     automaton::StepReport report;
-    mover.advance(world, report);
+    walls.advance(world, report);
     ++world.state.step;
     return report;
   }
@@ -24,14 +24,14 @@ class WallBench {
   const grains::Travel& travel(std::size_t wall) const { return world.state.walls[wall].travel; }
 
   automaton::World world;
-  automaton::WallMover mover;
+  automaton::MovingWalls walls;
 };
 
 /// A wall that goes one site a step.
 inline grains::Wall driven_wall(std::vector<lattice::Site> sites, lattice::Direction direction,
                                 grains::Passive passive, int distance = 100) {
   return {.sites = std::move(sites),
-          .motion = grains::Motion{direction, grains::Drive{1, distance}},
+          .motion = grains::WallMotion{direction, grains::Drive{1, distance}},
           .passive = passive,
           .travel = {.active = true}};
 }

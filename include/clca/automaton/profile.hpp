@@ -3,7 +3,7 @@
 
 namespace clca::automaton {
 
-/// Seconds by the clock, added up over steps.
+/// Wall-clock seconds, summed over steps.
 struct Profile {
   double decide = 0;   ///< provisional directions
   double contest = 0;  ///< who wants the same sites

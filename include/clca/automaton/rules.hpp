@@ -9,10 +9,10 @@
 
 namespace clca::automaton {
 
-/// Directions a particle may take by itself: gravity and its two neighbours, or all six.
+/// Directions in which particles move by themselves: gravity and its two neighbours, or all six.
 enum class Candidates : std::uint8_t { downward, all };
 
-/// Classes of movers for the update order.
+/// Classes of moves in the update order.
 enum class UpdateClass : std::uint8_t { rest, inertia, gravity };
 
 /// How movers of one class that want the same site are ordered: each particle by a draw of its
@@ -22,12 +22,12 @@ enum class Ties : std::uint8_t { particle, direction };
 struct Rules {
   /// Probability to keep the direction of the previous step, in [0, 1].
   double inertia = 0.9;
-  /// Probability to take any free direction, all alike, in [0, 1].
+  /// Probability to take any free direction, with equal chances, in [0, 1].
   double scatter = 0;
   Candidates candidates = Candidates::downward;
   /// Direction of gravity.
   lattice::Direction gravity = lattice::Direction::down;
-  /// Each class once, the first to move first.
+  /// Each class once, in order of priority.
   std::array<UpdateClass, 3> update_priority = {UpdateClass::rest, UpdateClass::inertia,
                                                 UpdateClass::gravity};
   Ties ties = Ties::particle;
@@ -39,9 +39,8 @@ struct Rules {
 /// anticlockwise, then the rest.
 std::span<const lattice::Direction> candidate_directions(const Rules& rules);
 
-/// Throws std::invalid_argument, with the reason, unless gravity is a direction and the
-/// update priority names each class once. Probabilities are checked where they are rounded, see
-/// random::Probability.
+/// Throws std::invalid_argument, with the reason, unless gravity is a direction and the update
+/// priority names each class once. random::Probability checks probabilities.
 void check_rules(const Rules& rules);
 
 }  // namespace clca::automaton

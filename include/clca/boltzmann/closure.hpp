@@ -1,6 +1,7 @@
 #pragma once
-// Closed forms that the simulation is set beside. Units as in gas.hpp; A = 7 friction (1 +
-// restitution) / 2 for equal solid spheres.
+// Closed forms to compare the simulation with. Units as in gas.hpp; A = 7 friction (1 +
+// restitution)
+// 2 for equal solid spheres.
 
 #include "clca/boltzmann/law.hpp"
 
@@ -14,15 +15,17 @@ struct Temperatures {
   bool operator==(const Temperatures&) const = default;
 };
 
-/// Collision rate of a particle in a Maxwellian gas, (4 / sqrt(pi)) sqrt(T).
+/// Collision rate of a particle in a Maxwellian gas: (4
+/// sqrt(pi)) sqrt(T).
 double maxwellian_rate(double translational);
 
-/// Rates of change of both temperatures when velocities and spins are normal and independent:
-/// exact there, a closure later.
+/// Rates of change of both temperatures. Exact while velocities and spins are normal and
+/// independent, a closure otherwise.
 Temperatures closure_rates(const Law& law, const Temperatures& temperatures);
 
-/// Both temperatures after `duration`, by Runge-Kutta steps of order 4. Throws
-/// std::invalid_argument for a law out of range (see check) or a duration that is not finite.
+/// Both temperatures after `duration`, integrated by Runge-Kutta of order 4.
+/// Throws std::invalid_argument for a law out of range (see check) or a duration that is not
+/// finite.
 Temperatures closure(const Law& law, const Temperatures& begin, double duration);
 
 /// Haff's law for smooth spheres: T(t) / T(0).
@@ -40,7 +43,7 @@ double critical_restitution(double friction);
 /// Uniform shear flow of smooth spheres (kinetic model of Brey, Dufty & Santos 1999).
 struct ShearFlow {
   double temperature = 0;  ///< steady, in v0^2
-  double p_xx = 0;         ///< relative to the mean pressure, as Moments
+  double p_xx = 0;         ///< relative to the mean pressure, as in Moments
   double p_yy = 0;
   double p_xy = 0;
 };

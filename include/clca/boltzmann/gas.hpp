@@ -9,28 +9,29 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::boltzmann {
 
-/// One column per particle: velocity in rows 0 to 2, spin in rows 3 to 5. Column-major, so that a
-/// particle is one piece of 48 bytes.
+/// One column per particle: velocity in rows 0 to 2, spin in rows 3 to 5. Column-major: 48
+/// contiguous bytes per particle.
 using Motions = Eigen::Array<double, 6, Eigen::Dynamic>;
 
 struct Gas {
   Motions motions;
   double time = 0;
-  std::uint64_t step = 0;  ///< of the scheme; numbers its draws
-  /// Sum over the particles of the collisions in which each took part.
+  std::uint64_t step = 0;  ///< step of the scheme; key of its draws
+  /// Number of collisions summed over particles: each collision counts twice if both particles
+  /// change.
   std::uint64_t participations = 0;
-  double thermal_speed = 1;  ///< sqrt(<v^2>/3) after the last step: says how long the next one is
+  double thermal_speed = 1;  ///< sqrt(<v^2>/3) after the last step; sets the next step length
 
   Eigen::Index particles() const { return motions.cols(); }
   double collisions_per_particle() const {
     return static_cast<double>(participations) / static_cast<double>(particles());
   }
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("time", &Gas::time), field("step", &Gas::step),
                            field("participations", &Gas::participations),
                            field("thermal_speed", &Gas::thermal_speed),
@@ -38,7 +39,7 @@ struct Gas {
   }
 };
 
-/// Covers everything: equal for equal bits.
+/// Covers all members: equal for equal bits.
 std::uint64_t hash(const Gas& gas);
 
 enum class Initial : std::uint8_t {
@@ -46,21 +47,22 @@ enum class Initial : std::uint8_t {
   equal_energy  ///< case 2: |v| and |w| the same for all, directions isotropic and independent
 };
 
-struct Beginning {
+struct InitialCondition {
   std::uint64_t particles = 10'000;
   Initial initial = Initial::gaussian;
   double energy_ratio = 1;  ///< C_e = I <omega^2> / (m <v^2>); 0 or more
-  /// Shifts and scales the sample so that both means are zero and both mean squares exact.
+  /// Shifts and scales the sample so that mean velocity and spin are zero and the mean squares
+  /// exact.
   bool exact_moments = true;
-  /// Points of a randomly shifted rank-1 lattice instead of independent ones.
+  /// Samples from a randomly shifted rank-1 lattice instead of independent points.
   bool quasi = false;
 };
 
-/// Throws std::invalid_argument unless there are 2 to 2^32 - 1 particles and the ratio of energies
-/// is finite and not negative.
-Gas make_gas(const Beginning& beginning, std::uint64_t seed);
+/// Throws std::invalid_argument unless there are 2 to 2^32 - 1 particles and the energy ratio is
+/// finite and not negative.
+Gas make_gas(const InitialCondition& condition, std::uint64_t seed);
 
-/// Seed of a member of an ensemble; that of member 0 is `seed` itself.
+/// Seed of a member of an ensemble; member 0 has `seed` itself.
 std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member);
 
 }  // namespace clca::boltzmann

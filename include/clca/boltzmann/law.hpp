@@ -1,17 +1,18 @@
 #pragma once
 // The collision of two inelastic, frictional spheres.
 //
-// Ogawa & Kato 1982, eqs. 1 to 26, with two misprints put right: A of (19) is eta K mu (1 +
-// epsilon), and C4 of (26) has a factor 1/2. Written for one pair in Eigen vectors, and by the
-// schemes for many pairs at once (boltzmann/solid_collision.hpp).
+// Ogawa & Kato 1982, eqs. 1 to 26, with two misprints corrected: A of (19) is eta K mu (1 +
+// epsilon), and C4 of (26) has a factor 1/2.
+// Here for one pair in Eigen vectors; the schemes use the vectorised boltzmann/solid_collision.hpp.
 
 #include <Eigen/Core>
 
 namespace clca::boltzmann {
 
-/// What a contact does to the relative velocity of the two points that touch. The ratio of the
-/// tangential velocity after to that before is R = max(-roughness, 1 - A (V n) / |V_t|): friction
-/// brakes the sliding until it ends (R = 0) or, with a roughness, is reversed (Walton 1993).
+/// How a collision changes the relative velocity at the contact point. The tangential velocity is
+/// multiplied by R = max(-roughness, 1 - A (V n)
+/// |V_t|):
+/// friction slows sliding until it ends (R = 0) or, with a roughness, reverses (Walton 1993).
 struct Law {
   double restitution = 1;  ///< epsilon, normal; 0 to 1
   double friction = 0;     ///< eta, of Coulomb; 0 or more, kNoSlidingLimit for none
@@ -23,10 +24,10 @@ struct Law {
 /// Throws std::invalid_argument unless the numbers are in these ranges.
 void check(const Law& law);
 
-/// Friction of a law in which nothing slides: constant tangential restitution.
+/// Friction without sliding: constant tangential restitution.
 inline constexpr double kNoSlidingLimit = 1e300;
 
-/// Radius, mass and inertia are positive: a precondition of what follows.
+/// Precondition of all functions below: radius, mass and inertia are positive.
 struct Sphere {
   double radius = 1;
   double mass = 1;
@@ -38,7 +39,7 @@ struct Motion {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();  ///< angular velocity
 };
 
-/// What two spheres are to a collision.
+/// Two colliding spheres.
 struct Pair {
   Sphere first;
   Sphere second;
@@ -49,33 +50,33 @@ struct Pair {
   double compliance() const;
 };
 
-/// The motions of both, as seen in one collision.
-struct Contact {
+/// Motions of both spheres and the direction between them.
+struct CollisionState {
   Motion first;
   Motion second;
-  /// Unit vector from the centre of the first to that of the second.
+  /// Unit vector from the first centre to the second.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
 
-  /// V = g + (a1 w1 + a2 w2) x n, of the points that touch; V n > 0 where they approach.
+  /// V = g + (a1 w1 + a2 w2) x n, the relative velocity at the contact point; V n > 0 on approach.
   Eigen::Vector3d slip(const Pair& pair) const;
 };
 
-/// A of eq. 19, put right: dimensionless, the same for all masses in a given ratio.
+/// A of eq. 19, corrected: dimensionless, depends only on mass ratios.
 double friction_number(const Law& law, const Pair& pair);
 
-/// R: 1 where nothing brakes, 0 where the contact sticks, -roughness where it rebounds.
-double tangential_ratio(const Law& law, const Pair& pair, const Contact& contact);
+/// R: 1 without friction, 0 where the contact sticks, -roughness where it rebounds.
+double tangential_ratio(const Law& law, const Pair& pair, const CollisionState& contact);
 
-/// The motions after the collision. The normal stays. Precondition: slip . normal >= 0.
-Contact collide(const Law& law, const Pair& pair, const Contact& contact);
+/// The motions after the collision; the normal is unchanged. Precondition: slip . normal >= 0.
+CollisionState collide(const Law& law, const Pair& pair, const CollisionState& contact);
 
-/// Energy that a collision takes away, by eqs. 24 to 26: not negative.
-struct Loss {
+/// Energy lost in a collision, eqs. 24 to 26: not negative.
+struct EnergyLoss {
   double normal = 0;      ///< of the motion along the normal
   double tangential = 0;  ///< of sliding and spin
 
   double total() const { return normal + tangential; }
 };
-Loss energy_loss(const Law& law, const Pair& pair, const Contact& contact);
+EnergyLoss energy_loss(const Law& law, const Pair& pair, const CollisionState& contact);
 
 }  // namespace clca::boltzmann

@@ -1,11 +1,11 @@
 #pragma once
-// What is read off a gas at one time.
+// Observables of a gas at one time.
 
 #include <vector>
 
-#include "clca/boltzmann/distribution.hpp"
 #include "clca/boltzmann/gas.hpp"
-#include "clca/fields/fields.hpp"
+#include "clca/reflection/reflection.hpp"
+#include "clca/statistics/distribution.hpp"
 
 namespace clca::boltzmann {
 
@@ -21,7 +21,7 @@ struct Moments {
   double p_xy = 0;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("translational", &Moments::translational),
                            field("rotational", &Moments::rotational),
                            field("a2_translational", &Moments::a2_translational),
@@ -32,21 +32,24 @@ struct Moments {
   }
 };
 
-/// Sums in a fixed order: the same bits for any number of threads. Zero spin gives zeros. Throws
-/// std::invalid_argument where there are no particles.
+/// Summed in a fixed order: the same bits for any number of threads. Zero spin gives zeros.
+/// Throws std::invalid_argument if there are no particles.
 Moments moments(const Motions& motions);
 
-/// Shares of X = |v|^2 / v0^2 and of |w|^2 / w0^2 by bins, each with its own present scale.
+/// Shares per bin of X = |v|^2
+/// v0^2 and |w|^2
+/// w0^2, each with its present scale.
 struct EnergyShares {
   std::vector<double> translational;
   std::vector<double> rotational;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("translational", &EnergyShares::translational),
                            field("rotational", &EnergyShares::rotational));
   }
 };
-EnergyShares energy_shares(const Motions& motions, const Moments& moments, const Bins& bins);
+EnergyShares energy_shares(const Motions& motions, const Moments& moments,
+                           const statistics::Bins& bins);
 
 }  // namespace clca::boltzmann

@@ -1,7 +1,7 @@
 #pragma once
-// A run of the automaton beside one of the Boltzmann equation: how the energies of their particles
-// are distributed. Both are in bins that are equally probable under chi-square, with 2 degrees of
-// freedom in the plane and 3 in space, so that bin k of one answers to bin k of the other.
+// Compares the energy distributions of an automaton run and a Boltzmann run. Bins are equally
+// probable under chi-square, with 2 degrees of freedom in the plane and 3 in space, so that bin k
+// of one corresponds to bin k of the other.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +18,7 @@ class CompareError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct Choice {
+struct RunChoice {
   std::optional<std::string> stage = {};   ///< of the automaton; none: the last with a distribution
   std::optional<double> time = {};         ///< of the Boltzmann run; none: the latest
   std::optional<double> restitution = {};  ///< needed where the run has several
@@ -32,11 +32,11 @@ struct Distribution {
   std::uint64_t samples = 0;
 };
 
-/// Hellinger distance of a distribution from chi-square, or of one from another.
+/// Hellinger distance of a distribution from chi-square, or between two.
 struct Distance {
   std::string name;  ///< of the distribution, or of both, as in A:B
   double distance = 0;
-  double floor = 0;  ///< what it is on the average for that many independent samples of equals
+  double floor = 0;  ///< expected distance of that many independent samples of equal distributions
   std::uint64_t samples = 0;  ///< the fewer of the two
 };
 
@@ -49,15 +49,15 @@ struct Comparison {
 
 /// Reads the folders of the two runs. Throws CompareError.
 Comparison comparison(const std::filesystem::path& automaton_run,
-                      const std::filesystem::path& boltzmann_run, const Choice& choice);
+                      const std::filesystem::path& boltzmann_run, const RunChoice& choice);
 
-/// Each from chi-square, then each of the automaton from each of the Boltzmann run.
+/// Each from chi-square, then each automaton distribution from each Boltzmann one.
 std::vector<Distance> distances(const Comparison& comparison);
 
-/// Writes comparison.csv (quantile_lower, quantile_upper, a column per distribution, reference) and
-/// distances.csv (name, distance, floor, samples) into `folder`, made if need be, and a run.json of
-/// kind "comparison" that lets figures be drawn. Throws store::StoreError, and
-/// CompareError where a run of another kind lies there.
+/// Writes comparison.csv (quantile_lower, quantile_upper, a column per distribution, reference),
+/// distances.csv (name, distance, floor, samples) and a run.json of kind "comparison" for figures
+/// into `folder`, made if needed.
+/// Throws store::StoreError, and CompareError if the folder holds another run.
 void write(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace clca::compare

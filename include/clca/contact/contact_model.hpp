@@ -16,66 +16,63 @@
 
 namespace clca::contact {
 
-/// What one step did.
+/// Results of one step.
 struct StepReport {
   std::size_t moved = 0;
   std::size_t emitted = 0;
   std::size_t removed = 0;
-  /// Nothing has moved for some time, nothing has more than the velocity that gravity gives in two
-  /// steps, no source will give more, and no wall will move.
+  /// Nothing has moved for some time, all velocities are below what gravity gives in two steps, no
+  /// source will emit, and no wall will move.
   bool settled = false;
-  /// Nothing moves, and nothing has more than that velocity.
+  /// Nothing moves, and all velocities are below that limit.
   bool quiet = false;
-  /// Kinetic and potential energy that sources brought less what outlets took, as in Energy.
+  /// Kinetic and potential energy added by sources minus that removed by outlets, as in Energy.
   double energy_gained = 0;
 };
 
 struct Options {
-  /// Friction by wall; that of the parameters for those that have none here.
+  /// Friction per wall; none: Parameters::wall_friction.
   std::vector<std::optional<double>> wall_friction = {};
-  /// Steps as the model is defined, not as they are fast. For checks.
+  /// Uses the reference step instead of the fast engine. For checks.
   bool reference = false;
   int threads = 1;  ///< change nothing but the speed
-  /// Grains that are worth a thread.
+  /// Fewer grains are not worth a thread.
   std::size_t split_from = 1024;
-  /// Where steps are to add what they took; it has to outlive the model.
+  /// Accumulates the time of steps; must outlive the model.
   Profile* profile = nullptr;
 };
 
 // In lattice spacings per step squared.
-inline constexpr double kLeastGravity = 0x1p-20;
-inline constexpr double kMostGravity = 0.25;
+inline constexpr double kMinGravity = 0x1p-20;
+inline constexpr double kMaxGravity = 0.25;
 
-/// The acceleration by gravity in lattice spacings per step squared, a multiple of 2^-23. Throws
-/// std::invalid_argument unless resolution and fall height are positive and give one in these
-/// bounds.
+/// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
+/// unless resolution and fall height are positive and give a value within these bounds.
 double gravity(const Parameters& parameters);
 
 /// Energy in units of a site's mass, gravity and the lattice spacing.
 struct Energy {
   double kinetic = 0;
-  /// Against gravity as the vessel stands; 0 where all centres of mass are at the height of the
-  /// lower left site.
+  /// For the present direction of gravity; 0 if all centres of mass are at the height of the lower
+  /// left site.
   double potential = 0;
 };
 Energy energy(const State& state, double gravity);
 
-/// 64 bits over everything that a run changes; the same on every machine.
+/// 64-bit hash of everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 
-/// Throws std::invalid_argument, with the reason, unless the model can work with the state (see
-/// grains::check_valid): one motion for each grain, contacts of grains, walls and sides that are
-/// there, no number out of range, no wall that lets overlap, and none elsewhere than its motion has
-/// brought it.
+/// Throws std::invalid_argument, with the reason, unless the model can run the state (see
+/// grains::check_valid): one motion per grain, contacts of existing bodies, all numbers in range,
+/// no wall that may overlap, and every wall where its motion can have moved it.
 void check_valid(const State& state);
 
-/// Runs a State. When a change throws other than
-/// std::invalid_argument or std::out_of_range, it is half done: all that would change the state
-/// after that throws std::logic_error.
+/// Runs a State. After an exception other than std::invalid_argument or std::out_of_range the state
+/// is incomplete, and every further change throws std::logic_error.
 class ContactModel {
  public:
-  /// Throws std::invalid_argument when the state is not valid (see check_valid, grains::Occupancy),
-  /// or for parameters out of range.
+  /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy) or
+  /// a parameter is out of range.
   ContactModel(State state, const Parameters& parameters, const Options& options = {});
   ~ContactModel();
   ContactModel(const ContactModel&) = delete;
@@ -84,23 +81,24 @@ class ContactModel {
   ContactModel& operator=(ContactModel&&) noexcept;
 
   const State& state() const;
-  /// Of the state; cheaper than state(), which also brings the list of contacts up to date.
+  /// Part of state(); cheaper, as state() also updates the list of contacts.
   const grains::State& grains() const;
-  const grains::Occupancy& occupancy() const;
+  grains::Occupancy occupancy() const;
   const Vessel& vessel() const;
 
-  /// One step: sources, contacts, impulses, moves of grains and walls, outlets. What comes from a
-  /// source is at rest, within half a spacing from its site to either side.
+  /// One step: sources, contacts, impulses, moves of grains and walls, outlets. New grains are at
+  /// rest, within half a spacing of their site sideways.
   StepReport step();
 
-  // As those of automaton::Automaton. What is new is at rest.
+  // As in automaton::Automaton. New grains are at rest.
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   void remove_wall(std::size_t wall);
   bool insert_wall(std::size_t wall);
   void set_motion(std::size_t wall, bool active);
   void set_source(std::size_t source, bool open);
-  /// Throws std::invalid_argument for one that is not valid. Grains at rest stay so in the vessel.
+  /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay at rest relative to
+  /// the vessel.
   void set_vessel(const Vessel& vessel);
   void mark_origins();
 

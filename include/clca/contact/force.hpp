@@ -1,5 +1,5 @@
 #pragma once
-// Forces: impulses over the time that they took, of the last step or as means over several.
+// Contact forces: impulses divided by time, of the last step or averaged over several.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -11,27 +11,28 @@
 
 namespace clca::contact {
 
-/// Between a grain and what it touches, in weights of a grain of mean mass.
+/// The force between a grain and another body, in weights of a grain of mean mass.
 struct Force {
   std::uint32_t upper = 0;
   grains::Owner other = 0;                           ///< a grain, a wall or a side of the box
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();   ///< of contact, in lattice spacings
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< of contact, in lattice spacings
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< of length 1, towards the upper grain
-  /// From the other centre, or the place of contact with what is no grain, to the upper centre.
+  /// From the centre of the other grain, or the contact point with a wall or side, to the upper
+  /// centre.
   Eigen::Vector2d branch = Eigen::Vector2d::Zero();
   double along_normal = 0;  ///< not negative in one step
   double along_shear = 0;   ///< on the normal turned anticlockwise
 
   bool operator==(const Force&) const = default;
 
-  /// On the upper grain; the other body has the opposite one.
+  /// Force on the upper grain; the other body has the opposite force.
   Eigen::Vector2d on_upper() const {
     return along_normal * normal + along_shear * Eigen::Vector2d(-normal.y(), normal.x());
   }
 };
 
-/// All but those of State::sleep, in the order of the contacts. `gravity` in lattice spacings per
-/// step squared. In a periodic box places are near the upper grain.
+/// Forces of all contacts except those in State::sleep, in their order. `gravity` in lattice
+/// spacings per step squared. In a periodic box points are near the upper grain.
 std::vector<Force> forces(const State& state, double gravity);
 
 /// Sums of the forces of several steps, by contact.
@@ -39,20 +40,20 @@ struct ForceSums {
   struct Sum {
     std::uint32_t upper = 0;
     grains::Owner other = 0;
-    // Of the last step in which they touched.
+    // From the last step in which they touched.
     double place_x = 0;
     double place_y = 0;
     double normal_x = 0;
     double normal_y = 0;
     double branch_x = 0;
     double branch_y = 0;
-    // On the upper grain of that step, over all steps.
+    // On the upper grain, summed over all steps.
     double force_x = 0;
     double force_y = 0;
 
     bool operator==(const Sum&) const = default;
     static constexpr auto fields() {
-      using fields::field;
+      using reflection::field;
       return std::make_tuple(field("upper", &Sum::upper), field("other", &Sum::other),
                              field("place_x", &Sum::place_x), field("place_y", &Sum::place_y),
                              field("normal_x", &Sum::normal_x), field("normal_y", &Sum::normal_y),
@@ -65,27 +66,27 @@ struct ForceSums {
   std::unordered_map<std::uint64_t, std::size_t> places = {};  ///< in `sums`, by the two bodies
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("sums", &ForceSums::sums), field("steps", &ForceSums::steps));
   }
 };
 
-/// Adds what came later.
+/// Adds forces of later steps.
 void add(ForceSums& sums, std::span<const Force> forces_of_a_step);
 void add(ForceSums& sums, const ForceSums& later);
 
-/// Mean over the steps, 0 in those in which the bodies did not touch: the mean vector along the
-/// last normal and across it. By ids, the smaller one first. Empty where there are no steps.
+/// Mean forces over the steps, including those without contact: the mean vector, resolved along the
+/// last normal. Sorted by ids, the smaller one first. Empty if there are no steps.
 std::vector<Force> means(const ForceSums& sums);
 
-/// Sum of the normal forces on each of so many grains, by id.
+/// Sum of normal forces on each grain, by id.
 std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces);
 
-/// Mean mass of the grains that are present, in sites; 0 where there are none.
+/// Mean mass of the present grains, in sites; 0 if there are none.
 double mean_mass(const grains::State& state);
 
-/// What forces and weight of each grain do not balance, over its weight, by id; 0 of grains that
-/// have left. `down`: of length 1, the direction of gravity.
+/// Residual of the force balance of each grain, divided by its weight, by id; 0 for removed grains.
+/// `down`: unit vector, direction of gravity.
 std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces,
                               const Eigen::Vector2d& down);
 

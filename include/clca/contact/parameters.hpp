@@ -1,23 +1,23 @@
 #pragma once
-// What a scene chooses of the contact model.
+// Parameters of the contact model.
 
 #include <cstdint>
 
 namespace clca::contact {
 
-/// How grains turn: not at all, against a moment that resists rolling, or freely.
+/// Rotation of grains: none, with rolling resistance, or free.
 enum class Rolling : std::uint8_t { none, resistance, free };
 
 struct Parameters {
   double friction = 0.4;       ///< between grains
   double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
   Rolling rolling = Rolling::resistance;
-  /// For Rolling::resistance; times the radius, as in discrete elements.
+  /// For Rolling::resistance; multiplied by the radius, as in discrete element models.
   double rolling_friction = 0.5;
   double restitution = 0.4;  ///< in [0, 1)
   int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
   double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
-  /// Height of that fall in lattice spacings; 0: estimated from the fills.
+  /// Fall height in lattice spacings; 0: estimated from the fills.
   double fall_height = 0;
   bool sleeping = false;  ///< whether steps leave out grains that have come to rest
 

@@ -1,27 +1,25 @@
 #pragma once
-// The state of a run of the contact model: the grains, how they move, and what passes between
-// those that touch.
+// The state of the contact model: grains, their velocities and their contacts.
 
 #include <cstdint>
 #include <vector>
 
 #include "clca/contact/vessel.hpp"
-#include "clca/fields/fields.hpp"
-#include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::contact {
 
-/// Velocities and lengths are whole numbers of 2^-23 lattice spacings (a step). With 2^-20 the
-/// forces of a bed at rest drift by rounding until some contact slides.
+/// Velocities and lengths are integers in units of 2^-23 lattice spacings (per step). With 2^-20,
+/// rounding would let the forces of a bed at rest drift until a contact slides.
 inline constexpr int kFractionBits = 23;
 inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
 
-// Bounds that no run of any use comes near, so that no product overflows.
-inline constexpr std::int32_t kFastest = 16 * kSpacing;  ///< velocities and spins
-inline constexpr std::int32_t kFarthest =
-    8 * kSpacing;                                    ///< remainders: a step makes six moves at most
-inline constexpr std::int32_t kStrongest = 1 << 29;  ///< impulses
+// Bounds far above any useful run, so that no product overflows.
+inline constexpr std::int32_t kMaxVelocity = 16 * kSpacing;  ///< velocities and spins
+inline constexpr std::int32_t kMaxRemainder =
+    8 * kSpacing;  ///< remainders: a step makes six moves at most
+inline constexpr std::int32_t kMaxImpulse = 1 << 29;  ///< impulses
 
 /// Cartesian, in 2^-23 lattice spacings.
 struct Vector {
@@ -30,11 +28,11 @@ struct Vector {
 
   bool operator==(const Vector&) const = default;
   static constexpr auto fields() {
-    return std::make_tuple(fields::field("x", &Vector::x), fields::field("y", &Vector::y));
+    return std::make_tuple(reflection::field("x", &Vector::x), reflection::field("y", &Vector::y));
   }
 };
 
-/// Of a grain, in 2^-23 lattice spacings a step.
+/// Velocity and spin of a grain, in 2^-23 lattice spacings per step.
 template <class Int>
 struct Velocity {
   Int x = {};
@@ -43,13 +41,13 @@ struct Velocity {
 
   bool operator==(const Velocity&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("x", &Velocity::x), field("y", &Velocity::y),
                            field("spin", &Velocity::spin));
   }
 };
 
-/// What else than a grain one may touch: a wall (grains::wall_code) or a side of the box.
+/// Bodies other than grains: walls (grains::wall_code) and the sides of the box.
 inline constexpr grains::Owner kFloor = grains::kBorder;
 inline constexpr grains::Owner kCeiling = grains::kBorder + 1;
 inline constexpr grains::Owner kLeftSide = grains::kBorder + 2;
@@ -64,12 +62,13 @@ struct UnitVector {
 
   bool operator==(const UnitVector&) const = default;
   static constexpr auto fields() {
-    return std::make_tuple(fields::field("x", &UnitVector::x), fields::field("y", &UnitVector::y));
+    return std::make_tuple(reflection::field("x", &UnitVector::x),
+                           reflection::field("y", &UnitVector::y));
   }
 };
 
-/// What a body gives the upper one in a step, in 2^-23 lattice spacings a step times the unit of
-/// mass, which is a site, or more where there are grains of more than 16 sites (see forces()).
+/// Impulse on the upper body in a step, in 2^-23 lattice spacings per step times the unit of mass:
+/// a site, or more if grains have more than 16 sites (see forces()).
 template <class Int>
 struct Impulse {
   Int normal = {};   ///< not negative
@@ -78,13 +77,13 @@ struct Impulse {
 
   bool operator==(const Impulse&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("normal", &Impulse::normal), field("shear", &Impulse::shear),
                            field("rolling", &Impulse::rolling));
   }
 };
 
-/// A grain and what it touches.
+/// A contact between a grain and another body.
 struct Contact {
   std::uint32_t upper = 0;  ///< the higher of two grains; of two at one height the left one
   grains::Owner other = 0;
@@ -93,23 +92,23 @@ struct Contact {
 
   bool operator==(const Contact&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("upper", &Contact::upper), field("other", &Contact::other),
                            field("normal", &Contact::normal), field("impulse", &Contact::impulse));
   }
 };
 
-/// Grains that steps leave out (rule/sleep.hpp). Nothing in it where none may sleep.
+/// Sleeping grains, which steps skip (rule/sleep.hpp). Empty if sleeping is off.
 struct Sleep {
   static constexpr bool kHashedOnlyIfSet = true;
 
-  /// By id: for how many checks in a row a grain has been at rest, at most kAsleep; or kDisturbed.
+  /// By id: consecutive checks at rest, at most kAsleep; or kDisturbed.
   std::vector<std::uint8_t> rests = {};
   std::vector<Contact> contacts = {};  ///< of sleepers with each other, with walls and sides
 
   bool operator==(const Sleep&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("rests", &Sleep::rests), field("contacts", &Sleep::contacts));
   }
 };
@@ -118,12 +117,12 @@ struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
-  /// By wall: how far its motion is ahead of it, in 2^-20 lattice spacings along its direction.
+  /// By wall: how far its motion is ahead of the wall, in 2^-20 lattice spacings along its
+  /// direction.
   std::vector<std::int64_t> wall_remainders = {};
-  /// Of the last step, in the order in which they are swept; others are in `sleep`.
+  /// Contacts of the last step, in sweep order; sleeping ones are in `sleep`.
   std::vector<Contact> contacts = {};
-  /// Something other than the step itself has changed walls or grains: contacts are put in order
-  /// anew.
+  /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
   std::uint64_t quiet_steps = 0;  ///< in a row: without a move, and with hardly any velocity
   Vessel vessel = {};
@@ -131,7 +130,7 @@ struct State {
 
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
                            field("remainders", &State::remainders),
                            field("wall_remainders", &State::wall_remainders),

@@ -1,7 +1,6 @@
 #pragma once
-// The frames of a trajectory in the formats of other programs: VTK for ParaView, GSD and extended
-// XYZ for OVITO. docs/export.md says what stands where. (The namespace is `exports`, since `export`
-// is a word of the language.)
+// Exports trajectory frames: VTK for ParaView, GSD and extended XYZ for OVITO. See docs/export.md.
+// The namespace is `exports`, since `export` is a keyword.
 
 #include <atomic>
 #include <cstdint>
@@ -19,7 +18,7 @@
 
 namespace clca::exports {
 
-/// What was asked for is not there. what() is one line.
+/// The requested data do not exist. what() is one line.
 class ExportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -27,10 +26,10 @@ class ExportError : public std::runtime_error {
 
 enum class Format : std::uint8_t { vtp, gsd, xyz };
 
-/// Ending of the file that is to be opened: .pvd, .gsd or .xyz.
+/// File ending: .pvd, .gsd or .xyz.
 std::string_view ending(Format format);
 
-/// Takes frames, one after the other, and holds no more than one in memory.
+/// Writes frames one by one, with one in memory at a time.
 class Writer {
  public:
   Writer() = default;
@@ -38,33 +37,32 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Steps must not fall from frame to frame. Throws store::StoreError.
+  /// Steps must not decrease. Throws store::StoreError.
   virtual void add(const grains::State& state, const store::ContactFrame& contact) = 0;
-  /// Puts the file at its place. Nothing can be added afterwards. Throws store::StoreError.
+  /// Completes the file; nothing can be added afterwards. Throws store::StoreError.
   virtual void finish() = 0;
 };
 
-/// A writer of `file`; those of VTK write files of single frames beside it. The states to come are
-/// of this scene and have these kinds. Throws store::StoreError.
+/// A writer for `file`; VTK also writes a file per frame beside it. All states must be of this
+/// scene with these kinds. Throws store::StoreError.
 std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
                                const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
 
-/// Which frames, by their steps.
-struct Choice {
+/// Selection of frames by step.
+struct FrameSelection {
   std::optional<std::uint64_t> from = {};   ///< first step
   std::optional<std::uint64_t> until = {};  ///< last step
-  /// Steps from frame to frame in a stage, at least; the first of a stage always counts.
+  /// Minimum steps between frames of a stage; the first frame of a stage is always included.
   std::uint64_t every = 1;
 };
 
-/// Their places in `frames`. Throws ExportError where there is none.
-std::vector<std::size_t> chosen(const std::vector<store::Trajectory::Frame>& frames,
-                                const Choice& choice);
+/// Indices of the selected frames. Throws ExportError if there are none.
+std::vector<std::size_t> selected_frames(const std::vector<store::Trajectory::Frame>& frames,
+                                         const FrameSelection& selection);
 
-/// Writes the chosen frames of a trajectory of the scene; ends early, with a file of what was
-/// written so far (none without a frame), when `stop` is not 0. Returns the number of frames.
-/// Throws ExportError and store::StoreError.
-std::size_t write(const store::Trajectory& trajectory, const Choice& choice, Writer& writer,
-                  const std::atomic<int>& stop);
+/// Writes the selected frames and returns their number. If `stop` is not 0, ends early with a
+/// complete file (none without a frame). Throws ExportError and store::StoreError.
+std::size_t write(const store::Trajectory& trajectory, const FrameSelection& selection,
+                  Writer& writer, const std::atomic<int>& stop);
 
 }  // namespace clca::exports

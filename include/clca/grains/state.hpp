@@ -1,17 +1,18 @@
 #pragma once
-// The state of a run: a value that can be copied, compared, hashed, saved and loaded. The lists of
-// fields name what a run changes; all else follows from the scene.
+// The state of a run: a value that can be copied, compared, hashed, saved and loaded.
+// fields() lists the members that a run changes; all others follow from the scene.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::grains {
 
@@ -23,31 +24,33 @@ struct Kind {
   bool operator==(const Kind&) const = default;
 };
 
-/// What a particle did in its last step: 0 to 5 a lattice::Direction, kRest none.
+/// Last move of a particle: 0 to 5 is a lattice::Direction, kRest is none.
 using Move = std::uint8_t;
 inline constexpr Move kRest = 6;
 
-/// Its id is its place in State::particles, for life.
+/// Its id is its index in State::particles and never changes.
 struct Particle {
-  std::int32_t column = 0;  ///< of the reference site; runs on across a periodic seam
+  std::int32_t column = 0;  ///< of the reference site; not wrapped at a periodic boundary
   std::int32_t row = 0;
   std::uint16_t kind = 0;  ///< index into State::kinds
   Move previous = kRest;
-  bool present = true;  ///< false once an outlet has removed it
+  bool present = true;  ///< false once removed by an outlet
 
   lattice::Site site() const { return {column, row}; }
   bool operator==(const Particle&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("column", &Particle::column), field("row", &Particle::row),
                            field("kind", &Particle::kind), field("previous", &Particle::previous),
                            field("present", &Particle::present));
   }
 };
 
-/// Takes part where sites have two occupants: a particle id, or the code of a wall.
+/// Owner of a site: a particle id, the code of a wall, or one of these.
 using Owner = std::int32_t;
+inline constexpr Owner kFree = -1;       ///< nobody
 inline constexpr Owner kFirstWall = -2;  ///< further walls are numbered down
+inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();  ///< the border of the box
 
 constexpr bool is_particle(Owner owner) {
   return owner >= 0;
@@ -62,38 +65,38 @@ constexpr std::size_t wall_number(Owner owner) {
   return static_cast<std::size_t>(kFirstWall - owner);
 }
 
-/// An obstacle. The sites of one that does not move lie inside the box; one that moves may begin
-/// or end outside, where it is not there.
+/// An obstacle. The sites of a wall without motion lie in the box. Those of a moving wall may start
+/// or end outside, where they have no effect.
 struct Wall {
-  std::vector<lattice::Site> sites = {};  ///< at home
+  std::vector<lattice::Site> sites = {};  ///< at the initial position
   bool present = true;
-  std::optional<Motion> motion = {};
-  Passive passive = Passive::rigid;  ///< of one that moves
+  std::optional<WallMotion> motion = {};
+  Passive passive = Passive::rigid;  ///< of a moving wall
   Travel travel = {};
 
-  /// Where the wall is now, as a vector from home.
+  /// Displacement of the wall from its initial position.
   lattice::Axial shift() const;
   bool lets_overlap() const { return motion && passive == Passive::overlap; }
   bool operator==(const Wall&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("present", &Wall::present), field("travel", &Wall::travel));
   }
 };
 
-/// An overlap that a push has left: `pusher`, a particle or a wall, came onto `pushed`. The push
-/// began at the wall `source`, in `direction`.
+/// An overlap left by a push: `pusher`, a particle or a wall, moved onto `pushed`.
+/// The push began at the wall `source`, in `direction`.
 struct Push {
   std::uint32_t pushed = 0;
   Owner pusher = 0;
   std::uint32_t source = 0;
   lattice::Direction direction = lattice::Direction::down;
 
-  /// By which State::pushes are in order.
+  /// State::pushes is sorted by this.
   std::pair<std::uint32_t, Owner> key() const { return {pushed, pusher}; }
   bool operator==(const Push&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("pushed", &Push::pushed), field("pusher", &Push::pusher),
                            field("source", &Push::source), field("direction", &Push::direction));
   }
@@ -101,10 +104,10 @@ struct Push {
 
 /// Emits particles while it is open.
 struct Source {
-  std::vector<lattice::Site> sites = {};  ///< where the reference site of a new particle may lie
+  std::vector<lattice::Site> sites = {};  ///< allowed reference sites of a new particle
   std::vector<std::uint32_t> weights;     ///< per kind; a kind is drawn in proportion
   std::uint64_t rate = 0;                 ///< particles per step, times 2^32
-  std::uint64_t count = 0;                ///< closes for good after so many particles
+  std::uint64_t count = 0;                ///< particles after which it closes for good
   std::uint64_t credit = 0;               ///< particles due, times 2^32
   std::uint64_t emitted = 0;
   bool open = false;
@@ -112,13 +115,13 @@ struct Source {
   bool exhausted() const { return emitted >= count; }
   bool operator==(const Source&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("credit", &Source::credit), field("emitted", &Source::emitted),
                            field("open", &Source::open));
   }
 };
 
-/// Removes and counts every particle that lies wholly inside.
+/// Removes and counts every particle that is wholly inside.
 struct Outlet {
   lattice::Rectangle region = {};
   std::uint64_t particles = 0;
@@ -126,7 +129,7 @@ struct Outlet {
 
   bool operator==(const Outlet&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("particles", &Outlet::particles), field("sites", &Outlet::sites));
   }
 };
@@ -137,18 +140,18 @@ struct State {
   std::uint64_t step = 0;
   std::vector<Kind> kinds = {};
   std::vector<Particle> particles = {};
-  /// Where each particle was when the stage began or when it entered, by id.
+  /// Position of each particle at the start of the stage or when it entered, by id.
   std::vector<lattice::Site> origins = {};
   std::vector<Wall> walls = {};
   std::vector<Source> sources = {};
   std::vector<Outlet> outlets = {};
-  /// By Push::key; one for each pair.
+  /// Sorted by Push::key; one per pair.
   std::vector<Push> pushes = {};
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("seed", &State::seed), field("step", &State::step),
                            field("particles", &State::particles), field("origins", &State::origins),
                            field("walls", &State::walls), field("sources", &State::sources),
@@ -159,28 +162,28 @@ struct State {
 /// Centre of mass in lattice spacings.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
 
-/// Number of particles that are still in the box.
+/// Number of particles in the box.
 std::size_t present_count(const State& state);
 
-/// The sites inside the box that a wall covers now, whether it is present or not.
+/// The sites of the box that a wall covers now, whether it is present or not.
 std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall& wall);
 
-/// True when some wall may come to overlap with particles.
+/// True if some wall may overlap particles.
 bool may_overlap(const State& state);
 
-/// The push by which `pusher` came onto particle `pushed`; null where there is none.
+/// The push of `pusher` onto the particle `pushed`; null if there is none.
 const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher);
 
-/// 64 bits over everything that a run changes; the same on every machine.
+/// 64-bit hash of everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 
-/// Throws std::invalid_argument, with the reason, unless a model can work with the state: the
-/// shape of a kind has a site at its reference, what refers to others refers to some that are
-/// there, motions have positive periods and rise, a source has sites and one weight for each kind,
-/// not all 0. Whether particles have room is for Occupancy to say.
+/// Throws std::invalid_argument, with the reason, unless a model can run the state:
+/// every shape contains its reference site, all indices are valid, motions have positive periods
+/// and increasing steps, a source has sites and one weight per kind, not all 0. Occupancy checks
+/// that particles do not overlap.
 void check_valid(const State& state);
 
-/// Throws likewise unless the state is one that a run which began as `beginning` may come to.
+/// Throws std::invalid_argument unless a run that started from `beginning` can reach the state.
 void check_reachable(const State& state, const State& beginning);
 
 }  // namespace clca::grains

@@ -37,21 +37,21 @@ struct Arc {
   bool operator==(const Arc&) const = default;
 };
 
-/// The sites inside or on the edge, those at most 10^-6 spacings outside included: those of the
-/// lattice, or those that come into it. Up the columns from the left. A ring that is one spacing
-/// thick or more is closed: no row of neighbouring sites leads through it. Each throws
-/// std::invalid_argument unless the centre is as for nearest_site, radius and thickness are from 0
-/// to less than 10^8 and the angles are as above and between -10^8 and 10^8.
-std::vector<Site> sites_in(const Catchment& catchment, const Disc& disc);
-std::vector<Site> sites_in(const Catchment& catchment, const Ring& ring);
-std::vector<Site> sites_in(const Catchment& catchment, const Arc& arc);
+/// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
+/// from the left, upwards.
+/// A ring at least one spacing thick is closed: no chain of neighbouring sites crosses it.
+/// Throws std::invalid_argument unless the centre is valid for nearest_site, radius and thickness
+/// are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Disc& disc);
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Ring& ring);
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Arc& arc);
 
-/// Whether sites_in() is empty, without gathering the sites.
+/// Whether sites_in() is empty. Does not build the list.
 bool holds_no_site(const Lattice& lattice, const Disc& disc);
 bool holds_no_site(const Lattice& lattice, const Ring& ring);
 bool holds_no_site(const Lattice& lattice, const Arc& arc);
 
-/// A rectangle that holds all of the sites.
+/// A rectangle that contains all the sites.
 Rectangle around(const Disc& disc);
 Rectangle around(const Ring& ring);
 Rectangle around(const Arc& arc);

@@ -7,7 +7,7 @@
 
 namespace clca::lattice {
 
-/// Clockwise from straight up; the sloping ones are at 30 degrees from the horizontal.
+/// Clockwise from straight up. The sloping directions are 30 degrees from the horizontal.
 enum class Direction : std::uint8_t { up, up_right, down_right, down, down_left, up_left };
 
 inline constexpr int kDirectionCount = 6;
@@ -29,7 +29,7 @@ constexpr Direction opposite(Direction direction) {
   return rotated(direction, 3);
 }
 
-/// Turns by 60 degrees between two directions: 0 to 3.
+/// The angle between two directions in units of 60 degrees: 0 to 3.
 constexpr int turns_between(Direction one, Direction other) {
   const int apart =
       (static_cast<int>(one) - static_cast<int>(other) + kDirectionCount) % kDirectionCount;
@@ -58,7 +58,7 @@ constexpr Axial rotated_clockwise(Axial vector) {
   return {vector.x + vector.q, -vector.x};
 }
 
-/// Least number of unit steps that make up `vector`.
+/// Smallest number of unit steps that add up to `vector`.
 constexpr int length(Axial vector) {
   const auto absolute = [](int value) { return value < 0 ? -value : value; };
   return (absolute(vector.x) + absolute(vector.q) + absolute(vector.x + vector.q)) / 2;

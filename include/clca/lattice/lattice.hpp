@@ -1,27 +1,27 @@
 #pragma once
-// The box of lattice sites: columns, rows, their places in the plane and in memory.
+// The box of lattice sites: columns, rows, positions in the plane, indices in memory.
 
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 
-#include "clca/fields/fields.hpp"
 #include "clca/lattice/direction.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::lattice {
 
 /// Distance of neighbouring columns in lattice spacings: sqrt(3)/2.
 inline constexpr double kColumnPitch = 0.86602540378443864676;
 
-/// A site by column and by row within the column. Odd columns stand half a spacing higher.
+/// A site by column and row. Odd columns are half a spacing higher.
 struct Site {
   int column = 0;
   int row = 0;
 
   constexpr auto operator<=>(const Site&) const = default;
   static constexpr auto fields() {
-    return std::make_tuple(fields::field("column", &Site::column),
-                           fields::field("row", &Site::row));
+    return std::make_tuple(reflection::field("column", &Site::column),
+                           reflection::field("row", &Site::row));
   }
 };
 
@@ -34,7 +34,7 @@ constexpr int doubled_height(Site site) {
   return 2 * site.row + (is_odd(site.column) ? 1 : 0);
 }
 
-/// Cartesian place of a site in lattice spacings from the lower left site.
+/// Cartesian position of a site in lattice spacings, relative to the lower left site.
 inline Eigen::Vector2d position(Site site) {
   return {kColumnPitch * site.column, 0.5 * doubled_height(site)};
 }
@@ -55,8 +55,8 @@ constexpr Axial operator-(Site to, Site from) {
   return {to.column - from.column, (to.row - (to.column >> 1)) - (from.row - (from.column >> 1))};
 }
 
-/// Where a site of a shape lies in memory, seen from the site of its particle.
-/// Holds for reference columns of one parity only.
+/// Index of a site of a shape relative to that of the reference site.
+/// Valid for reference columns of one parity only.
 struct Offset {
   std::int32_t linear = 0;
   std::int32_t column = 0;
@@ -64,9 +64,9 @@ struct Offset {
   bool operator==(const Offset&) const = default;
 };
 
-/// A box of `columns` x `rows` sites with a border one site wide around it, so that a look one
-/// step outside is always valid. Memory runs up two neighbouring columns at once, so that what is
-/// near each other in the plane is so in memory, and steps still depend on the parity only.
+/// A box of `columns` x `rows` sites, with a border one site wide so that every neighbour has an
+/// index.
+/// Memory interleaves two neighbouring columns: sites close in the plane are close in memory.
 class Lattice {
  public:
   /// Throws std::invalid_argument unless both are positive and a periodic box has an even number
@@ -80,7 +80,7 @@ class Lattice {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   bool periodic() const { return periodic_; }
-  /// Number of places in memory, border included.
+  /// Number of indices, border included.
   std::size_t memory_size() const {
     return (static_cast<std::size_t>(columns_) + 3) / 2 * 2 * column_size_;
   }
@@ -90,20 +90,19 @@ class Lattice {
            (periodic_ || (site.column >= 0 && site.column < columns_));
   }
 
-  /// Places from a row to the next.
+  /// Index difference between a row and the next.
   static constexpr int kRowPitch = 2;
 
-  /// Place in memory of a site of the box or its border.
+  /// Index of a site of the box or its border.
   std::size_t index(Site site) const {
     const auto column = static_cast<std::size_t>(wrapped(site.column)) + 1;
     const auto row = static_cast<std::size_t>(site.row) + 1;
     return (column / 2 * column_size_ + row) * std::size_t{kRowPitch} + column % 2;
   }
 
-  /// The site at a place in memory (rows beyond the border included).
+  /// The site with an index; also for rows beyond the border.
   Site site(std::size_t index) const {
-    const std::size_t row =
-        index / std::size_t{kRowPitch};  // those of all pairs of columns one on the other
+    const std::size_t row = index / std::size_t{kRowPitch};  // counted through all pairs of columns
     return {static_cast<int>(row / column_size_ * 2 + index % 2) - 1,
             static_cast<int>(row % column_size_) - 1};
   }
@@ -116,17 +115,17 @@ class Lattice {
     return remainder < 0 ? remainder + columns_ : remainder;
   }
 
-  /// Place and size in the plane of the union of the bodies of all sites, in lattice spacings: the
-  /// lower left corner. A periodic box repeats at its width.
+  /// Lower left corner and size of the box in the plane, in lattice spacings: every site counts
+  /// with its whole cell. A periodic box repeats at its width.
   static Eigen::Vector2d corner() { return {-0.5 * kColumnPitch, -0.5}; }
   Eigen::Vector2d size() const { return {kColumnPitch * columns_, rows_ + 0.5}; }
-  /// How many widths of a periodic box a point lies to the right of the box; 0 where it is not.
+  /// How many box widths a point lies to the right of a periodic box; 0 if the box is not periodic.
   int image(double x) const;
 
   /// Offset of `vector` from a site in an odd or even column.
   Offset offset(Axial vector, bool odd_column) const;
 
-  /// Place in memory of `offset` from the site at `base` in the (wrapped) `column`.
+  /// Index of the site at `offset` from the site with index `base` in the (wrapped) `column`.
   std::size_t at(std::size_t base, int column, Offset offset) const {
     auto place = static_cast<std::ptrdiff_t>(base) + offset.linear;
     if (periodic_) {
@@ -146,8 +145,8 @@ class Lattice {
   int columns_;
   int rows_;
   bool periodic_;
-  std::size_t column_size_;  // places, a multiple of 64
-  std::ptrdiff_t wrap_;      // places between a column and its periodic image
+  std::size_t column_size_;  // indices, a multiple of 64
+  std::ptrdiff_t wrap_;      // index difference of a column and its periodic image
 };
 
 }  // namespace clca::lattice

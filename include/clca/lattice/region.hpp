@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "clca/lattice/catchment.hpp"
 #include "clca/lattice/lattice.hpp"
+#include "clca/lattice/swept_region.hpp"
 
 namespace clca::lattice {
 
-/// A rectangle in lattice spacings, left and bottom edges included, right and top ones not.
+/// A rectangle in lattice spacings. Left and bottom edges belong to it, right and top edges do not.
 struct Rectangle {
   double left = 0;
   double bottom = 0;
@@ -35,21 +35,22 @@ struct Segment {
   }
 };
 
-/// A rectangle that holds all sites of the part.
+/// A rectangle that contains all the sites.
 inline Rectangle around(const Rectangle& rectangle) {
   return rectangle;
 }
 Rectangle around(const Segment& segment);
 
-/// The sites inside `rectangle`, up the columns from the left: those of the lattice, or those that
-/// come into it. Throws as check().
-std::vector<Site> sites_in(const Catchment& catchment, const Rectangle& rectangle);
+/// The sites of the region inside `rectangle`, column by column from the left, upwards. Throws as
+/// check().
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle);
 std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
 
-/// The sites within half its thickness of the segment, and always a connected chain along it, so
-/// that nothing leaks through: those of the lattice, or those that come into it. Sorted. Throws
-/// std::invalid_argument unless the ends are as for nearest_site and the thickness is not negative.
-std::vector<Site> sites_along(const Catchment& catchment, const Segment& segment);
+/// The sites within half the thickness of the segment, and always a connected chain along it, so
+/// that nothing passes through. Sorted.
+/// Throws std::invalid_argument unless the ends are valid for nearest_site and the thickness is not
+/// negative.
+std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment);
 std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
 
 /// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both

@@ -13,16 +13,15 @@ namespace clca::lattice {
 /// A connected set of sites without holes, relative to a reference site at the origin.
 class Shape {
  public:
-  /// From a list of sites. Throws std::invalid_argument for an empty list, a site named twice, a
-  /// set that does not connect or one that encloses a hole, and coordinates beyond 10^6; the others
-  /// likewise.
+  /// Throws std::invalid_argument if the list is empty, names a site twice, is not connected,
+  /// encloses a hole, or has coordinates beyond 10^6. The other makers throw likewise.
   explicit Shape(std::vector<Axial> sites);
 
-  /// All sites within `radius` steps of the centre: 3 radius (radius + 1) + 1 of them.
+  /// All sites within `radius` steps of the centre: 3 radius (radius + 1) + 1 sites.
   static Shape hexagon(int radius);
   /// All sites on and inside the outline through `corners`.
   static Shape polygon(std::span<const Axial> corners);
-  /// Hexagons of `radius` on `length` sites in an upright line.
+  /// Hexagons of `radius` centred on `length` sites in a vertical line.
   static Shape rod(int radius, int length);
 
   /// Sorted by x, then q.
@@ -30,22 +29,22 @@ class Shape {
   std::size_t size() const { return sites_.size(); }
   bool contains(Axial site) const;
 
-  /// Sites to enter on a step in `direction`: (P + d) \ P.
+  /// Sites entered by a step in `direction`: (P + d) \ P.
   std::vector<Axial> lead(Direction direction) const;
-  /// Sites left on a step in `direction`: P \ (P + d).
+  /// Sites left by a step in `direction`: P \ (P + d).
   std::vector<Axial> trail(Direction direction) const;
 
   /// Turned clockwise about the reference site by `sixths` times 60 degrees.
   Shape rotated(int sixths) const;
-  /// True when `other` is this shape but for a translation.
+  /// True if `other` is a translation of this shape.
   bool congruent(const Shape& other) const;
 
-  /// Of the hexagon that this shape is, wherever its reference site; none where it is no hexagon.
+  /// The radius if this shape is a hexagon, wherever its reference site is.
   std::optional<int> hexagon_radius() const;
 
   /// Mean of the sites, in lattice spacings from the reference site.
   Eigen::Vector2d centroid() const;
-  /// Diameter in lattice spacings of the circle with the area of the sites (sqrt(3)/2 each).
+  /// Diameter, in lattice spacings, of the circle with the same area (sqrt(3)/2 per site).
   double diameter() const;
 
   bool operator==(const Shape&) const = default;

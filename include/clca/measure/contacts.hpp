@@ -1,5 +1,5 @@
 #pragma once
-// The overlaps that pushes have left. Their sites are the index of force (Sakaguchi et al. 2001,
+// Overlaps left by pushes. The number of shared sites is the index of force (Sakaguchi et al. 2001,
 // after Murakami).
 
 #include <Eigen/Core>
@@ -12,28 +12,30 @@
 
 namespace clca::measure {
 
-/// A particle that shares sites with another one or with a wall.
-struct Contact {
+/// A particle that shares sites with another particle or a wall.
+struct OverlapContact {
   std::uint32_t first = 0;
   grains::Owner second = 0;  ///< a particle with a greater id, or the code of a wall
   int sites = 0;             ///< shared
   /// Unit moves needed to separate the two. For a wall: 1 if one of the six moves of the particle
-  /// does it, 2 if none does.
+  /// separates them, else 2.
   int depth = 0;
   /// Centroid of the shared sites, in lattice spacings; in a periodic box near `first`.
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
   std::optional<std::uint32_t> source = {};  ///< wall where the push began
 };
 
-/// All pairs that share sites, by `first`, then `second` (walls before particles). `occupancy` is
-/// that of the state; that of another box throws std::invalid_argument.
-std::vector<Contact> contacts(const grains::State& state, const grains::Occupancy& occupancy);
+/// All pairs that share sites, sorted by `first`, then `second` (walls before particles).
+/// Throws std::invalid_argument if `occupancy` belongs to another box.
+std::vector<OverlapContact> contacts(const grains::State& state,
+                                     const grains::Occupancy& occupancy);
 
-/// Index of force of each particle by id: the sites it shares, over all its contacts. Throws
-/// std::invalid_argument for a contact of a particle that is not there.
-std::vector<double> force_indices(std::size_t particle_count, const std::vector<Contact>& contacts);
+/// Index of force of each particle by id: the shared sites of all its contacts.
+/// Throws std::invalid_argument if a contact has an unknown particle.
+std::vector<double> force_indices(std::size_t particle_count,
+                                  const std::vector<OverlapContact>& contacts);
 
-/// The push between the two of a contact, whichever was pushed; null where there is none.
-const grains::Push* push_between(const grains::State& state, const Contact& contact);
+/// The push between the two of a contact, in either direction; null if there is none.
+const grains::Push* push_between(const grains::State& state, const OverlapContact& contact);
 
 }  // namespace clca::measure

@@ -1,56 +1,70 @@
 #pragma once
-// Convection of a bed that is shaken: the mean drift of particles per cycle.
+// Convection in a shaken bed: mean displacement of particles per cycle.
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
 
-/// Mean drift of the particles that begin a cycle in a cell of the grid.
+/// Mean displacement of the particles that start a cycle in a grid cell.
 struct Arrow {
   Eigen::Vector2d centre;        ///< of the cell, lattice spacings
   Eigen::Vector2d displacement;  ///< mean per cycle, lattice spacings
   double weight = 0;             ///< particle sites that the mean is over, of all cycles
 };
 
-/// How two rolls side by side turn. The width of the bed is that of its particles at the begin of
-/// each cycle.
+/// Rotation of two convection rolls side by side. The width of the bed is that of its particles at
+/// the start of each cycle.
 struct Rolls {
-  /// Mean vertical displacement per cycle within the middle third of the width less that within the
-  /// outer sixths at both sides, lattice spacings: positive where the bed goes up inside and down
-  /// at the walls. What the whole bed rises or sinks drops out.
+  /// Mean vertical displacement per cycle in the middle third of the width minus that in the two
+  /// outer sixths, lattice spacings.
+  /// Positive if the bed rises inside and sinks at the walls; uniform motion cancels.
   double centre_minus_wall = 0;
-  /// Mean rotation of the left and of the right half of the bed about its own centre of mass, in
-  /// radians per cycle, anticlockwise positive: the rate of the rigid rotation nearest to the
-  /// drift, half of its curl. Up inside and down at the walls: left positive, right negative.
+  /// Mean rotation of each half of the bed about its centre of mass, radians per cycle,
+  /// anticlockwise positive: the best-fitting rigid rotation, half the curl of the drift.
+  /// Up inside and down at the walls: left positive, right negative.
   double circulation_left = 0;
   double circulation_right = 0;
 };
 
-/// Accumulates the drift over cycles. All means are weighted by the particles' sites.
+/// The state at the start of a cycle. Not nested in Convection: clang 14 takes a nested struct with
+/// such initializers as not default-constructible in an optional member.
+struct CycleStart {
+  Snapshot snapshot = {};
+  double left = 0;  ///< edges of the bed, lattice spacings
+  double right = 0;
+
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("snapshot", &CycleStart::snapshot),
+                           field("left", &CycleStart::left), field("right", &CycleStart::right));
+  }
+};
+
+/// Accumulates displacements over cycles. Means are weighted by the sites of the particles.
 class Convection {
  public:
   /// `cell`: side of the cells of the grid, in lattice spacings.
   Convection(const lattice::Lattice& lattice, double cell);
 
   void begin_cycle(const grains::State& state);
-  /// Particles that came or left within the cycle are left out. Throws std::logic_error where no
-  /// cycle has begun.
+  /// Ignores particles that entered or left during the cycle. Throws std::logic_error if no cycle
+  /// has started.
   void end_cycle(const grains::State& state);
 
   std::uint64_t cycles() const { return cycles_; }
-  /// Of the cells in which a particle ever began a cycle, in the order of Grid.
+  /// For the cells in which some particle started a cycle, in the order of Grid.
   std::vector<Arrow> arrows() const;
-  /// None before the first cycle has ended and where no particle is inside or at the walls.
+  /// None before the end of the first cycle, or if no particle is inside or at the walls.
   std::optional<Rolls> rolls() const;
 
-  /// False where this did not accumulate in a run that has come to `now`.
+  /// False if this cannot have been accumulated by a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr auto fields();
 
@@ -60,53 +74,41 @@ class Convection {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
 
     static constexpr auto fields() {
-      using fields::field;
+      using reflection::field;
       return std::make_tuple(field("weight", &Mean::weight), field("sum", &Mean::sum));
     }
   };
-  /// Sums over one half of the bed, places seen from its middle at the floor of the box.
-  struct Moments {
+  /// Sums over one half of the bed; positions relative to its middle at the floor of the box.
+  struct HalfBedSums {
     double weight = 0;
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();
     double cross = 0;   // of place and drift
     double square = 0;  // of place
 
-    void add(const Eigen::Vector2d& at, const Journey& journey);
+    void add(const Eigen::Vector2d& at, const Displacement& displacement);
     double rotation() const;
     static constexpr auto fields() {
-      using fields::field;
-      return std::make_tuple(field("weight", &Moments::weight), field("place", &Moments::place),
-                             field("drift", &Moments::drift), field("cross", &Moments::cross),
-                             field("square", &Moments::square));
+      using reflection::field;
+      return std::make_tuple(
+          field("weight", &HalfBedSums::weight), field("place", &HalfBedSums::position),
+          field("drift", &HalfBedSums::drift), field("cross", &HalfBedSums::cross),
+          field("square", &HalfBedSums::square));
     }
   };
-  /// What is kept from the begin of a cycle.
-  struct Begin {
-    Snapshot snapshot = {};
-    double left = 0;  // edges of the bed, lattice spacings
-    double right = 0;
-
-    static constexpr auto fields() {
-      using fields::field;
-      return std::make_tuple(field("snapshot", &Begin::snapshot), field("left", &Begin::left),
-                             field("right", &Begin::right));
-    }
-  };
-
-  void add(const Journey& journey, double left, double right);
+  void add(const Displacement& displacement, double left, double right);
 
   Grid grid_;
-  std::optional<Begin> begin_;
+  std::optional<CycleStart> begin_;
   std::uint64_t cycles_ = 0;
   std::vector<Mean> cells_;
   Mean inside_;
   Mean at_walls_;
-  std::array<Moments, 2> halves_;  // left, right
+  std::array<HalfBedSums, 2> halves_;  // left, right
 };
 
 constexpr auto Convection::fields() {
-  using fields::field;
+  using reflection::field;
   return std::make_tuple(field("begin", &Convection::begin_), field("cycles", &Convection::cycles_),
                          field("cells", &Convection::cells_), field("inside", &Convection::inside_),
                          field("at_walls", &Convection::at_walls_),

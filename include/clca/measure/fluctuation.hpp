@@ -1,52 +1,50 @@
 #pragma once
-// How the energies of fluctuating particles are distributed, as those of a gas would be: by
-// chi-square.
+// Distribution of the fluctuation energies of particles, to compare with chi-square as in a gas.
 
 #include <cstdint>
 #include <vector>
 
-#include "clca/boltzmann/distribution.hpp"
-#include "clca/fields/fields.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
+#include "clca/reflection/reflection.hpp"
+#include "clca/statistics/distribution.hpp"
 
 namespace clca::measure {
 
-/// Shares, by bins, of the energy X of the fluctuation of particles over many windows.
-///
-/// The velocity of a particle is its displacement over the window; its fluctuation u the velocity
-/// less the mean over the n particles that began in its cell, each counting once; its energy
-/// |u|^2 n/(n-1), as the mean was taken from these n. X is the energy in units of T, half the mean
-/// energy: chi-square with 2 degrees of freedom where the components of u are normal. (The length
-/// of a window drops out of X, which is why only displacements are added.)
+/// Histogram of the fluctuation energy X of particles over many windows.
+/// The velocity of a particle is its displacement in the window; its fluctuation u is the
+/// difference from the mean over the n particles that started in its cell; its energy is |u|^2
+/// n/(n-1), as the mean came from these n.
+/// X is this energy divided by T, half the mean energy: chi-square with 2 degrees of freedom if u
+/// is normal. The window length cancels, so displacements suffice.
 class Fluctuations {
  public:
   static constexpr std::size_t kBins = 20;  ///< equally probable ones
-  /// Particles of cells with fewer are sparse: left out, their mean saying too little.
-  static constexpr std::size_t kFewest = 5;
+  /// Cells with fewer particles are ignored ("sparse"): their mean is too uncertain.
+  static constexpr std::size_t kMinParticles = 5;
 
   /// Adds a window.
-  void add(const std::vector<Journey>& journeys, const Grid& grid);
+  void add(const std::vector<Displacement>& displacements, const Grid& grid);
 
-  const boltzmann::Bins& bins() const { return bins_; }
-  /// T is that of the whole window, as a homogeneous gas has one: over the particles that are
-  /// neither sparse nor at rest. Zeros where there are no samples.
+  const statistics::Bins& bins() const { return bins_; }
+  /// With T of the whole window, as in a homogeneous gas: over particles that are neither sparse
+  /// nor at rest. Zeros without samples.
   std::vector<double> shares() const { return shares_of(counts_); }
-  /// T is that of the cell: whether cells differ does not count, only how energy is shared inside
-  /// each. X is transformed so that it is chi-square even for n normal particles.
+  /// With T of each cell, so that only differences inside a cell count. X is transformed to be
+  /// chi-square even for small n.
   std::vector<double> local_shares() const { return shares_of(local_counts_); }
 
-  /// Particles in the shares, summed over the windows.
+  /// Particles counted, summed over the windows.
   std::uint64_t samples() const { return samples_; }
-  /// Share of all particles that were in a cell that was at rest or moved as one, and left out:
-  /// there X is 0, or nothing at all if T is that of the cell.
+  /// Share of all particles left out because their cell was at rest or moved rigidly: X would be 0
+  /// or, with T of the cell, undefined.
   double resting_share() const { return of_all(resting_); }
   /// Share of all particles that were left out as sparse.
   double sparse_share() const { return of_all(sparse_); }
 
   bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("counts", &Fluctuations::counts_),
                            field("local_counts", &Fluctuations::local_counts_),
                            field("samples", &Fluctuations::samples_),
@@ -58,7 +56,7 @@ class Fluctuations {
   std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;
   double of_all(std::uint64_t particles) const;
 
-  boltzmann::Bins bins_ = boltzmann::Bins::equiprobable(kBins, 2);
+  statistics::Bins bins_ = statistics::Bins::equiprobable(kBins, 2);
   std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kBins);
   std::vector<std::uint64_t> local_counts_ = std::vector<std::uint64_t>(kBins);
   std::uint64_t samples_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// How the index of force is distributed over contacts, at one moment or averaged over time.
+// Distribution of the index of force over contacts, at one moment or averaged over time.
 
 #include <cstdint>
 #include <map>
@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/measure/contacts.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
 
-/// Strengths are whole sites at one moment and real numbers when they are averages.
+/// Whole sites at one moment, real numbers as averages.
 enum class Strength : std::uint8_t { whole_sites, averaged };
 
 struct ForceBin {
@@ -27,22 +27,21 @@ struct ForceDistribution {
   double mean = 0;              ///< <f>, sites
   double share_above_mean = 0;  ///< of the contacts
   std::size_t tail = 0;         ///< contacts above the mean
-  /// Slope of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood, and its
-  /// standard error; none for fewer than two contacts in the tail or where all of them are alike.
+  /// Decay of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood, with its
+  /// standard error. None for fewer than two contacts in the tail or if all are equal.
   std::optional<double> beta = {};
   std::optional<double> beta_error = {};
-  /// Without gaps. For whole sites one bin for each number, from half a site below to half above,
-  /// beginning at one site; for averages bins of a quarter of the mean, beginning at 0.
+  /// Contiguous bins. Whole sites: one bin per number n, from n - 1/2 to n + 1/2. Averages: bins of
+  /// a quarter of the mean, from 0.
   std::vector<ForceBin> bins = {};
 };
 
-/// Of strengths in sites; none where there are none. Throws std::invalid_argument unless all are
-/// greater than 0 and less than 10^6.
+/// For strengths in sites; none if the list is empty. Throws std::invalid_argument unless all are
+/// in (0, 10^6).
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
                                                     Strength kind);
 
-/// Averages the strength of each contact over samples. A contact that is absent from a sample
-/// counts 0 there.
+/// Averages the strength of each contact over samples; a contact absent from a sample counts as 0.
 class ForceAverage {
  public:
   struct Mean {
@@ -54,14 +53,14 @@ class ForceAverage {
     bool operator==(const Mean&) const = default;
   };
 
-  /// Takes one sample.
-  void add(const std::vector<Contact>& contacts);
+  /// Adds one sample.
+  void add(const std::vector<OverlapContact>& contacts);
 
   std::uint64_t samples() const { return samples_; }
-  /// All contacts that were there, by `first`, then `second`.
+  /// All contacts that occurred, sorted by `first`, then `second`.
   std::vector<Mean> means() const;
 
-  /// False where some contact is not one of a run that has come to `now`.
+  /// False if some contact cannot be from a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr auto fields();
 
@@ -71,7 +70,7 @@ class ForceAverage {
     std::uint64_t samples = 0;
 
     static constexpr auto fields() {
-      using fields::field;
+      using reflection::field;
       return std::make_tuple(field("sites", &Sum::sites), field("samples", &Sum::samples));
     }
   };
@@ -81,13 +80,13 @@ class ForceAverage {
 };
 
 constexpr auto ForceAverage::fields() {
-  using fields::field;
+  using reflection::field;
   return std::make_tuple(field("samples", &ForceAverage::samples_),
                          field("sums", &ForceAverage::sums_));
 }
 
 /// The sites of each contact.
-std::vector<double> strengths(const std::vector<Contact>& contacts);
+std::vector<double> strengths(const std::vector<OverlapContact>& contacts);
 std::vector<double> strengths(const std::vector<ForceAverage::Mean>& means);
 
 }  // namespace clca::measure

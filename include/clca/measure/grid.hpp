@@ -8,13 +8,13 @@
 
 namespace clca::measure {
 
-/// A whole number of equal cells that fill the box, each as near to a square of the wished side as
-/// that allows. The box reaches half a spacing (across: half a column) beyond its outermost sites.
-/// Rows of cells count from the bottom, columns from the left; the index runs along the rows.
+/// Equal cells that fill the box, as close to squares of the requested side as whole numbers allow.
+/// The box extends half a spacing (across: half a column) beyond its outermost sites.
+/// Cells are numbered along the rows from the lower left.
 class Grid {
  public:
-  /// `cell`: the wished side in lattice spacings. Throws std::invalid_argument unless it is greater
-  /// than 0 and leaves less than 10^9 cells.
+  /// `cell`: the requested side in lattice spacings. Throws std::invalid_argument unless it is
+  /// positive and gives fewer than 10^9 cells.
   Grid(const lattice::Lattice& lattice, double cell);
 
   std::size_t columns() const { return columns_; }
@@ -24,9 +24,9 @@ class Grid {
   /// In squared lattice spacings.
   double cell_area() const { return extents_.prod() / static_cast<double>(size()); }
 
-  /// Of the cell that holds a point (lattice spacings); across a periodic seam it runs on.
+  /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary.
   std::size_t index(const Eigen::Vector2d& point) const;
-  /// Of a cell, in lattice spacings.
+  /// Centre of a cell, in lattice spacings.
   Eigen::Vector2d centre(std::size_t index) const;
 
  private:

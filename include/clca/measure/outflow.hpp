@@ -4,19 +4,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
 
-/// Particles and sites that all outlets together have removed.
+/// Particles and sites removed by all outlets.
 struct Discharge {
   std::uint64_t particles = 0;
   std::uint64_t sites = 0;
 
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("particles", &Discharge::particles),
                            field("sites", &Discharge::sites));
   }
@@ -24,40 +24,39 @@ struct Discharge {
 
 Discharge discharge(const grains::State& state);
 
-/// True when a particle hangs over every column that opens into an outlet: a state at rest that is
-/// so has clogged (one that flows is so too). Throws std::invalid_argument for the occupancy of
-/// another box.
+/// True if a particle covers every column that opens into an outlet; at rest this means that it is
+/// clogged.
+/// Throws std::invalid_argument if the occupancy belongs to another box.
 bool blocked(const grains::State& state, const grains::Occupancy& occupancy);
 
 /// Records the discharge of a stage, step by step.
 class Outflow {
  public:
-  /// Starts at `begin`, the totals before the stage.
+  /// `begin`: the totals before the stage.
   explicit Outflow(Discharge begin) : begin_(begin), last_(begin) {}
 
-  /// Call after each step with the totals so far. Throws std::invalid_argument where they are less
-  /// than before.
+  /// Call after each step with the totals. Throws std::invalid_argument if they decrease.
   void add(Discharge total);
 
   Discharge during_stage() const {
     return {last_.particles - begin_.particles, last_.sites - begin_.sites};
   }
-  /// Sites per step between the moments at which 20 % and 70 % of what has left in the end had
-  /// left: the steady part. 0 where less than two particles have left.
+  /// Steady discharge rate: sites per step between 20 % and 70 % of the final discharge. 0 if fewer
+  /// than two particles have left.
   double sites_per_step() const;
-  /// Whether it can have been recorded in a run that has come to `now`.
+  /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
 
   static constexpr auto fields();
 
  private:
-  /// Sites that had left after so many steps.
+  /// Total of sites discharged after a step.
   struct Event {
     std::uint64_t step = 0;
     std::uint64_t sites = 0;
 
     static constexpr auto fields() {
-      using fields::field;
+      using reflection::field;
       return std::make_tuple(field("step", &Event::step), field("sites", &Event::sites));
     }
   };
@@ -69,7 +68,7 @@ class Outflow {
 };
 
 constexpr auto Outflow::fields() {
-  using fields::field;
+  using reflection::field;
   return std::make_tuple(field("begin", &Outflow::begin_), field("last", &Outflow::last_),
                          field("steps", &Outflow::steps_), field("events", &Outflow::events_));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The free surface and what is read off it.
+// The free surface and quantities derived from it.
 
 #include <Eigen/Core>
 #include <optional>
@@ -9,35 +9,36 @@
 
 namespace clca::measure {
 
-/// Height of the free surface above the floor of the box, one value per column from the left, in
-/// lattice spacings: the top of the highest particle site there, 0 where there is none.
+/// Height of the free surface above the floor of the box, one value per column from the left,
+/// lattice spacings: the top of the highest particle site, 0 if there is none.
 std::vector<double> surface_profile(const grains::State& state);
 
-/// The same in the frame in which gravity points down: heights above the lowest site, from the
-/// leftmost one on. `down`: of length 1. For boxes that are not periodic; empty where no particle
-/// is.
+/// The same in a frame in which gravity points down: heights above the lowest site, from the
+/// leftmost site on.
+/// `down` is a unit vector. Not for periodic boxes; empty if there are no particles.
 std::vector<double> surface_profile(const grains::State& state, const Eigen::Vector2d& down);
 
-/// Mean of the profile over the columns with particles; 0 where there are none.
+/// Mean of the profile over columns with particles; 0 if there are none.
 double mean_height(const std::vector<double>& profile);
 
-/// Slopes of the flanks of a pile in degrees; a flank that is not there has none.
+/// Slopes of both flanks of a pile in degrees, if present.
 struct ReposeAngle {
   std::optional<double> left;
   std::optional<double> right;
 
-  /// Mean of the flanks that are there.
+  /// Mean of the flanks that are present.
   std::optional<double> mean() const;
 };
 
-/// Straight lines fitted by least squares to the columns on either side of the top whose height is
-/// between 15 % and 80 % of the highest column's: a flat top or scattered grains at the toe would
-/// spoil the angle. A flank has at least 5 columns; an empty profile has none.
+/// Least-squares lines through the columns on either side of the top with 15 % to 80 % of the
+/// maximum height, so that a flat top or scattered grains at the toe do not count.
+/// A flank has at least 5 columns.
 ReposeAngle repose_angle(const std::vector<double>& profile);
 
-/// Particle sites over all sites that the bed could fill: per column from the floor or wall under
-/// the lowest particle up to the highest, without walls. A site that two particles share counts
-/// twice: this is the nominal packing of a bed under a piston. Nothing for an empty box.
+/// Particle sites divided by the sites available to the bed: per column from the floor or wall
+/// below the lowest particle up to the highest particle, without walls.
+/// Sites shared by two particles count twice (nominal packing under a piston). None for an empty
+/// box.
 std::optional<double> packing_fraction(const grains::State& state);
 
 }  // namespace clca::measure

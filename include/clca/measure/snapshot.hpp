@@ -1,39 +1,39 @@
 #pragma once
-// Where particles were, to tell later how far they have come.
+// Positions of particles at one moment, to measure displacements later.
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
 
-/// What a particle did between two moments, in lattice spacings.
-struct Journey {
-  Eigen::Vector2d from;          ///< its centre of mass at first, in the box
-  Eigen::Vector2d displacement;  ///< across a periodic seam too
-  double sites = 0;              ///< of the particle: its mass
+/// Displacement of a particle between two moments, in lattice spacings.
+struct Displacement {
+  Eigen::Vector2d from;    ///< initial centre of mass, wrapped into the box
+  Eigen::Vector2d vector;  ///< not wrapped at a periodic boundary
+  double sites = 0;        ///< number of sites of the particle: its mass
 };
 
 /// The centres of mass of the particles at one moment.
 class Snapshot {
  public:
-  /// Of an empty box.
+  /// A snapshot of an empty box.
   Snapshot() = default;
   explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
-  /// Journeys since then of the particles present at both moments, by id. Throws
-  /// std::invalid_argument where `now` is earlier or has fewer particles.
-  std::vector<Journey> journeys(const grains::State& now) const;
+  /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
+  /// `now` is earlier or has fewer particles.
+  std::vector<Displacement> displacements(const grains::State& now) const;
 
-  /// False where this was not taken in a run that has come to `now`.
+  /// False if this cannot have been taken in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
-    using fields::field;
+    using reflection::field;
     return std::make_tuple(field("step", &Snapshot::step_), field("centres", &Snapshot::centres_));
   }
 

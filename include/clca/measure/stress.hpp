@@ -9,7 +9,7 @@
 
 namespace clca::measure {
 
-/// In weights of a grain of mean mass per lattice spacing; pressed is positive.
+/// In weights of a grain of mean mass per lattice spacing; compression is positive.
 struct StressCell {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
   double xx = 0;
@@ -19,10 +19,9 @@ struct StressCell {
   double pressure() const { return (xx + yy) / 2; }
 };
 
-/// 1/A times the sum over contacts of force x branch vector, in the order of a Grid of side `cell`
-/// (lattice spacings). Each cell has the share of a branch that lies within it (Irving & Kirkwood
-/// 1950), so that the yy of a row of cells is the mean weight that is carried across its heights.
-/// What grains carry by moving is no part of it.
+/// Contact stress 1/A sum(force x branch vector) on a Grid of side `cell` (lattice spacings).
+/// Each cell takes the part of a branch inside it (Irving & Kirkwood 1950), so that yy averaged
+/// over a row of cells is the weight carried there. The kinetic part is left out.
 std::vector<StressCell> stress_field(const grains::State& state,
                                      std::span<const contact::Force> forces, double cell);
 

@@ -1,16 +1,16 @@
 #pragma once
-// An exception must not leave a parallel region of OpenMP by itself: the program would end.
+// An exception that leaves an OpenMP region ends the program. This class carries it out.
 
 #include <atomic>
 #include <exception>
 
 namespace clca::parallel {
 
-/// Carries the first exception out of a parallel region. Once something has failed the work of all
-/// threads is skipped, so that they still reach the barriers and the end of the region.
+/// Carries the first exception out of a parallel region. After a failure all threads skip their
+/// work but still reach the barriers.
 class FirstFailure {
  public:
-  /// Does the work unless something has failed before. For any thread of the region.
+  /// Runs `work` unless something has failed. Any thread of the region may call it.
   template <class Work>
   void guard(Work work) noexcept {
     if (failed()) {
@@ -25,7 +25,7 @@ class FirstFailure {
     }
   }
   bool failed() const { return failed_.load(std::memory_order_relaxed); }
-  /// After the region: throws what was caught first, if anything was.
+  /// After the region: rethrows the first exception, if any.
   void rethrow() const {
     if (first_) {
       std::rethrow_exception(first_);

@@ -1,5 +1,5 @@
 #pragma once
-// Loops shared out among threads.
+// Loops divided among threads.
 
 #include <algorithm>
 #include <cstddef>
@@ -8,19 +8,19 @@
 
 namespace clca::parallel {
 
-/// Threads for a loop.
+/// The threads of a loop.
 struct Threads {
   int count = 1;
-  std::size_t least = 1;  ///< numbers that are worth a thread
+  std::size_t min_per_thread = 1;  ///< fewer numbers are not worth a thread
 };
 
-/// Cuts the numbers from 0 to `count` into at most as many parts as there are threads and calls
-/// work(part, first, last) for each, all at the same time. Throws what the first call that failed
-/// has thrown.
+/// Divides the range [0, count) into at most as many parts as there are threads and calls
+/// work(part, first, last) for all parts in parallel.
+/// Rethrows the first exception.
 void split(const Threads& threads, std::size_t count,
            const std::function<void(std::size_t part, std::size_t first, std::size_t last)>& work);
 
-/// Lists that the parts of a loop fill, each its own.
+/// One list for each part of a loop.
 template <class T>
 class PartLists {
  public:
@@ -32,7 +32,7 @@ class PartLists {
     }
   }
   std::vector<T>& of(std::size_t part) { return parts_[part]; }
-  /// In the order of the numbers.
+  /// In the order of the range.
   template <class Visit>
   void for_each(Visit visit) const {
     for (const std::vector<T>& part : parts_) {

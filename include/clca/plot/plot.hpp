@@ -1,20 +1,20 @@
 #pragma once
-// Figures of a run folder, drawn by gnuplot from the tables that lie there.
-//
-// One template, one figure: plots/NAME.gp begins with comments that say what it needs, and reads
-// the tables itself. docs/plots.md describes both.
+// Figures of a run folder, drawn by gnuplot from its tables.
+// A template plots/NAME.gp starts with comments that list what it needs, and reads the tables
+// itself. See docs/plots.md.
 
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace clca::plot {
 
-/// A folder that is no run, has tables that cannot be read, or does not allow the figures that were
-/// asked for. what() is one line.
+/// The folder is no run, has unreadable tables, or does not allow the requested figures. what() is
+/// one line.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -28,29 +28,43 @@ class PlotError : public std::runtime_error {
 
 struct Figure {
   std::string name;              ///< of the picture, without ending
+  std::string title;             ///< above it: that of the scene
+  std::string description;       ///< what it shows, in a sentence or two
   std::filesystem::path script;  ///< the template
   std::filesystem::path run;     ///< folder with the tables
-  std::string setting;           ///< what the template asks about the tables, as gnuplot has it
+  std::string setting;           ///< gnuplot variables that describe the tables
 };
 
-struct Size {
-  int width = 960;  ///< pixels
+enum class Format : std::uint8_t { png, svg, pdf };
+
+/// The ending of file names.
+const char* ending(Format format);
+
+struct Appearance {
+  Format format = Format::png;
+  int width = 960;  ///< pixels; 96 are an inch of a PDF
   int height = 600;
 };
 
-/// Folder of the templates: installed with the running program, or in the source tree. Throws
-/// PlotError where there is neither.
+/// Folder of the templates: installed with the program, or in the source tree. Throws PlotError if
+/// there is none.
 std::filesystem::path template_folder();
 
-/// The figures that the tables in `run` allow, by name; where `only` is not empty, those that it
-/// names, by template or figure. Throws InputError, where a name in `only` is not among them too,
-/// and PlotError where a template is not what it should be.
+/// The figures that the tables in `run` allow, by name; if `only` is not empty, those named there
+/// by template or figure.
+/// Throws InputError, also for unknown names, and PlotError for an invalid template.
 std::vector<Figure> figures(const std::filesystem::path& run, const std::vector<std::string>& only,
                             const std::filesystem::path& templates);
 
-/// The figure as PNG: the same bytes for the same tables, gnuplot and fonts. Throws PlotError;
-/// process::Stopped once `stop` is not zero.
-std::vector<std::uint8_t> draw(const Figure& figure, const Size& size,
+/// The figures that the readable tables in `run` allow, by name; none is no error. `warning` is
+/// called with one line for each template whose tables are invalid. Throws as figures().
+std::vector<Figure> figures_of_readable_tables(
+    const std::filesystem::path& run, const std::filesystem::path& templates,
+    const std::function<void(const std::string&)>& warning);
+
+/// The same bytes for the same tables, gnuplot and fonts. Throws PlotError, and
+/// process::StoppedError once `stop` is not zero.
+std::vector<std::uint8_t> draw(const Figure& figure, const Appearance& appearance,
                                const std::atomic<int>* stop = nullptr);
 
 }  // namespace clca::plot

@@ -1,6 +1,6 @@
 #pragma once
-// A function in a child process: a crash, an endless loop or a failed allocation there leaves this
-// program as it is.
+// Runs a function in a child process: a crash, an endless loop or a failed allocation there does
+// not affect this process.
 
 #include <cstdint>
 #include <functional>
@@ -12,12 +12,11 @@
 
 namespace clca::process {
 
-/// A child that has failed. what() is the text of the exception that it threw, or how it ended:
-/// "crashed (signal 11)".
+/// A failed child. what() is the text of its exception, or how it ended: "crashed (signal 11)".
 class ChildError : public ProcessError {
  public:
   ChildError(const std::string& what, bool crashed) : ProcessError(what), crashed_(crashed) {}
-  /// By a signal, or at the limit of processor time: not by an exception.
+  /// True if it ended by a signal or at its time limit, not by an exception.
   bool crashed() const { return crashed_; }
 
  private:
@@ -25,7 +24,7 @@ class ChildError : public ProcessError {
 };
 
 struct ChildLimits {
-  double memory_bytes = 1e18;  ///< that it may allocate; without effect under a sanitizer
+  double memory_bytes = 1e18;  ///< that it may allocate; no effect with a sanitizer
   unsigned cpu_seconds = 10;   ///< processor time
 };
 
@@ -33,19 +32,20 @@ class Child {
  public:
   using Send = std::function<void(std::span<const std::uint8_t>)>;
 
-  /// Forks. The child calls work(send) and ends; receive() gives what it sends. Where other threads
-  /// run, `work` must not wait for a lock that they may hold (allocating is safe); it must not
-  /// start threads. Signals from the terminal do not reach the child. Under a sanitizer, where
-  /// there are other threads, `work` runs in a thread of this process. Throws ProcessError.
+  /// Forks. The child calls work(send) and ends; receive() returns what it sends. Throws
+  /// ProcessError.
+  /// `work` must not start threads or wait for locks of other threads (allocation is safe). It gets
+  /// no terminal signals.
+  /// With a sanitizer and other threads present, `work` runs in a thread of this process instead.
   Child(const std::function<void(const Send&)>& work, const ChildLimits& limits);
-  /// Ends it if it still runs.
+  /// Ends the child if it is still running.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Fills `bytes` with the next that it sends. Throws ChildError where it ends before.
+  /// Fills `bytes` with the next bytes sent. Throws ChildError if the child ends before.
   void receive(std::span<std::uint8_t> bytes);
-  /// Waits for its end. Throws ChildError where it failed or sends more.
+  /// Waits for its end. Throws ChildError if it failed or sent more.
   void finish();
 
  private:

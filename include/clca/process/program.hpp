@@ -1,5 +1,5 @@
 #pragma once
-// Other programs: found on the PATH, run without a shell.
+// External programs: found on the PATH, run without a shell.
 
 #include <atomic>
 #include <chrono>
@@ -21,56 +21,57 @@ class ProcessError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The first file of that name on the PATH that may be run; nothing where there is none. Folders
-/// without a leading slash are left out: what lies where one happens to work is not to be run.
+/// The first executable file of that name on the PATH, if any. Relative folders are skipped: the
+/// working directory must not decide what runs.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// What a program writes, kept in memory.
-class Transcript {
+/// Keeps the output of a program in memory.
+class OutputCapture {
  public:
   /// Throws ProcessError.
-  Transcript();
-  /// File descriptor, to write to.
+  OutputCapture();
+  /// File descriptor for writing.
   int number() const;
-  /// All that is there.
+  /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
 
  private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-/// It was ended because a flag said so.
-class Stopped : public ProcessError {
+/// The program was ended because the stop flag was set.
+class StoppedError : public ProcessError {
  public:
   using ProcessError::ProcessError;
 };
 
-struct Setting {
+struct ProgramOptions {
   std::filesystem::path folder = ".";  ///< to run in
-  const Transcript* out = nullptr;     ///< none: where this program writes to
-  const Transcript* err = nullptr;
-  /// Gives it what feed() is called with as its standard input, else nothing at all.
+  const OutputCapture* out = nullptr;  ///< none: that of this program
+  const OutputCapture* err = nullptr;
+  /// Standard input: what feed() writes, else empty.
   bool fed = false;
-  /// Once this is not zero it has `grace` left to come to its end, then it is killed.
+  /// Once this is not zero, the program has `grace` to end; then it is killed.
   const std::atomic<int>* stop = nullptr;
   std::chrono::milliseconds grace{0};
 };
 
-/// A program that runs beside this one, out of the reach of the terminal. It ends with the thread
-/// that started it, however that ends.
+/// A running program. It gets no terminal signals and ends when the thread that started it ends.
 class Program {
  public:
   /// Starts the file `arguments[0]`. Throws ProcessError.
-  Program(const std::vector<std::string>& arguments, const Setting& setting);
-  /// Ends it if it still runs.
+  Program(const std::vector<std::string>& arguments, const ProgramOptions& options);
+  /// Ends the program if it is still running.
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Waits until the program has taken the bytes; false when it no longer does. Throws Stopped.
+  /// Writes to its standard input. Returns false if the program no longer reads. Throws
+  /// StoppedError.
   bool feed(std::span<const std::uint8_t> bytes);
-  /// Ends its standard input and waits for its end: exit code, or 128 and the number of a signal.
-  /// Throws Stopped.
+  /// Closes its standard input and waits for its end. Returns the exit code, or 128 plus the
+  /// signal.
+  /// Throws StoppedError.
   int wait();
 
  private:

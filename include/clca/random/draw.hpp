@@ -1,11 +1,11 @@
 #pragma once
-// Counter-based random draws: every draw is a pure function of what it is for.
+// Counter-based random draws: every draw is a pure function of its arguments.
 
 #include <cstdint>
 
 namespace clca::random {
 
-/// What a draw decides. Two draws of one particle in one step differ by their purpose.
+/// What a draw decides. Draws of one particle in one step differ by purpose.
 enum class Purpose : std::uint32_t {
   scatter = 1,
   inertia = 2,
@@ -22,7 +22,7 @@ enum class Purpose : std::uint32_t {
   deposit_column = 14,
   deposit_coin = 15,
   source_remainder = 16,
-  // Of the Boltzmann equation.
+  // For the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,
   initial_spin = 34,
@@ -35,17 +35,16 @@ enum class Purpose : std::uint32_t {
 };
 
 /// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.
-/// `item` is a particle id, or whatever else the purpose counts.
+/// `item` is a particle id, or another number that the purpose defines.
 std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose);
 
-/// Maps 64 uniform bits to 0, 1, ..., `count` - 1. Precondition, not checked: `count` is positive.
+/// Maps 64 uniform bits to 0, 1, ..., `count` - 1. Precondition (not checked): `count` is positive.
 std::uint64_t below(std::uint64_t bits, std::uint64_t count);
 
 /// A probability as an integer threshold, so that no floating point decides a move.
 class Probability {
  public:
-  /// Rounds `value` in [0, 1] to a multiple of 2^-53 or finer; throws std::invalid_argument
-  /// outside.
+  /// Rounds `value` to a multiple of 2^-53 or finer. Throws std::invalid_argument outside [0, 1].
   explicit Probability(double value);
 
   /// True with this probability for uniform `bits`.

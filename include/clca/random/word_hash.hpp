@@ -1,11 +1,11 @@
 #pragma once
-// Hash of a sequence of 64-bit words, for states.
+// Hash of a sequence of 64-bit words, used for states.
 
 #include <cstdint>
 
 namespace clca::random {
 
-/// Chained by the finaliser of SplitMix64 (Steele et al. 2014).
+/// Chains words with the finaliser of SplitMix64 (Steele et al. 2014).
 class WordHash {
  public:
   void add(std::uint64_t word) {

@@ -1,12 +1,12 @@
 #pragma once
-// Pictures in another size.
+// Resizing pictures.
 
 #include "clca/render/image.hpp"
 
 namespace clca::render {
 
-/// Each pixel is the mean of the part of `image` that it covers, rounded: in whole numbers, the
-/// same everywhere. Both sizes are positive.
+/// The picture resized: each pixel is the rounded mean of the area it covers, in integers. Both
+/// sizes are positive.
 Image scaled(const Image& image, int width, int height);
 
 }  // namespace clca::render

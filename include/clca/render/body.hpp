@@ -1,12 +1,11 @@
 #pragma once
-// The body of a particle in the plane: what both ways of drawing agree on.
+// The shape of a particle in the plane, shared by both ways of drawing: the union of its sites, the
+// bonds between neighbouring sites and the unit lattice triangles with all corners in the particle,
+// each widened by a hexagon of circumradius 1/2 with corners in the lattice directions.
 //
-// It is the union of the sites, of the bonds between neighbouring sites and of the unit lattice
-// triangles with all corners in the particle, each widened by a hexagon of circumradius 1/2 whose
-// corners point in the lattice directions. Touching particles touch, disjoint ones never overlap.
-// In terms of the barycentric weights of the lattice triangle around a point: the owner of at
-// least half of the weight has the point. On the lattice with half the spacing, the body is the
-// union of the six small triangles around every site and every bond midpoint.
+// Touching particles touch, disjoint ones never overlap. A point belongs to the owner of at least
+// half of its barycentric weight in the lattice triangle around it. On the lattice of half the
+// spacing the body is the union of the six small triangles around every site and bond midpoint.
 
 #include <span>
 #include <vector>

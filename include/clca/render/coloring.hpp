@@ -8,18 +8,18 @@
 #include <variant>
 #include <vector>
 
-#include "clca/fields/fields.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/legend.hpp"
 
 namespace clca::render {
 
-/// Default colour of the species, layer or wall with this number (Okabe & Ito 2008, repeated).
+/// Default colour of a species, layer or wall by number (Okabe & Ito 2008, cyclic).
 Rgb palette_color(std::size_t number);
 
-/// A perceptually uniform colour map (viridis) at `share` in [0, 1], clamped.
+/// The perceptually uniform colour map viridis at `share` in [0, 1], clamped.
 Rgb map_color(double share);
 
 struct NamedColor {
@@ -27,29 +27,28 @@ struct NamedColor {
   Rgb color;
 };
 
-/// Heights of origins (State::origins), in lattice spacings; `low` above `high` where there is
-/// none.
+/// Range of the heights of origins (State::origins), in lattice spacings; empty if `low` > `high`.
 struct LayerRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
   static constexpr auto fields() {
-    return std::make_tuple(fields::field("low", &LayerRange::low),
-                           fields::field("high", &LayerRange::high));
+    return std::make_tuple(reflection::field("low", &LayerRange::low),
+                           reflection::field("high", &LayerRange::high));
   }
 };
 
-/// Of the particles that are present, and of all that the `sources` (State::sources) may emit.
+/// Range over the present particles and all that the `sources` (State::sources) may emit.
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
-// What tells the shade of a particle.
+// Rules that choose the shade of a particle.
 struct BySpecies {};
 struct BySpeed {};
 struct ById {};
 struct ByForce {};
 struct ByLoad {
   std::vector<double> loads;  ///< by id, grain weights
-  double high = 1;            ///< where the last shade begins
+  double high = 1;            ///< start of the last shade
 };
 struct ByDisplacement {
   double high = 1;  ///< lattice spacings, where the last shade begins
@@ -61,35 +60,35 @@ struct ByLayer {
 };
 using ShadeRule = std::variant<BySpecies, BySpeed, ById, ByForce, ByLoad, ByDisplacement, ByLayer>;
 
-/// A particle has one of few colours, its shade, told by itself and its sites alone: a picture
-/// needs no more of a state than the shades of those that it shows.
+/// A particle has one of a few colours (its shade), which depends on the particle and its sites
+/// only. So a picture needs only the shades of the particles it shows.
 struct Coloring {
   ShadeRule rule;
-  std::vector<Rgb> palette;  ///< by shade, at most kMostShades
+  std::vector<Rgb> palette;  ///< by shade, at most kMaxShades
   Legend legend;
 };
 
-inline constexpr std::size_t kMostShades = 32'000;
+inline constexpr std::size_t kMaxShades = 32'000;
 
-/// Of one particle. `occupancy`: of `state`.
+/// Colour of one particle. `occupancy` belongs to `state`.
 Rgb color(const Coloring& coloring, const grains::State& state, const grains::Occupancy& occupancy,
           std::size_t id);
 
 Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const NamedColor> species);
-/// Horizontal layers of equal thickness by the height of the origins. What lies outside of `range`
-/// has the colour of the lowest or the highest layer.
+/// Horizontal layers of equal thickness by height of the origins. Outside `range`: the colour of
+/// the lowest or highest layer.
 Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
-/// Distance from the origin; the bar ends at `high` lattice spacings.
+/// By distance from the origin; the colour bar ends at `high` lattice spacings.
 Coloring color_by_displacement(double high);
-/// By the sites that a particle shares with another one or with a wall; the bar ends at `high`.
-/// Particles that share none are pale.
+/// By the sites shared with other particles and walls; the colour bar ends at `high`. Particles
+/// that share none are pale.
 Coloring color_by_force(int high);
-/// By the sum of the normal forces on a particle, by id, in weights of a grain; the bar ends at
+/// By the sum of normal forces on a particle, by id, in grain weights; the colour bar ends at
 /// `high`.
 Coloring color_by_load(std::vector<double> loads, double high);
-/// Moving in the last step, or at rest.
+/// By whether the particle moved in the last step.
 Coloring color_by_speed();
-/// Neighbouring ids well apart.
+/// By id; neighbouring ids have distinct colours.
 Coloring color_by_id();
 
 }  // namespace clca::render

@@ -8,16 +8,16 @@
 
 namespace clca::render {
 
-/// An image of width 0 stands for a picture that is missing.
+/// An image of width 0 is a missing picture.
 struct LabelledImage {
   Image image;
   std::string label;
 };
 
-/// The pictures by rows, each scaled to `cell_width` pixels with its label beneath, under a title.
-/// Where one is missing stands a pale box. Without a font there is no text, but room for it.
-/// Throws std::invalid_argument unless `columns` and `cell_width` are positive, RenderError for a
-/// sheet too large.
+/// The pictures in rows under a title, each scaled to `cell_width` pixels with its label below.
+/// Missing pictures are pale boxes. Without a font there is no text.
+/// Throws std::invalid_argument unless `columns` and `cell_width` are positive, RenderError if the
+/// sheet is too large.
 Image contact_sheet(const std::vector<LabelledImage>& images, int columns, int cell_width,
                     const std::string& title);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What explains the colours of a picture.
+// The legend of a picture.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,7 @@
 
 namespace clca::render {
 
-/// Named patches, a bar of a colour map from low to high, and lines or arrows as the overlay has
-/// them.
+/// Named colour patches, a colour bar, and lines or arrows as in the overlay.
 struct Legend {
   struct Patch {
     std::string label;

@@ -20,27 +20,28 @@ class MovieError : public std::runtime_error {
 /// `mp4`: H.264 for any player; `webm`: VP9; `apng`: an animated PNG, without loss, for ever again.
 enum class MovieFormat : std::uint8_t { mp4, webm, apng };
 
-/// By the ending of a file: .mp4, .webm or .png; nothing for all others.
+/// The format for a file ending: .mp4, .webm or .png; none for others.
 std::optional<MovieFormat> movie_format(const std::filesystem::path& file);
 
-/// Takes one picture after the other and hands it on, so that memory does not grow with their
-/// number. The same pictures give the same bytes, with the same ffmpeg.
+/// Encodes pictures one by one, so that memory does not grow with their number. The same pictures
+/// and the same ffmpeg give the same bytes.
 class Movie {
  public:
-  /// Writes to `file`, whatever was there, for pictures of one size (pixels). mp4 and webm get a
-  /// white row or column where a size is odd. Once `stop` is not zero, ffmpeg has 5 s left for what
-  /// it has been given. Throws MovieError.
+  /// Overwrites `file`. All pictures have this size (pixels); mp4 and webm pad odd sizes with
+  /// white. Throws MovieError.
+  /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
         int frames_per_second, const std::atomic<int>* stop = nullptr);
-  /// What was not finished is left half written.
+  /// An unfinished movie remains incomplete.
   ~Movie();
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
-  /// Throws MovieError, process::Stopped, and std::invalid_argument for a picture of another size.
+  /// Throws MovieError, process::StoppedError, and std::invalid_argument for a picture of
+  /// another size.
   void add(const Image& image);
-  /// The file is whole when this returns. Throws MovieError, also when there was no picture, and
-  /// process::Stopped.
+  /// Completes the file. Throws MovieError, also if there was no picture, and
+  /// process::StoppedError.
   void finish();
 
  private:

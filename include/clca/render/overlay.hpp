@@ -9,7 +9,7 @@
 namespace clca::render {
 
 /// A straight line with round ends; lattice spacings. An arrow has its head at `to`; one shorter
-/// than it is wide, or than a pixel, is a dot.
+/// than its width or a pixel is drawn as a dot.
 struct Stroke {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
@@ -20,7 +20,7 @@ struct Stroke {
 
 struct Overlay {
   std::vector<Stroke> strokes;  ///< later ones lie on top
-  double fade = 0;              ///< share, 0 to 1, by which everything beneath pales towards paper
+  double fade = 0;              ///< 0 to 1: how far everything below is faded to white
 };
 
 }  // namespace clca::render

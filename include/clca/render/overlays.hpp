@@ -1,5 +1,5 @@
 #pragma once
-// What is commonly drawn over particles: force networks and fields of arrows.
+// Common overlays: force networks and vector fields.
 
 #include <Eigen/Core>
 #include <span>
@@ -17,11 +17,11 @@ struct ForceLine {
   double strength = 0;
 };
 
-/// Lines as wide as their strength, up to `strongest`, the strong ones on top. Those without
+/// Lines with widths by strength, widest at `strongest`, stronger lines on top. Lines of zero
 /// strength are left out.
 Overlay force_network(std::span<const ForceLine> lines, double strongest);
 
-/// Legend of a force network: the line of a contact of the strength `strongest`.
+/// Legend entry of a force network: the line of a contact of strength `strongest`.
 Legend::Line force_key(double strongest, std::string label);
 
 /// A vector at the centre of a cell (lattice spacings), in any unit.
@@ -30,11 +30,11 @@ struct FieldArrow {
   Eigen::Vector2d vector;
 };
 
-/// Arrows with their middle at the centres of cells `cell` spacings wide; one as long as `longest`
-/// takes up 0.9 cells. Weak ones are paler.
+/// Arrows centred in cells `cell` spacings wide; one of length `longest` spans 0.9 cells. Weak
+/// arrows are paler.
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double longest);
 
-/// Legend of a field of arrows: a round length up to `longest`, labelled as so many of `unit`.
+/// Legend entry of an arrow field: a round length up to `longest`, labelled with `unit`.
 Legend::Line arrow_key(double cell, double longest, const std::string& unit);
 
 }  // namespace clca::render

@@ -1,5 +1,5 @@
 #pragma once
-// Draws the state of an automaton off screen.
+// Draws states off screen.
 
 #include <cstdint>
 #include <memory>
@@ -15,16 +15,16 @@
 
 namespace clca::render {
 
-/// The driver cannot do what was asked: a picture too large, an unknown GALLIUM_DRIVER.
+/// The driver cannot draw this: the picture is too large, or GALLIUM_DRIVER is unknown.
 class RenderError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// How particles are drawn: outlines of polygons, one instance a particle; or by lookup, which
-/// finds for each sample who owns the sites around it. Both give the same picture but for rounding
-/// at edges and for overlaps: polygons lie over walls, the lookup shows the first owner of each
-/// site.
+/// How particles are drawn: as instanced polygons, or by lookup of the site owners around each
+/// sample.
+/// Both give the same picture except for rounding at edges and for overlaps: polygons lie over
+/// walls, the lookup shows the first owner of a site.
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
 struct Style {
@@ -32,10 +32,10 @@ struct Style {
   int height = 720;
   int supersampling = 2;  ///< samples a pixel along each axis, 1 to 4
   Drawing drawing = Drawing::automatic;
-  /// Part of the plane to show, lattice spacings. Left empty: all of the box (whole_box).
+  /// Part of the plane to show, lattice spacings; empty: the whole box.
   lattice::Rectangle view;
   bool annotations = true;  ///< captions, scale bar, legend; needs a font
-  int threads = 1;          ///< that share the work of Painter::expose(); pictures are the same
+  int threads = 1;          ///< of Painter::capture(); pictures do not depend on it
 };
 
 struct Caption {
@@ -44,20 +44,20 @@ struct Caption {
   double spacing = 0;  ///< of the lattice in metres, for the scale bar; 0: it counts spacings
 };
 
-/// What a picture shows of a state. Holds as much memory as the picture has samples, whatever the
-/// size of the state. A cheap handle: copies share it.
-class Exposure {
+/// What a picture needs of a state. Its size depends on the number of samples, not on the state.
+/// Copies share it.
+class Capture {
  public:
   struct Content;
-  explicit Exposure(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  explicit Capture(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
   const Content& content() const { return *content_; }
 
  private:
   std::shared_ptr<const Content> content_;
 };
 
-/// Draws in two steps, as a camera does: one thread may expose the next picture while another one
-/// develops.
+/// Draws in two steps: capture() reads the state, rasterize() makes the picture. One thread may
+/// capture the next picture while another rasterizes.
 class Painter {
  public:
   /// For states on `lattice` with `kinds`. Throws RenderError.
@@ -69,16 +69,16 @@ class Painter {
   Painter(Painter&&) noexcept;
   Painter& operator=(Painter&&) noexcept;
 
-  /// Takes what the picture needs of a state, which may go on then. `occupancy`: that of `state`.
-  /// What it takes time for is the samples of the picture, not particles or sites.
-  Exposure expose(const grains::State& state, const grains::Occupancy& occupancy,
+  /// Reads what the picture needs; the state may change afterwards. `occupancy` belongs to `state`.
+  /// The cost depends on the number of samples, not of particles or sites.
+  Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring);
-  /// Makes the picture. `exposure`: of this painter. What the box shows is turned anticlockwise by
+  /// Makes the picture from a capture of this painter. The content is turned anticlockwise by
   /// `turn` degrees about the middle of the view.
-  Image develop(const Exposure& exposure, const Caption& caption, const Overlay& overlay = {},
-                double turn = 0);
+  Image rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay = {},
+                  double turn = 0);
 
-  /// Both.
+  /// capture() and rasterize().
   Image draw(const grains::State& state, const grains::Occupancy& occupancy,
              const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 
@@ -87,16 +87,15 @@ class Painter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The box and its frame, floor and side walls drawn a few spacings thick.
+/// The box with its frame: floor and side walls a few spacings thick.
 lattice::Rectangle whole_box(const lattice::Lattice& lattice);
 
-/// Checks the driver's settings in the environment of the process and asks for rasterisation in
-/// the calling thread, unless the user has chosen a number of threads (LP_NUM_THREADS). Each
-/// Painter does so; who draws from several threads does it before they start, as the environment
-/// must not change under them. Throws RenderError.
+/// Checks the driver settings in the environment and selects single-threaded rasterisation, unless
+/// LP_NUM_THREADS is set. Throws RenderError.
+/// Each Painter calls this. Programs that draw from several threads call it before they start them.
 void prepare_environment();
 
-/// Warning that annotations cannot be drawn, empty when they can: no font was found.
+/// A warning if annotations cannot be drawn because no font was found; else empty.
 std::string font_problem();
 
 }  // namespace clca::render

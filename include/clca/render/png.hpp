@@ -1,5 +1,5 @@
 #pragma once
-// PNG files in memory, with text chunks that say where a picture comes from.
+// PNG files in memory, with text chunks for provenance.
 
 #include <cstdint>
 #include <map>
@@ -22,8 +22,8 @@ struct DecodedPng {
   PngText text;
 };
 
-/// Reads any PNG as RGB8 (alpha on white). Throws std::runtime_error with the reason for bytes
-/// that are no sound PNG or a picture of more than `max_pixels`.
+/// Reads any PNG as RGB8 (alpha over white). Throws std::runtime_error with the reason for invalid
+/// PNGs and pictures of more than `max_pixels`.
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels = 1U << 28U);
 
 }  // namespace clca::render

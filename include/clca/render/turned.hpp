@@ -1,12 +1,12 @@
 #pragma once
-// Pictures turned.
+// Rotating pictures.
 
 #include "clca/render/image.hpp"
 
 namespace clca::render {
 
-/// The picture turned about its middle by `degrees`, anticlockwise, in a frame of the same size;
-/// what comes from outside of it is `blank`. Between pixels by the four around.
+/// The picture rotated about its middle by `degrees`, anticlockwise, at the same size; `blank`
+/// fills the corners. Bilinear interpolation.
 Image turned(const Image& image, double degrees, Rgb blank);
 
 }  // namespace clca::render

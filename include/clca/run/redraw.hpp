@@ -1,5 +1,5 @@
 #pragma once
-// Draws a run again from its trajectory, without simulating: pictures, a movie, a contact sheet.
+// Draws a run from its trajectory without simulating: pictures, a movie, a contact sheet.
 
 #include <atomic>
 #include <chrono>
@@ -17,7 +17,7 @@
 
 namespace clca::run {
 
-/// What cannot be drawn again, or not so. what() is one line.
+/// The run cannot be drawn as requested. what() is one line.
 class RedrawError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -32,8 +32,9 @@ struct RedrawOptions {
   int columns = 4;                                 ///< of the sheet
   std::uint64_t from = 0;                          ///< first step
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
-  double most_bytes = std::numeric_limits<double>::infinity();   ///< of memory, for the trajectory
-  /// Looked at before each picture: when it is not zero the drawing ends with what it has, whole.
+  double max_bytes = std::numeric_limits<double>::infinity();    ///< of memory, for the trajectory
+  /// Checked before each picture: if not zero, drawing ends and the files are completed with what
+  /// was drawn.
   const std::atomic<int>* stop = nullptr;
 };
 
@@ -52,20 +53,20 @@ struct RedrawEvents {
 
 class Redraw {
  public:
-  /// Finds out what is to be drawn and that it can be drawn and written; draws nothing. `scene`:
-  /// that of the run, with frames as they are to be now; its `every` holds for the frames of the
-  /// trajectory, each stage beginning and ending with one. Throws RedrawError, ScenePlaceError,
-  /// render::MovieError, store::StoreError.
+  /// Checks what is to be drawn and that it can be; draws nothing. Throws RedrawError,
+  /// SceneRunError, render::MovieError, store::StoreError.
+  /// `scene` is that of the run with its `frames` as they should be now; `every` applies to the
+  /// frames of the trajectory. Each stage begins and ends with one.
   Redraw(const scene::Scene& scene, const RedrawOptions& options);
   ~Redraw();
   Redraw(const Redraw&) = delete;
   Redraw& operator=(const Redraw&) = delete;
 
-  /// Call once. Returns the number of pictures drawn: less than pictures() when it was stopped.
-  /// Throws render::MovieError, store::StoreError, process::Stopped where ffmpeg did not end in
-  /// time.
+  /// Call once. Returns the number of pictures drawn, less than pictures() if stopped.
+  /// Throws render::MovieError, store::StoreError, and process::StoppedError if ffmpeg did not end
+  /// in time.
   std::size_t draw(const RedrawEvents& events = {});
-  /// To be drawn.
+  /// Number of pictures to draw.
   std::size_t pictures() const;
 
  private:

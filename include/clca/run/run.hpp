@@ -1,5 +1,5 @@
 #pragma once
-// Runs a scene from its first stage to its last and leaves a run folder.
+// Runs all stages of a scene and writes a run folder.
 
 #include <atomic>
 #include <chrono>
@@ -16,14 +16,14 @@
 
 namespace clca::run {
 
-/// A scene that cannot be run as it stands: a fill that does not fit, a picture that the driver
-/// cannot draw. what() is one line with the place in the scene file.
-class ScenePlaceError : public std::runtime_error {
+/// A scene that cannot be run: a fill that does not fit, a picture that the driver cannot draw.
+/// what() is one line with the location in the scene file.
+class SceneRunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// How a run is going.
+/// Progress of a run.
 struct Progress {
   std::string stage;
   std::size_t stage_number = 0;  ///< from 1
@@ -33,11 +33,11 @@ struct Progress {
   std::size_t particles = 0;
   double moving_share = 0;        ///< of the particles, in the last step
   double updates_per_second = 0;  ///< particles x steps / time in steps
-  /// Seconds to the end of the stage, a guess; none while nothing can be said.
+  /// Estimated seconds to the end of the stage, if known.
   std::optional<double> seconds_left;
 };
 
-/// How a run of the Boltzmann equation is going.
+/// Progress of a Boltzmann run.
 struct GasProgress {
   std::string stage;
   std::size_t stage_number = 0;  ///< from 1
@@ -53,23 +53,23 @@ struct GasProgress {
 struct RunOptions {
   std::filesystem::path folder = {};
   int threads = 1;
-  /// Steps as the model is defined, not as they are fast; of the contact model.
+  /// Uses the reference step of the model instead of the fast engine.
   bool reference = false;
-  /// Looked at once a step: when it is not zero the run saves itself and ends with what it has,
-  /// written whole.
+  /// Particles from which a step is divided among threads; none: where that pays. For tests.
+  std::optional<std::size_t> parallel_from = {};
+  /// Checked once per step: if not zero, the run saves a checkpoint and ends with complete files.
   const std::atomic<int>* stop = nullptr;
-  /// Seconds by the clock after which the run stops in the same way.
+  /// Wall-clock seconds after which the run stops in the same way.
   std::optional<double> time_limit = {};
-  /// Draws no picture but that of the final state, whatever the scene says of `every`.
+  /// Draws only the final state, whatever the scene says.
   bool last_picture_only = false;
-  /// Replaces a run in the folder that was interrupted, too.
+  /// Also replaces an interrupted run in the folder.
   bool overwrite = false;
-  /// Leaves what is in the folder alone: runs in the first of FOLDER, FOLDER-2, ... that is not
-  /// there.
+  /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
   bool keep = false;
 };
 
-/// A run that was interrupted is in the way of a new one. what() is one line with the folder.
+/// The folder holds an interrupted run. what() is one line with the folder.
 class UnfinishedRunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -79,51 +79,50 @@ class UnfinishedRunError : public std::runtime_error {
 struct RunEvents {
   std::function<void(const Progress&)> progress = {};
   std::function<void(const GasProgress&)> gas_progress = {};
-  /// Least time between two calls of one of these; they come after a step.
+  /// Shortest time between two progress calls, which come after a step.
   std::chrono::milliseconds progress_interval{100};
-  /// The folder of the run, when it has been chosen.
+  /// Called with the folder of the run once it is known.
   std::function<void(const std::filesystem::path&)> folder = {};
   std::function<void(const std::string&)> message = {};
   std::function<void(const std::string&)> warning = {};
 };
 
-/// Replaces what an earlier run has left in the folder; other files stay as they are. Throws
-/// scene::SceneError (see check_walls and check_room), ScenePlaceError, UnfinishedRunError,
-/// store::StoreError, or std::bad_alloc; std::invalid_argument for a number of threads that is not
-/// positive. Where fewer threads can be started it warns and goes on with these. What fails after
-/// the folder was made leaves `failed` in it, and the last checkpoint to be gone on with. Several
-/// threads may run at once, each into a folder of its own. No folder is made for a scene whose
-/// first stage cannot begin.
+/// Runs a scene. Replaces the files of an earlier run in the folder; other files stay. No folder is
+/// made if the first stage cannot start. Several threads may run at once, each in its own folder.
+/// Throws scene::SceneError (see check_walls, check_room), SceneRunError, UnfinishedRunError,
+/// store::StoreError, std::bad_alloc; std::invalid_argument unless the number of threads is
+/// positive.
+/// If fewer threads can be started, warns and uses these. A later failure leaves the status
+/// `failed` and the last checkpoint.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
-/// As the other, for the Boltzmann equation: an ensemble for each restitution.
+/// As the other run(), for the Boltzmann equation: an ensemble for each restitution.
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
-/// A run that was stopped or killed, or has ended, as it was when it last saved itself. Nobody else
-/// runs in its folder while this is there.
+/// A run as of its last checkpoint: stopped, killed or finished. Locks its folder while it exists.
 struct SavedRun {
   store::RunFolder folder;
   scene::AnyScene scene;
   store::Checkpoint checkpoint;
-  std::optional<store::RunSummary> finished;  ///< there is nothing to go on with: its summary
-  double most_bytes = 0;                      ///< that loading it may take
-  std::optional<std::string> until;  ///< the end that was asked for in place of the scene's
-  std::string warning;               ///< one line where the newest checkpoint could not be used
+  std::optional<store::RunSummary> finished;  ///< summary of a run that needs no continuing
+  double max_bytes = 0;                       ///< memory limit for loading it
+  std::optional<std::string> until;           ///< requested end in place of the scene's
+  std::string warning;  ///< one line if the newest checkpoint could not be used
 };
 
-/// Loads what `folder` has saved. With `until`, in the words of a scene, the run goes on as if its
-/// scene had said so from the beginning: that of the last stage (a plain number: steps), or the
-/// time of a gas. Throws store::StoreError where there is nothing to go on from, or no checkpoint
-/// that may be read with `most_bytes` of memory; scene::SceneError for a wrong `until`. Changes
-/// nothing in the folder.
-SavedRun load_run(const std::filesystem::path& folder, double most_bytes,
+/// Loads the checkpoint in `folder`. Changes nothing there.
+/// `until`, in the syntax of a scene, replaces the end of the last stage (a plain number: steps) or
+/// the end time of a gas, as if the scene had said so from the start.
+/// Throws store::StoreError if there is no checkpoint that fits into `max_bytes` of memory,
+/// scene::SceneError for a wrong `until`.
+SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until = {});
 
-/// Goes on to the end that the scene asks for: the same bits as those of a run that was never
-/// stopped. The folder of the options is not used. Throws as run() does, and ScenePlaceError for an
-/// `until` that the run has passed.
+/// Continues a run to its end, with the same bits as an uninterrupted run. Ignores the folder of
+/// the options.
+/// Throws as run(), and SceneRunError for an `until` that the run has passed.
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events = {});
 
 /// A summary with version, compiler and build type filled in.

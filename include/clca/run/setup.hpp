@@ -1,19 +1,18 @@
 #pragma once
-// From a scene to the state it starts in.
+// The initial state of a scene.
 
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::run {
 
-/// The box with its walls, sources (closed) and outlets; no particles yet. Orientations that look
-/// alike become one kind. Throws scene::SceneError when the walls cannot move as they should (see
-/// scene::check_walls).
+/// The box with walls, closed sources and outlets, without particles. Equal orientations become one
+/// kind.
+/// Throws scene::SceneError if the walls cannot move as specified (see scene::check_walls).
 grains::State initial_state(const scene::Scene& scene);
 
-/// Carries out what a run does before its first step, without a folder, to find out whether it
-/// would refuse the scene: throws as run() does then. Takes the memory of the run and its time to
-/// the first step.
-void check_beginning(const scene::Scene& scene);
+/// Does everything that a run does before its first step, without a folder, to check the scene.
+/// Throws as run(). Takes as much memory and time.
+void check_start(const scene::Scene& scene);
 
 }  // namespace clca::run

@@ -1,5 +1,5 @@
 #pragma once
-// A scene of the Boltzmann equation: everything about a run, as plain validated values. Times and
+// A scene of the Boltzmann equation: all parameters of a run as validated values. Times and
 // velocities in the units of boltzmann/gas.hpp.
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct UniformBins {
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
-/// Times of observation that differ by less than this share of `series_every` are one.
+/// Observation times that differ by less than this share of `series_every` are equal.
 inline constexpr double kSameTime = 1e-9;
 
 struct BoltzmannScene {
@@ -39,7 +39,7 @@ struct BoltzmannScene {
   bool exact_moments = true;
   bool quasi = false;                      ///< sampling: quasi
   std::vector<double> restitutions = {1};  ///< one run for each, in this order
-  /// Whether the file gives a list, even of one: tables then have a column for it.
+  /// Whether the file has a list (even of one): tables then have a column for it.
   bool lists_restitutions = false;
   double friction = 0;   ///< boltzmann::kNoSlidingLimit where the file gives a roughness only
   double roughness = 0;  ///< as in boltzmann::Law
@@ -52,9 +52,9 @@ struct BoltzmannScene {
   std::vector<double> histograms;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
   std::optional<Checkpoints> checkpoint;
-  std::string place;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
+  std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 
-  /// Equal when they say the same, under whatever file name and wherever in it.
+  /// Compares all but file name and location.
   bool operator==(const BoltzmannScene& other) const;
 };
 

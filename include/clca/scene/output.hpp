@@ -1,5 +1,5 @@
 #pragma once
-// What a scene wants to have measured and written. Lengths in lattice spacings, time in steps.
+// Requested measures and output. Lengths in lattice spacings, time in steps.
 
 #include <cstdint>
 #include <optional>
@@ -37,10 +37,10 @@ struct Frames {
   int supersampling = 2;
   bool caption = true;
   bool upright = false;  ///< of Model::contact: turned as the vessel is
-  /// Of Model::contact: the force drawn as the widest line, in grain weights; none: estimated.
+  /// Contact model: force of the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};
   Overlay overlay = Overlay::none;  ///< drawn over the particles
-  std::string place;                ///< FILE:LINE:COLUMN, for messages
+  std::string location;             ///< FILE:LINE:COLUMN, for messages
 
   bool operator==(const Frames& other) const;
 };
@@ -59,7 +59,7 @@ struct Fields {
   bool operator==(const Fields&) const = default;
 };
 
-/// How often contacts are taken for means over time.
+/// Sampling of contacts for means over time.
 struct Contacts {
   std::uint64_t every = 1;
   std::uint64_t window = 100;  ///< steps of a mean of the contact model
@@ -67,7 +67,7 @@ struct Contacts {
   bool operator==(const Contacts&) const = default;
 };
 
-/// A frame of the trajectory at the begin of each stage, every so many of its steps, at its end.
+/// Trajectory frames: at the start and end of each stage and at regular intervals.
 struct TrajectoryOutput {
   std::uint64_t every = 10;
   bool contacts = false;  ///< of Model::contact: with the forces of each contact
@@ -75,7 +75,7 @@ struct TrajectoryOutput {
   bool operator==(const TrajectoryOutput&) const = default;
 };
 
-/// When a run saves what it needs to go on, besides at its end and where it is stopped.
+/// When to save checkpoints, besides at the end or interruption of a run.
 struct Checkpoints {
   std::optional<std::uint64_t> every;  ///< steps; a gas counts none
   std::optional<double> seconds;       ///< by the clock
@@ -83,7 +83,7 @@ struct Checkpoints {
   bool operator==(const Checkpoints&) const = default;
 };
 
-/// Where a scene says nothing of them.
+/// Default if the scene does not specify it.
 inline constexpr Checkpoints kDefaultCheckpoints = {.every = {}, .seconds = 60};
 
 struct Output {

@@ -1,5 +1,5 @@
 #pragma once
-// A Scene back to text, with every default filled in.
+// Scenes as text with every default filled in.
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace clca::scene {
 
-/// YAML that parses to the same Scene.
+/// YAML that parses to the same scene.
 std::string to_yaml(const Scene& scene);
 std::string to_yaml(const BoltzmannScene& scene);
 
-/// What a scene will need.
+/// Resources that a scene needs.
 struct Size {
   int columns = 0;
   int rows = 0;
@@ -22,11 +22,11 @@ struct Size {
 
 Size size_of(const Scene& scene);
 
-/// Memory of the gases that a Boltzmann run keeps as they were at its end, so that the end can be
-/// moved: 0 where that would be more than 1 GiB, or the scene has no checkpoints.
-double lasting_bytes(const BoltzmannScene& scene);
+/// Memory for the gases that a Boltzmann run keeps at its end so that the end can be moved: 0 if
+/// more than 1 GiB, or without checkpoints.
+double retained_gas_bytes(const BoltzmannScene& scene);
 
-/// Memory of a Boltzmann run on that many threads, in bytes, estimated from above.
+/// Upper estimate of the memory of a Boltzmann run on `threads` threads, in bytes.
 double bytes_of(const BoltzmannScene& scene, int threads);
 
 }  // namespace clca::scene

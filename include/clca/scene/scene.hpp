@@ -1,7 +1,7 @@
 #pragma once
-// A scene: everything about a run, as plain validated values. Lengths in lattice spacings from the
-// lower left site, time in steps, angles in degrees. Scenes are equal when they say the same, under
-// whatever file name and wherever in it.
+// A scene: all parameters of a run as validated values. Lengths in lattice spacings from the lower
+// left site, time in steps, angles in degrees.
+// Comparison ignores file name and locations.
 
 #include <cstdint>
 #include <map>
@@ -32,7 +32,7 @@ struct Box {
   double width = 0;
   double height = 0;
   bool periodic = false;
-  std::string place;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
+  std::string location;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
 
   bool operator==(const Box& other) const;
 };
@@ -70,10 +70,10 @@ struct Species {
   bool operator==(const Species&) const = default;
 };
 
-/// What moves the grains.
+/// The model that moves the grains.
 enum class Model : std::uint8_t { automaton, contact };
 
-/// What makes lengths and times of the contact model real ones.
+/// Real units of the contact model.
 struct Units {
   double spacing = 0;     ///< of the lattice, metres
   double gravity = 9.81;  ///< metres per second squared
@@ -84,14 +84,14 @@ struct Units {
 using WallPart =
     std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring, lattice::Arc>;
 
-/// One body. Without motion each of its parts has a site in the box; see check_walls for the rest.
+/// One body. Without motion each part has a site in the box; see check_walls for moving walls.
 struct Wall {
   std::string name;
   std::vector<WallPart> parts;
-  std::optional<grains::Motion> motion = {};
+  std::optional<grains::WallMotion> motion = {};
   grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
   std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
-  std::string place = {};
+  std::string location = {};
 
   bool operator==(const Wall& other) const;
 };
@@ -109,20 +109,20 @@ struct Source {
 struct Outlet {
   std::string name;
   lattice::Rectangle region;
-  std::string place = {};
+  std::string location = {};
 
   bool operator==(const Outlet& other) const;
 };
 
-/// Random sequential addition: a rain that falls in the steps that follow; or sequential
-/// deposition: a packing that is at rest (automaton::Automaton::fill and deposit).
+/// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
+/// automaton::Automaton::fill and deposit.
 enum class FillMethod : std::uint8_t { random, deposition };
 
 struct Fill {
   FillMethod method = FillMethod::random;
   lattice::Rectangle region;
   std::vector<std::size_t> counts;  ///< per species
-  std::string place;
+  std::string location;
 
   bool operator==(const Fill& other) const;
 };
@@ -135,19 +135,19 @@ struct UntilSteps {
 
   bool operator==(const UntilSteps&) const = default;
 };
-/// Ends when this share of the particles that were or came in during the stage has left.
+/// Ends when this share of all particles present or emitted during the stage has left.
 struct UntilDischarged {
   double share = 0;
 
   bool operator==(const UntilDischarged&) const = default;
 };
-/// Ends when the walls that go to and fro have all done so this many times.
+/// Ends when all periodic walls have completed this many cycles.
 struct UntilCycles {
   std::uint64_t cycles = 0;
 
   bool operator==(const UntilCycles&) const = default;
 };
-/// Of Model::contact.
+/// Contact model only.
 struct UntilTime {
   double time = 0;          ///< in the unit of time of Conversion
   std::uint64_t steps = 0;  ///< that it takes
@@ -156,25 +156,25 @@ struct UntilTime {
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
 
-/// Steps after which such an end comes, where it says so by steps or time.
+/// Number of steps, for ends given by steps or time.
 std::optional<std::uint64_t> steps_of(const Until& until);
 
-/// The vessel stands at an angle from upright, in degrees anticlockwise: at once, or turned to it
-/// with `rate` degrees per unit of time (of Conversion).
+/// Tilts the vessel to an angle from upright, degrees anticlockwise: at once, or with `rate`
+/// degrees per unit of time (of Conversion).
 struct Tilt {
   double to = 0;
   std::optional<double> rate;
 
   bool operator==(const Tilt&) const = default;
 };
-/// Turns without end; anticlockwise where the rate, in turns per unit of time, is above 0.
+/// Turns continuously with `rate` turns per unit of time; positive is anticlockwise.
 struct Rotate {
   double rate = 0;
   std::optional<Eigen::Vector2d> centre;  ///< none: of the box
 
   bool operator==(const Rotate&) const = default;
 };
-/// Swings as a sine.
+/// Sinusoidal shaking.
 struct VesselShake {
   double gamma = 0;      ///< greatest acceleration over that of gravity
   double amplitude = 0;  ///< in lattice spacings
@@ -189,18 +189,18 @@ struct Stage {
   std::string name;
   std::optional<Fill> fill;
   std::vector<std::size_t> remove;          ///< walls, by index
-  std::vector<std::size_t> insert;          ///< likewise; see walls_there_first
+  std::vector<std::size_t> insert;          ///< likewise; see walls_present_at_start
   std::vector<std::size_t> move;            ///< walls in motion during this stage, by index
   std::vector<std::size_t> sources;         ///< open during this stage, by index
   std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
   Until until;
   std::uint64_t max_steps = 1'000'000;
-  std::string insert_place;  ///< of the list `insert`
+  std::string insert_location;  ///< of the list `insert`
 
   bool operator==(const Stage& other) const;
 };
 
-/// Whether the vessel turns or is shaken in the stage, and so goes through cycles.
+/// Whether the vessel rotates or is shaken in the stage, and so has cycles.
 bool vessel_has_cycles(const Stage& stage);
 
 struct Scene {

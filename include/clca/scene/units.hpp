@@ -1,5 +1,5 @@
 #pragma once
-// From lattice spacings and steps of the contact model to the units of a run.
+// Conversion from lattice spacings and steps of the contact model to units of output.
 
 #include <cstdint>
 #include <optional>
@@ -9,8 +9,7 @@
 
 namespace clca::scene {
 
-/// Metres and seconds where the scene has units, otherwise what follows from a lattice spacing and
-/// gravity alone.
+/// Metres and seconds if the scene has units, else units derived from lattice spacing and gravity.
 struct Conversion {
   std::string length_unit;    ///< m or spacing
   std::string time_unit;      ///< s or √(spacing/gravity)
@@ -20,9 +19,9 @@ struct Conversion {
 
   bool operator==(const Conversion&) const = default;
 
-  /// In the unit of time.
+  /// Time of a step, in the unit of time.
   double time(std::uint64_t steps) const { return static_cast<double>(steps) * time_step; }
-  /// `0.3124 s`: with as many decimals as tell one step from the next.
+  /// `0.3124 s`, with enough decimals to distinguish steps.
   std::string time_text(std::uint64_t steps) const;
   /// From lattice spacings per step to the unit of velocity.
   double velocity(double spacings_per_step) const {
@@ -30,12 +29,10 @@ struct Conversion {
   }
 };
 
-/// Of a scene of the contact model, whose resolution and fall height give a time step; none of the
-/// automaton, whose steps have no length.
+/// For contact scenes; none for the automaton, whose steps have no length.
 std::optional<Conversion> conversion(const Scene& scene);
 
-/// The least whole number of steps, but 0, that takes `time`. A time that is that of a step but for
-/// rounding is that step.
+/// Smallest positive number of steps that takes at least `time`, up to rounding.
 double steps_until(double time, const Conversion& conversion);
 
 }  // namespace clca::scene

@@ -1,5 +1,5 @@
 #pragma once
-// Files that are written piece by piece and yet appear whole or not at all.
+// Files written piece by piece that appear complete or not at all.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace clca::store {
 
-/// Made by OutputFolder::create(). The bytes go to a temporary file beside it until finish();
-/// without that the file is as it was and the temporary file is removed. All throw StoreError;
-/// nothing can be written after that.
+/// Made by OutputFolder::create(). Writes to a temporary file beside it until finish(); without
+/// finish() that is removed and the old file stays.
+/// All functions throw StoreError; nothing can be written after that.
 class AtomicFile {
  public:
   ~AtomicFile();
@@ -20,12 +20,12 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
-  /// Another program may write there in place of write().
+  /// Another program may write to this path instead of write().
   std::filesystem::path temporary_path() const;
-  /// At the end.
+  /// Appends.
   void write(std::span<const std::uint8_t> bytes);
   void write(std::string_view text);
-  /// In place of the first bytes, which must have been written.
+  /// Overwrites the first bytes, which must have been written.
   void rewrite_begin(std::span<const std::uint8_t> bytes);
   std::uint64_t size() const;  ///< bytes written at the end
   /// Flushes to the disk and renames.

@@ -1,5 +1,5 @@
 #pragma once
-// Reading whole files, and writing those that the user has named.
+// Reading whole files, and writing files named by the user.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,19 +16,19 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a file that the user has named, in place of any regular file there. It appears when it is
-/// whole. Throws StoreError; then `path` is as it was.
+/// Writes a file named by the user, replacing any regular file. It appears complete; on StoreError
+/// `path` is unchanged.
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-/// Makes a folder, and those that it lies in, if need be. Throws StoreError.
+/// Makes a folder and its parents, if needed. Throws StoreError.
 void make_folder(const std::filesystem::path& folder);
 
-/// All bytes of a regular file, and of nothing else. Throws StoreError, also for more than
-/// `most_bytes`.
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double most_bytes);
+/// All bytes of a regular file. Throws StoreError, also for other kinds of files and more than
+/// `max_bytes`.
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes);
 
-/// Most bytes of a picture that is read.
-inline constexpr double kMostPictureBytes = 256 << 20;
+/// Maximum size of a picture file.
+inline constexpr double kMaxPictureBytes = 256 << 20;
 
 }  // namespace clca::store

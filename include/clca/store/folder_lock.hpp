@@ -5,12 +5,12 @@
 
 namespace clca::store {
 
-/// Holds the file `.clca.lock` of a folder. The system holds the lock for the process, so that it
-/// is gone with it, however that ends. The file is empty and stays.
+/// Locks the file `.clca.lock` of a folder. The system releases the lock when the process ends. The
+/// file is empty and remains.
 class FolderLock {
  public:
-  /// Throws StoreError when somebody else holds it, with the number of that process where the
-  /// system tells it, or when the file cannot be made.
+  /// Throws StoreError if another process holds the lock, with its id if known, or if the file
+  /// cannot be made.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;

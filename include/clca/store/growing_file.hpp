@@ -1,5 +1,5 @@
 #pragma once
-// Text files that grow while a run goes on.
+// Text files that grow during a run.
 
 #include <cstdint>
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace clca::store {
 
-/// A file that text is added to. What a run had added after its last checkpoint is cut off when it
-/// goes on from there.
+/// A file that text is appended to. When a run resumes, text written after its checkpoint is cut
+/// off.
 class GrowingFile {
  public:
-  /// Keeps the first `kept` bytes of the file. Made only when something is added. Throws StoreError
-  /// for a file that has less.
+  /// Keeps the first `kept` bytes of the file, which is made with the first append. Throws
+  /// StoreError if it has fewer.
   GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
 
   /// Throws StoreError.
   void append(std::string_view text);
-  /// Has it on the disk, if it is there. May be called while another thread appends. Throws
+  /// Syncs the file to disk, if it exists. May be called while another thread appends. Throws
   /// StoreError.
   void sync() const { folder_.sync(name_); }
   std::uint64_t bytes() const { return bytes_; }

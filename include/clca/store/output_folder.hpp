@@ -1,5 +1,5 @@
 #pragma once
-// A folder that clca writes into, and the list of what it has written there.
+// A folder that clca writes to, and the manifest of the files written.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace clca::store {
 
-/// What stands in the way of a file that is to be written.
+/// Which existing files may be replaced.
 enum class Replace : std::uint8_t {
   own,   ///< only what clca wrote itself, as the manifest says
   named  ///< any regular file: the user has named it; it is not listed in the manifest
@@ -21,28 +21,27 @@ enum class Replace : std::uint8_t {
 
 struct OutputFile;
 
-/// The file `.clca.manifest` lists every file before it is made. Nothing that is not listed is ever
-/// replaced or removed, and no symbolic link below the folder is followed. Names are relative, with
-/// `/` between folders ("frames/a-000120.png"). Copies share one folder; all functions may be
-/// called from several threads. All throw StoreError.
+/// The file `.clca.manifest` lists every file before it is made. Only listed files are replaced or
+/// removed, and symbolic links below the folder are not followed.
+/// Names are relative, with `/` between folders ("frames/a-000120.png"). Copies share one folder.
+/// Thread-safe. All functions throw StoreError.
 class OutputFolder {
  public:
-  /// Writes nothing yet: the folder is made with its first file. Throws for a damaged manifest. An
+  /// Writes nothing: the folder is made with its first file. Throws for a damaged manifest. An
   /// empty path is the working directory.
   explicit OutputFolder(const std::filesystem::path& path);
 
-  /// The folder `name` in this one; its files are in the same manifest.
+  /// The folder `name` in this one, with the same manifest.
   OutputFolder subfolder(const std::string& name) const;
 
   std::filesystem::path path() const;
   std::filesystem::path path(const std::string& name) const;
 
-  /// Whether the manifest lists the file, be it there or not.
+  /// Whether the manifest lists the file, present or not.
   bool owns(const std::string& name) const;
-  /// All files of the manifest in this folder that are there.
+  /// All existing files of the manifest in this folder.
   std::vector<std::string> files() const;
-  /// Throws where a file of that name is there that the manifest does not list, or where it is no
-  /// regular file.
+  /// Throws if a file of that name exists that is not in the manifest or is no regular file.
   void require_free(const std::string& name) const;
 
   void make_folder(const std::string& name) const;
@@ -51,22 +50,21 @@ class OutputFolder {
   void write(const std::string& name, std::span<const std::uint8_t> bytes,
              Replace replace = Replace::own) const;
   void write(const std::string& name, std::string_view text, Replace replace = Replace::own) const;
-  /// A file descriptor to add to the end of a file, which is made if need be.
+  /// A file descriptor for appending; makes the file if needed.
   int open_to_append(const std::string& name) const;
-  /// Cuts off what comes after the first `bytes`. Returns false where the file has less. A file
-  /// that is not there has no bytes.
+  /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
   bool truncate(const std::string& name, std::uint64_t bytes) const;
-  /// Flushes a file to the disk, if it is there.
+  /// Syncs a file to disk, if it exists.
   void sync(const std::string& name) const;
 
-  /// Gives a file another name, in place of what had it. Both are files of the manifest.
+  /// Renames a file, replacing `to`. Both are in the manifest.
   void rename(const std::string& from, const std::string& to) const;
-  /// Removes a file of the manifest, if it is there.
+  /// Removes a file of the manifest, if it exists.
   void remove(const std::string& name) const;
-  /// Removes all files of the manifest but `kept`, then the folders that are empty; `first` before
-  /// all others. The manifest lists what is left.
+  /// Removes all files of the manifest except `kept`, with `first` first, then empty folders.
+  /// Updates the manifest.
   void clear(const std::string& first, const std::string& kept) const;
-  /// Removes temporary files of processes that were killed, as the first file that is written does.
+  /// Removes temporary files of killed processes, as does writing the first file.
   void remove_temporary_files() const;
 
  private:
@@ -78,7 +76,7 @@ class OutputFolder {
   std::string prefix_;  // empty or ends in a slash
 };
 
-/// Where a file is to be written.
+/// The target of a file to be written.
 struct OutputFile {
   OutputFolder folder;
   std::string name;
@@ -88,11 +86,11 @@ struct OutputFile {
   std::filesystem::path path() const { return folder.path(name); }
 };
 
-/// A file that the user has named. Its folder must be there.
+/// A file named by the user. Its folder must exist.
 OutputFile named_file(const std::filesystem::path& path);
 
-/// The folder that the user has named or, where `named` is empty, the folder `below` of the run
-/// folder `run`.
+/// The folder named by the user or, if `named` is empty, the folder `below` in the run folder
+/// `run`.
 OutputFolder named_folder(const std::filesystem::path& named, const std::filesystem::path& run,
                           const std::string& below);
 

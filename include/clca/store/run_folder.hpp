@@ -1,5 +1,5 @@
 #pragma once
-// The folder that a run leaves.
+// The folder of a run.
 
 #include <cstdint>
 #include <filesystem>
@@ -32,35 +32,35 @@ inline constexpr const char* kExportFolder = "export";
 std::string table_name(const std::string& kind);
 std::string table_name(const std::string& kind, const std::string& stage);
 
-/// What lies in a folder from an earlier run.
+/// An earlier run found in a folder.
 struct EarlierRun {
   RunSummary summary;
   std::string when;         ///< local time at which run.json was written; empty where it was not
   bool unfinished = false;  ///< it is not done and may go on from a checkpoint
 };
 
-/// A folder of one run at a time: nobody else runs in it as long as this object lives.
+/// A run folder, locked for other runs while this object exists.
 class RunFolder {
  public:
-  /// For a new run. Makes the folder if need be and changes nothing in it. Throws StoreError, also
-  /// when another run is at work in it or clca has written something else than a run there.
+  /// For a new run. Makes the folder if needed and changes nothing in it. Throws StoreError, also
+  /// if another run is active there or clca has written something else there.
   static RunFolder for_new_run(const std::filesystem::path& path);
-  /// For a run that goes on. Throws StoreError, also where no run has begun.
+  /// For a resumed run. Throws StoreError, also if no run has started there.
   static RunFolder for_resumed_run(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
   const OutputFolder& files() const { return files_; }
 
-  /// Nothing where clca has written nothing. Throws StoreError where neither run.json nor a
-  /// checkpoint of an earlier run can be read.
+  /// None if clca has written nothing there. Throws StoreError if neither run.json nor a checkpoint
+  /// can be read.
   std::optional<EarlierRun> earlier_run() const;
 
-  /// Begins a run: once `start` has replaced the checkpoint, the earlier run is no more, and
-  /// clear_results() may be repeated until it has succeeded.
+  /// Starts a run: replaces the checkpoint by `start`, then removes the old results. From then on
+  /// clear_results() may be repeated until it succeeds.
   void start_over(const Checkpoint& start) const;
-  /// Removes everything that clca has written into the folder but the newest checkpoint.
+  /// Removes everything that clca has written there except the newest checkpoint.
   void clear_results() const;
-  /// Removes the pictures of steps after `last_step`; all of them where it is none.
+  /// Removes the pictures of steps after `last_step`; all if none.
   void remove_frames_after(std::optional<std::uint64_t> last_step) const;
 
  private:

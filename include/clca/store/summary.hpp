@@ -1,5 +1,5 @@
 #pragma once
-// run.json: what a run was and what came out.
+// run.json: parameters and results of a run.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace clca::store {
 
-/// A number, yes or no, or nothing where the state has none (written as null).
+/// A number, a truth value, or none (written as null).
 using MeasureValue = std::variant<std::monostate, double, bool>;
 
-/// null where there is none.
+/// null if there is none.
 inline MeasureValue value_or_null(const std::optional<double>& value) {
   return value ? MeasureValue(*value) : MeasureValue();
 }
@@ -33,7 +33,8 @@ struct StageSummary {
 struct RunSummary {
   std::string kind = "automaton";  ///< or contact, boltzmann
   std::string version;
-  std::string scene;
+  std::string scene;  ///< its name
+  std::string title;  ///< of the scene
   std::uint64_t seed = 0;
   int threads = 1;
   std::string status;  ///< running, done, interrupted or failed
@@ -49,15 +50,16 @@ struct RunSummary {
   std::vector<StageSummary> stages;
 };
 
-/// What run.json calls the rate of a kind of run: collisions (of pairs) of the Boltzmann equation,
-/// particle-updates of all others, per second.
+/// Key of the rate in run.json: collisions (pairs) per second for the Boltzmann equation, particle
+/// updates per second otherwise.
 const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
 
-/// From the text of a run.json; `name` stands in messages. Throws StoreError when it is not whole.
+/// Parses a run.json; `name` is used in messages. Throws StoreError if it is not complete and
+/// valid.
 RunSummary parse_summary(std::string_view json, const std::string& name);
-/// Reads a run.json back. Throws StoreError when it cannot be read or is not a whole run.json.
+/// Reads a run.json. Throws StoreError if it cannot be read or is not complete and valid.
 RunSummary read_summary(const std::filesystem::path& file);
 
 }  // namespace clca::store

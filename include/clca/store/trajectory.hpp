@@ -1,9 +1,8 @@
 #pragma once
-// The trajectory of a run: where everything was, frame by frame.
-//
-// A folder `trajectory/` of parts, each a whole HDF5 file that never changes, and `trajectory.h5`
-// beside it, which shows all of them as one. Parts come one after the other while the run goes on,
-// so that any reader may look at any time. docs/trajectory.md has the layout.
+// The trajectory of a run: the state of the grains frame by frame.
+// A folder `trajectory/` of parts, each a complete HDF5 file that never changes, and an index
+// `trajectory.h5` that shows them as one.
+// Parts are added during the run, so it can be read at any time. See docs/trajectory.md.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,14 +12,14 @@
 #include <vector>
 
 #include "clca/contact/force.hpp"
-#include "clca/fields/fields.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/reflection/reflection.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 
 namespace clca::store {
 
-/// What a frame of the contact model has beside the state of the grains; empty of the automaton.
+/// Additional data of a contact model frame; empty for the automaton.
 struct ContactFrame {
   std::vector<Eigen::Vector2d> velocities = {};  ///< by id, lattice spacings a step
   std::vector<contact::Force> forces = {};       ///< with scene::TrajectoryOutput::contacts
@@ -31,31 +30,32 @@ struct ContactFrame {
 /// Writes the trajectory of a run. Not for several threads at once.
 class TrajectoryWriter {
  public:
-  /// What the run so far has written: goes into its checkpoint.
+  /// What has been written so far; part of the checkpoint.
   struct Written {
     std::uint64_t parts = 0;
     std::uint64_t frames = 0;
 
     static constexpr auto fields() {
-      return std::make_tuple(fields::field("parts", &Written::parts),
-                             fields::field("frames", &Written::frames));
+      return std::make_tuple(reflection::field("parts", &Written::parts),
+                             reflection::field("frames", &Written::frames));
     }
   };
 
-  /// Keeps the first `kept.parts` parts of the run folder and removes later ones of clca's, so that
-  /// a run goes on where its checkpoint was; a new run keeps none. Throws StoreError.
+  /// Keeps the first `kept.parts` parts in the run folder and removes later ones written by clca,
+  /// so that a run resumes at its checkpoint. Throws StoreError.
   TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                    const grains::State& state, const Written& kept);
   ~TrajectoryWriter();
   TrajectoryWriter(const TrajectoryWriter&) = delete;
   TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
-  /// Takes a frame of the stage `stage` (from 0) into memory; `stage_begins` in the first frame of
-  /// a stage, where all origins are marked anew. Writes a part when enough has come together.
-  /// Forces are those between grains that are present, or grains and what else they touch.
+  /// Adds a frame of the stage `stage` (from 0) in memory; writes a part when enough has
+  /// accumulated.
+  /// `stage_begins`: first frame of a stage, where all origins are marked anew. Forces are between
+  /// present grains, or grains and other bodies.
   void add(const grains::State& state, std::size_t stage, bool stage_begins,
            const ContactFrame& contact = {});
-  /// Writes what is in memory, if anything, as a part, and the index anew.
+  /// Writes the frames in memory as a part, and the index.
   void flush();
   /// After flush().
   Written written() const;
@@ -65,7 +65,7 @@ class TrajectoryWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reads the trajectory of a run folder, also of one that is still written.
+/// Reads the trajectory of a run folder, also during the run.
 class Trajectory {
  public:
   struct Frame {
@@ -74,24 +74,23 @@ class Trajectory {
     std::size_t particles = 0;  ///< present
   };
 
-  /// `fixed`: a state of the scene as it begins (run::initial_state), for all that no run changes.
-  /// Takes the list of parts now: of a run that goes on, open it again for later frames. Throws
-  /// StoreError for a folder without a trajectory, for files that are not whole or not of this
-  /// scene, and where a part or the state of a frame would need more than `most_bytes` of memory.
+  /// `fixed`: the initial state of the scene (run::initial_state), for everything that a run does
+  /// not change. Reads the list of parts once; open again for later frames.
+  /// Throws StoreError if there is no trajectory, if files are incomplete or of another scene, or
+  /// if a part or a state needs more than `max_bytes` of memory.
   Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
-             grains::State fixed, double most_bytes);
+             grains::State fixed, double max_bytes);
   ~Trajectory();
   Trajectory(const Trajectory&) = delete;
   Trajectory& operator=(const Trajectory&) = delete;
 
   const std::vector<Frame>& frames() const;
-  /// The state of a frame: step, particles that are present, with their last moves and origins,
-  /// pushes, and of the walls whether they are present and where. All else is as in `fixed`: travel
-  /// but for its offset, sources, outlets. Of particles that have left there is no more than that
-  /// they are not present. An Automaton can be made of it. Fast when frames are asked for in order;
-  /// not for several threads at once. Throws StoreError, also for what no run can have written.
+  /// The state of a frame: step, present particles with last moves and origins, pushes, presence
+  /// and offset of walls; all else as in `fixed`. Removed particles are only marked as not present.
+  /// An Automaton can be made of it. Fast for frames in order; not thread-safe. Throws StoreError,
+  /// also for data that no run can have written.
   grains::State state(std::size_t frame) const;
-  /// Velocities and forces of a frame; a velocity of 0 of grains that have left. Throws as state().
+  /// Velocities and forces of a frame; velocity 0 for removed grains. Throws as state().
   ContactFrame contact_frame(std::size_t frame) const;
 
  private:

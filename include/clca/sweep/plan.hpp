@@ -1,5 +1,5 @@
 #pragma once
-// A request with every scene parsed: which runs there are, in which order, under which names.
+// A sweep with every scene parsed: its runs, their order and names.
 
 #include <cstdint>
 #include <string>
@@ -24,14 +24,14 @@ struct Plan {
   std::size_t run_count() const { return variants.size() * request.seeds.size(); }
   const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
   std::uint64_t seed(std::size_t run) const { return request.seeds[run % request.seeds.size()]; }
-  /// The scene as the run has it.
+  /// The scene of a run.
   scene::Scene scene(std::size_t run) const;
-  /// `rules.inertia=0,seed=3`: the same for the same values and seed in every sweep, short, and fit
-  /// for a folder. Where values cannot stand in a file name, a hash tells them apart.
+  /// Folder name of a run, `rules.inertia=0,seed=3`: the same in every sweep for the same values
+  /// and seed. Values that cannot be in a file name are replaced by a hash.
   std::string name(std::size_t run) const;
 };
 
-/// Parses every combination. Throws scene::SceneError at the first that is wrong.
+/// Parses every combination. Throws scene::SceneError for the first that is wrong.
 Plan plan(Request request);
 
 }  // namespace clca::sweep

@@ -1,5 +1,5 @@
 #pragma once
-// What a sweep is asked for: a scene, the values that vary, the seeds.
+// The input of a sweep: a scene, varied values, seeds.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace clca::sweep {
 
-inline constexpr std::size_t kMostRuns = 100'000;
+inline constexpr std::size_t kMaxRuns = 100'000;
 
-/// A key of the scene, as for scene::Override, and the values (YAML) that it takes in turn.
+/// A key of the scene, as for scene::Override, and its values (YAML).
 struct Variation {
   std::string key;
   std::vector<std::string> values;
@@ -21,7 +21,7 @@ struct Variation {
 
 struct Request {
   std::filesystem::path scene;
-  std::vector<scene::Override> overrides;  ///< for all runs alike
+  std::vector<scene::Override> overrides;  ///< for all runs
   std::vector<Variation> variations;
   std::vector<std::uint64_t> seeds;  ///< ascending
 };
@@ -34,7 +34,7 @@ std::vector<std::uint64_t> parse_seeds(std::string_view text);
 /// Throws scene::SceneError that names `--vary TEXT`.
 Variation parse_variation(std::string_view text);
 
-/// Seeds as parse_seeds() reads them, as short as can be.
+/// Shortest text that parse_seeds() reads as these seeds.
 std::string to_text(const std::vector<std::uint64_t>& seeds);
 
 }  // namespace clca::sweep

@@ -1,13 +1,13 @@
 #pragma once
-// Runs everything that a plan has, several runs at a time, and leaves a sweep folder:
+// Executes the runs of a plan, several at a time, and writes a sweep folder:
 //
-//   sweep.json               what was asked
+//   sweep.json               the request
 //   runs/KEY=VALUE,seed=N/   a run folder for each run
 //   runs.csv                 a row for each run: values, seed, status, hash, measures, error
 //   measures.csv             mean, standard deviation ... of each measure over the seeds
 //   overview.png             final pictures, a row for each combination, a column for each seed
 //
-// Runs that an earlier sweep has left whole in the folder are taken as they are.
+// Complete runs of an earlier sweep in the folder are reused.
 
 #include <atomic>
 #include <filesystem>
@@ -22,13 +22,13 @@ namespace clca::sweep {
 struct Options {
   std::filesystem::path folder;
   int jobs = 1;  ///< runs at a time, each with one thread
-  /// All pictures that the scene asks for; otherwise that of the final state only.
+  /// All pictures of the scene; otherwise only the final state.
   bool all_pictures = false;
-  /// When it is not zero the sweep ends with what it has, written whole.
+  /// If not zero, the sweep stops with complete files.
   const std::atomic<int>* stop = nullptr;
 };
 
-/// How a sweep is going; numbers of runs.
+/// Progress of a sweep, in numbers of runs.
 struct Progress {
   std::size_t runs = 0;
   std::size_t done = 0;    ///< with those of an earlier sweep
@@ -45,9 +45,10 @@ struct Events {
   std::function<void(const std::string&)> warning = {};  ///< failed runs among them
 };
 
-/// The last Progress says how it has ended: runs that are neither done nor failed were interrupted
-/// or not begun. A run that fails does not stop the others. Throws store::StoreError when
-/// something cannot be written, and run::ScenePlaceError when no picture can be drawn here.
+/// Returns the final Progress: runs neither done nor failed were interrupted or not started. A
+/// failed run does not stop the others.
+/// Throws store::StoreError if something cannot be written, and run::SceneRunError if no picture
+/// can be drawn here.
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
 
 }  // namespace clca::sweep

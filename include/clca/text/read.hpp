@@ -1,5 +1,5 @@
 #pragma once
-// All of a file, whoever wrote it.
+// Reading a whole file from an untrusted source.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,9 +14,9 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes of a regular file. Throws ReadError, also for anything else that can be opened (a
-/// folder, device, pipe or socket), without waiting for it, and for more than `most_bytes`, even
-/// where the file grows while it is read.
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double most_bytes);
+/// The bytes of a regular file. Does not block on devices, pipes or sockets.
+/// Throws ReadError for anything but a regular file and for more than `max_bytes`, even if the
+/// file grows while it is read.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes);
 
 }  // namespace clca::text

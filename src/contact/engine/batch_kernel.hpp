@@ -21,8 +21,8 @@ class BatchKernel {
     }
   }
 
-  static void sweep(Batch* batches, std::size_t count, Body* bodies, const Turning& turning,
-                    bool backwards) {
+  static void sweep(Batch* batches, std::size_t count, Body* bodies,
+                    const RotationParameters& turning, bool backwards) {
     for (std::size_t i = 0; i < count; ++i) {
       Batch& batch = batches[backwards ? count - 1 - i : i];
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
@@ -68,7 +68,7 @@ class BatchKernel {
   std::size_t lane_;
   Body* bodies_;
   Impulse<Int> impulse_;
-  Touching<Int> touching_;
+  ContactState<Int> touching_;
 };
 
 }  // namespace clca::contact

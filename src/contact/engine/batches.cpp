@@ -104,7 +104,8 @@ LaneContent Batches::content(std::int32_t lane) const {
   return result;
 }
 
-Touching<std::int32_t> Batches::touching(std::int32_t lane, const std::vector<Body>& bodies) const {
+ContactState<std::int32_t> Batches::touching(std::int32_t lane,
+                                             const std::vector<Body>& bodies) const {
   const Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
   const auto velocity = [&](std::int32_t body) {

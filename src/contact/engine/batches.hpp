@@ -61,7 +61,7 @@ class Batches {
   /// Velocity with which the contact is to part.
   std::int32_t& bounce(std::int32_t lane) { return batch(lane).bounce[in_batch(lane)]; }
   /// The contact of a lane as it is now.
-  Touching<std::int32_t> touching(std::int32_t lane, const std::vector<Body>& bodies) const;
+  ContactState<std::int32_t> touching(std::int32_t lane, const std::vector<Body>& bodies) const;
 
   std::vector<Batch>& all() { return batches_; }
   /// Groups by round, in the order of the rounds.

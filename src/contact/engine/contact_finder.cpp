@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "clca/grains/separation.hpp"
 #include "contact/rule/sleep.hpp"
+#include "grains/internal/separation.hpp"
 
 namespace clca::contact {
 
@@ -35,7 +35,7 @@ bool is_wall_or_side(grains::Owner owner) {
 
 }  // namespace
 
-ContactFinder::ContactFinder(const State& state, const grains::Occupancy& occupancy,
+ContactFinder::ContactFinder(const State& state, const grains::OccupancyTable& occupancy,
                              const grains::FootprintTable& footprints, const Rule& rule,
                              const parallel::Threads& threads)
     : state_(state.grains),
@@ -49,7 +49,7 @@ ContactFinder::ContactFinder(const State& state, const grains::Occupancy& occupa
       changed_(threads),
       at_walls_(threads),
       partners_(threads),
-      sorted_(state_.walls.size(), most_groups(state_.lattice, threads)) {
+      sorted_(state_.walls.size(), max_groups(state_.lattice, threads)) {
   for (const grains::Kind& kind : state_.kinds) {
     widest_ = std::max(widest_, columns_of(kind.shape));
     for (const bool odd : {false, true}) {
@@ -61,8 +61,8 @@ ContactFinder::ContactFinder(const State& state, const grains::Occupancy& occupa
   }
 }
 
-std::size_t ContactFinder::most_groups(const lattice::Lattice& lattice,
-                                       const parallel::Threads& threads) {
+std::size_t ContactFinder::max_groups(const lattice::Lattice& lattice,
+                                      const parallel::Threads& threads) {
   // One for each strip, and one for contacts that appear later.
   return threads.count == 1
              ? 1
@@ -239,8 +239,8 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
   }
   std::sort(order_.begin(), order_.end());
   sorted_.clear(state_.particles.size());
-  const bool grouped = threads_.count > 1 &&
-                       order_.size() / threads_.least >= static_cast<std::size_t>(threads_.count);
+  const bool grouped = threads_.count > 1 && order_.size() / threads_.min_per_thread >=
+                                                 static_cast<std::size_t>(threads_.count);
   std::vector<int> round;  // its strips
   const auto key = [&](std::int32_t at) {
     return std::tie(slots.at(at).apart, slots.at(at).other);

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "clca/grains/footprint.hpp"
 #include "clca/parallel/split.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/touching.hpp"
+#include "grains/internal/footprint.hpp"
+#include "grains/internal/occupancy_table.hpp"
 
 namespace clca::contact {
 
@@ -19,12 +20,12 @@ namespace clca::contact {
 class ContactFinder {
  public:
   /// All outlive the finder.
-  ContactFinder(const State& state, const grains::Occupancy& occupancy,
+  ContactFinder(const State& state, const grains::OccupancyTable& occupancy,
                 const grains::FootprintTable& footprints, const Rule& rule,
                 const parallel::Threads& threads);
 
   /// Groups of contacts that sort() may make.
-  static std::size_t most_groups(const lattice::Lattice& lattice, const parallel::Threads& threads);
+  static std::size_t max_groups(const lattice::Lattice& lattice, const parallel::Threads& threads);
 
   /// The direction of the lattice nearest to gravity: what is above what.
   lattice::Direction down() const { return down_; }
@@ -63,7 +64,7 @@ class ContactFinder {
 
   const grains::State& state_;
   const Sleep& sleep_;
-  const grains::Occupancy& occupancy_;
+  const grains::OccupancyTable& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;
   parallel::Threads threads_;

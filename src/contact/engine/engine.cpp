@@ -11,19 +11,17 @@
 
 namespace clca::contact {
 
-Engine::Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-               const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads,
-               Profile* profile)
+Engine::Engine(State& state, grains::OccupancyTable& occupancy,
+               const grains::FootprintTable& footprints, const grains::WallEdges& edges,
+               const Rule& rule, const parallel::Threads& threads, Profile* profile)
     : state_(state),
-      occupancy_(occupancy),
-      footprints_(footprints),
       rule_(rule),
       threads_(threads),
       profile_(profile),
       clock_(profile),
       batch_(fastest_functions()),
       finder_(state, occupancy, footprints, rule, threads),
-      slots_(state.grains.walls.size(), ContactFinder::most_groups(state.grains.lattice, threads)),
+      slots_(state.grains.walls.size(), ContactFinder::max_groups(state.grains.lattice, threads)),
       mover_(state, occupancy, footprints, edges, threads),
       first_grain_(slots_.batches().first_grain()),
       may_move_(threads) {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "clca/contact/profile.hpp"
-#include "clca/grains/phase_clock.hpp"
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/engine/mover.hpp"
 #include "contact/rule/step.hpp"
+#include "grains/internal/phase_clock.hpp"
 
 namespace clca::contact {
 
@@ -18,7 +18,7 @@ class Engine {
  public:
   /// All outlive the engine. While it is there, velocities and contacts of the state are as they
   /// were at write_back() last. `profile` may be null.
-  Engine(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
+  Engine(State& state, grains::OccupancyTable& occupancy, const grains::FootprintTable& footprints,
          const grains::WallEdges& edges, const Rule& rule, const parallel::Threads& threads,
          Profile* profile);
 
@@ -55,8 +55,6 @@ class Engine {
   void look_at_all();
 
   State& state_;
-  grains::Occupancy& occupancy_;
-  const grains::FootprintTable& footprints_;
   const Rule& rule_;
   parallel::Threads threads_;
   Profile* profile_;

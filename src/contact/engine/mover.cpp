@@ -9,8 +9,9 @@ namespace clca::contact {
 
 using lattice::Direction;
 
-Mover::Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-             const grains::WallEdges& edges, const parallel::Threads& threads)
+Mover::Mover(State& state, grains::OccupancyTable& occupancy,
+             const grains::FootprintTable& footprints, const grains::WallEdges& edges,
+             const parallel::Threads& threads)
     : state_(state),
       threads_(threads),
       moves_(state, occupancy, footprints, edges),
@@ -51,7 +52,7 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
   parallel::split(threads_, ids_.size(),
                   [&](std::size_t part, std::size_t first, std::size_t last) {
                     for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
-                      if (!waits(id, direction) && wants(state_.remainders[id], direction)) {
+                      if (!waits(id, direction) && is_move_due(state_.remainders[id], direction)) {
                         tries_.of(part).emplace_back(id, moves_.in_the_way(id, direction));
                       }
                     }
@@ -145,7 +146,7 @@ void Mover::wake(std::size_t obstacle, Direction direction) {
     const auto id = static_cast<std::uint32_t>(at / lattice::kDirectionCount);
     stop_waiting(first_[obstacle]);
     if (at % lattice::kDirectionCount == lattice::index_of(direction) &&
-        wants(state_.remainders[id], direction)) {
+        is_move_due(state_.remainders[id], direction)) {
       ready_.push_back(id);
     }
   }

@@ -16,7 +16,7 @@ namespace clca::contact {
 class Mover {
  public:
   /// All outlive the mover.
-  Mover(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
+  Mover(State& state, grains::OccupancyTable& occupancy, const grains::FootprintTable& footprints,
         const grains::WallEdges& edges, const parallel::Threads& threads);
 
   /// Nobody waits any more: there are other grains, or walls.

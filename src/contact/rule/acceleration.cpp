@@ -9,7 +9,7 @@ namespace {
 
 constexpr Angle kQuarter = Angle{1} << 62U;
 
-/// In 2^-30. By its series, as the library's is not the same on all machines.
+/// In 2^-30. By its series, as library versions differ between machines.
 std::int32_t sine(Angle angle) {
   constexpr int kLastPower = 15;
   const bool falling = (angle & kQuarter) != 0;
@@ -39,7 +39,7 @@ UnitVector gravity_unit(const Vessel& vessel) {
 }
 
 lattice::Direction down(const Vessel& vessel) {
-  // A vessel that turns anticlockwise sees gravity turn clockwise, as the directions are counted.
+  // Gravity turns clockwise in the frame of a vessel that turns anticlockwise.
   const Angle sixths = (vessel.angle >> 32U) * lattice::kDirectionCount + (Angle{1} << 31U);
   return lattice::rotated(lattice::Direction::down, static_cast<int>(sixths >> 32U));
 }
@@ -47,7 +47,8 @@ lattice::Direction down(const Vessel& vessel) {
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic) {
   const UnitVector along = gravity_unit(vessel);
   Acceleration result = {.gravity = scaled_by(along, gravity)};
-  // What rests in the vessel feels the opposite of its acceleration, which is against its place.
+  // In the vessel grains feel the opposite of its acceleration, which is opposite to its
+  // displacement.
   const std::int32_t strongest = rounded(product(gravity, vessel.strength), kRatioBits);
   const std::int32_t shaking = rounded(product(strongest, sine(vessel.phase)), kUnitBits);
   const Vector swing = scaled_by(

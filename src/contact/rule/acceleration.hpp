@@ -1,5 +1,5 @@
 #pragma once
-// What accelerates grains between contacts: gravity as the vessel stands, and what its motion adds.
+// Acceleration of grains between contacts: gravity and the inertial forces in a moving vessel.
 
 #include <cstdint>
 
@@ -15,7 +15,7 @@ inline constexpr int kCentreBits = 8;        ///< of places about the centre of 
 inline constexpr int kRateBits = 30;         ///< of angular velocities in radians a step
 inline constexpr int kCentrifugalBits = 40;  ///< of their squares
 
-/// In one step; the same for all grains but for where and how fast they are.
+/// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
   Vector gravity;  ///< and shaking, in 2^-23 lattice spacings per step squared
   bool turns = false;
@@ -28,18 +28,18 @@ struct Acceleration {
 /// The direction of gravity, without shaking.
 UnitVector gravity_unit(const Vessel& vessel);
 
-/// The direction of the lattice nearest to it.
+/// The lattice direction nearest to it.
 lattice::Direction down(const Vessel& vessel);
 
-/// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre to turn
-/// about: there gravity turns and nothing else.
+/// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre of rotation:
+/// only the direction of gravity turns.
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic);
 
 /// The vessel after a step.
 Vessel next(const Vessel& vessel);
 
-/// Changes the velocity of a grain, in the frame of the vessel: by gravity and, where it turns, by
-/// the Coriolis and the centrifugal acceleration.
+/// Accelerates a grain in the frame of the vessel: gravity and, if it turns, Coriolis and
+/// centrifugal acceleration.
 inline void accelerate(Velocity<std::int32_t>& velocity, lattice::Site site,
                        const Acceleration& by) {
   std::int64_t x = by.gravity.x;
@@ -57,8 +57,8 @@ inline void accelerate(Velocity<std::int32_t>& velocity, lattice::Site site,
     y += scaled(by.squared_rate * from_centre_y, kBits) -
          scaled(product(velocity.x, by.rate), kRateBits - 1);
   }
-  velocity.x = clamped(velocity.x + x, -kFastest, kFastest);
-  velocity.y = clamped(velocity.y + y, -kFastest, kFastest);
+  velocity.x = clamped(velocity.x + x, -kMaxVelocity, kMaxVelocity);
+  velocity.y = clamped(velocity.y + y, -kMaxVelocity, kMaxVelocity);
 }
 
 }  // namespace clca::contact

@@ -9,7 +9,7 @@ namespace clca::contact {
 
 namespace {
 
-/// A disc of the same area, in units of mass and lattice spacings. A wall has no end of mass.
+/// A disc of the same area, in units of mass and lattice spacings. A wall has infinite mass.
 struct Disc {
   double inverse_mass = 0;
   double inverse_radius = 0;
@@ -32,8 +32,7 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const auto turning = [&](const Disc& disc) {
     return fixed(disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
   };
-  // The contact is at the rim, where a disc gives way to a force by turning twice as far as by
-  // moving.
+  // At the rim a disc yields to a force twice as much by turning as by moving.
   const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
   return {.mass = fixed(mass, kMassBits),
           .shear_mass = fixed(shear_mass, kMassBits),
@@ -48,8 +47,8 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
 }  // namespace
 
 double mass_unit(const std::vector<grains::Kind>& kinds) {
-  constexpr double kMany = 16;        // sites
-  constexpr double kMostInverse = 8;  // which 2^-26 leave room for
+  constexpr double kMany = 16;           // sites
+  constexpr double kMaxInverseMass = 8;  // which 2^-26 leave room for
   double least = std::numeric_limits<double>::infinity();
   double most = 1;
   for (const grains::Kind& kind : kinds) {
@@ -58,7 +57,7 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
     most = std::max(most, sites);
   }
   double unit = 1;
-  while (kMany * unit < most && 2 * unit <= kMostInverse * least) {
+  while (kMany * unit < most && 2 * unit <= kMaxInverseMass * least) {
     unit *= 2;
   }
   return unit;

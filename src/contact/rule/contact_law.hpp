@@ -1,6 +1,6 @@
 #pragma once
-// What passes between two bodies that touch: contact dynamics (Moreau 1994, Jean 1999), one contact
-// at a time. `Int` is std::int32_t, or eight of them for as many contacts that share no grain.
+// The contact law: contact dynamics (Moreau 1994, Jean 1999), one contact at a time. `Int` is
+// std::int32_t, or eight of them for eight contacts that share no grain.
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/bodies.hpp"
@@ -8,17 +8,17 @@
 
 namespace clca::contact {
 
-/// What of the parameters the law needs. Coefficients in 2^-16.
-struct Turning {
+/// Parameters of rotation. Coefficients in 2^-16.
+struct RotationParameters {
   bool turns = false;  ///< otherwise grains keep their orientation
   bool resists_rolling = false;
   std::int32_t rolling_friction = 0;
 };
 
-/// A contact where it is now, and the velocities of its bodies. A wall is a body whose
-/// inverse mass is 0, so that its velocity stays.
+/// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0,
+/// so its velocity does not change.
 template <class Int>
-struct Touching {
+struct ContactState {
   Velocity<Int> upper;
   Velocity<Int> other;
   Int normal_x;  ///< towards the upper body, in 2^-30
@@ -26,32 +26,33 @@ struct Touching {
   Coefficients<Int> pair;
 };
 
-/// Velocity of the upper body away from the other one, along the normal.
+/// Normal velocity of the upper body relative to the other; positive if they separate.
 template <class Int>
-[[gnu::always_inline]] inline Int separation_velocity(const Touching<Int>& at) {
+[[gnu::always_inline]] inline Int separation_velocity(const ContactState<Int>& at) {
   return rounded(
       product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
       kUnitBits);
 }
 
-/// The same along the rims of the bodies, across the normal turned anticlockwise.
+/// Tangential velocity at the contact, along the normal turned anticlockwise.
 template <class Int>
-[[gnu::always_inline]] inline Int slip_velocity(const Touching<Int>& at) {
+[[gnu::always_inline]] inline Int slip_velocity(const ContactState<Int>& at) {
   return rounded(product(at.upper.y - at.other.y, at.normal_x) -
                      product(at.upper.x - at.other.x, at.normal_y),
                  kUnitBits) -
          at.upper.spin - at.other.spin;
 }
 
-/// Changes the velocities of both bodies by impulses.
+/// Applies impulses to the velocities of both bodies.
 template <class Int>
-[[gnu::always_inline]] inline void apply(Touching<Int>& at, const Impulse<Int>& by, bool turns) {
+[[gnu::always_inline]] inline void apply(ContactState<Int>& at, const Impulse<Int>& by,
+                                         bool turns) {
   const Int x =
       rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
   const Int y =
       rounded(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits);
   const auto changed = [](Int velocity, const auto& change, int bits) {
-    return clamped(velocity + limited(change, bits, 2 * kFastest), -kFastest, kFastest);
+    return clamped(velocity + limited(change, bits, 2 * kMaxVelocity), -kMaxVelocity, kMaxVelocity);
   };
   const auto pushed = [&](Int velocity, Int impulse, Int inverse_mass) {
     return changed(velocity, product(impulse, inverse_mass), kInverseMassBits);
@@ -61,8 +62,9 @@ template <class Int>
   at.other.x = pushed(at.other.x, -x, at.pair.other_inverse_mass);
   at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
   if (turns) {
-    // Both turn the same way by a force along the rim, in opposite ways by a moment. A disc's
-    // moment of inertia is half of its mass times the radius squared.
+    // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
+    // = mass radius^2
+    // 2.
     constexpr int kTwice = kInverseMassBits - 1;
     at.upper.spin = changed(
         at.upper.spin,
@@ -75,22 +77,22 @@ template <class Int>
   }
 }
 
-/// Changes the impulses of a contact so that its bodies part with the velocity `bounce` along the
-/// normal and neither slide nor roll, as far as friction allows. `friction` in 2^-16.
+/// Updates the impulses so that the bodies separate with the velocity `bounce` and neither slide
+/// nor roll, within the limits of friction. `friction` in 2^-16.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, Touching<Int>& at, Int bounce,
-                                         Int friction, const Turning& turning) {
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactState<Int>& at, Int bounce,
+                                         Int friction, const RotationParameters& turning) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
-    return limited(stopped, kMassBits, 2 * kStrongest);
+    return limited(stopped, kMassBits, 2 * kMaxImpulse);
   };
   const auto bound = [](Int wanted, const auto& friction_force) {
-    const Int limit = clamped(limited(friction_force, kRatioBits, kStrongest), 0, kStrongest);
+    const Int limit = clamped(limited(friction_force, kRatioBits, kMaxImpulse), 0, kMaxImpulse);
     return clamped(wanted, -limit, limit);
   };
   impulse.normal =
       clamped(before.normal - change(product(separation_velocity(at) - bounce, at.pair.mass)), 0,
-              kStrongest);
+              kMaxImpulse);
   impulse.shear = bound(before.shear - change(product(slip_velocity(at), at.pair.shear_mass)),
                         product(impulse.normal, friction));
   if (turning.resists_rolling) {
@@ -105,10 +107,11 @@ template <class Int>
         turning.turns);
 }
 
-/// The velocity with which bodies part that come together with the velocity `closing`.
+/// Separation velocity after a collision with the velocity `closing`.
 inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
-  constexpr std::int32_t kLeast = kSpacing / 32;  // below it large beds would not come to rest
-  return closing > kLeast ? rounded(product(closing, restitution), kRatioBits) : 0;
+  constexpr std::int32_t kMinClosingVelocity =
+      kSpacing / 32;  // below it large beds would not come to rest
+  return closing > kMinClosingVelocity ? rounded(product(closing, restitution), kRatioBits) : 0;
 }
 
 }  // namespace clca::contact

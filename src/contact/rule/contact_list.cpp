@@ -7,8 +7,8 @@ namespace clca::contact {
 
 namespace {
 
-/// A contact with its place in the order.
-struct Placed {
+/// A contact with its sort key.
+struct OrderedContact {
   ActiveContact active;
   Touch touch;
 };
@@ -17,14 +17,14 @@ auto sorting_key(const grains::State& state, lattice::Direction down, const Touc
   return std::tuple(order_key(state, down, touch.upper), touch.apart, touch.other);
 }
 
-Placed placed(const Touch& touch) {
+OrderedContact ordered(const Touch& touch) {
   return {
       .active = {.contact = {.upper = touch.upper, .other = touch.other, .normal = touch.normal},
                  .is_new = true},
       .touch = touch};
 }
 
-/// The touch of the bodies of a contact, whichever is the upper one now.
+/// Finds the touch of the two bodies of a contact, in either order.
 const Touch* find(const std::vector<Touch>& touches, std::uint32_t upper, grains::Owner other) {
   const auto touch = std::lower_bound(
       touches.begin(), touches.end(), std::pair(upper, other),
@@ -39,7 +39,7 @@ std::vector<ActiveContact> next_contacts(const grains::State& state,
                                          const std::vector<Contact>& before,
                                          const std::vector<Touch>& now, lattice::Direction down,
                                          bool sorted) {
-  std::vector<Placed> all;
+  std::vector<OrderedContact> all;
   std::vector<bool> known(now.size(), false);
   for (const Contact& contact : before) {
     const Touch* touch = find(now, contact.upper, contact.other);
@@ -52,7 +52,7 @@ std::vector<ActiveContact> next_contacts(const grains::State& state,
       continue;
     }
     known[static_cast<std::size_t>(touch - now.data())] = true;
-    Placed kept = placed(*touch);
+    OrderedContact kept = ordered(*touch);
     kept.active.is_new = false;
     kept.active.contact.impulse = contact.impulse;
     if (turned) {
@@ -63,22 +63,23 @@ std::vector<ActiveContact> next_contacts(const grains::State& state,
   const auto first_new = static_cast<std::ptrdiff_t>(all.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (!known[i]) {
-      all.push_back(placed(now[i]));
+      all.push_back(ordered(now[i]));
     }
   }
   if (sorted) {
-    std::sort(all.begin(), all.end(), [&](const Placed& one, const Placed& other) {
+    std::sort(all.begin(), all.end(), [&](const OrderedContact& one, const OrderedContact& other) {
       return sorting_key(state, down, one.touch) < sorting_key(state, down, other.touch);
     });
   } else {
-    std::sort(all.begin() + first_new, all.end(), [&](const Placed& one, const Placed& other) {
-      return one.touch.key(state, down) < other.touch.key(state, down);
-    });
+    std::sort(all.begin() + first_new, all.end(),
+              [&](const OrderedContact& one, const OrderedContact& other) {
+                return one.touch.key(state, down) < other.touch.key(state, down);
+              });
   }
   std::vector<ActiveContact> result;
   result.reserve(all.size());
   std::transform(all.begin(), all.end(), std::back_inserter(result),
-                 [](const Placed& one) { return one.active; });
+                 [](const OrderedContact& one) { return one.active; });
   return result;
 }
 

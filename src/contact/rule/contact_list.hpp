@@ -1,5 +1,5 @@
 #pragma once
-// Contacts from step to step, and the order in which they are swept.
+// The list of contacts and the order in which they are swept.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace clca::contact {
 
-/// A contact in a step: what it remembers and where it is now.
+/// A contact in a step: its stored impulse and its present normal.
 struct ActiveContact {
   Contact contact;
   bool is_new = false;
 };
 
-/// The contacts of `before` that still touch, in their order, and behind them those that are new.
-/// With `sorted` all are put in order anew. A pair that has turned over keeps what it remembers.
+/// The contacts of `before` that still touch, in order, followed by new ones.
+/// With `sorted` all are sorted anew. A pair keeps its impulses if upper and lower body swap.
 std::vector<ActiveContact> next_contacts(const grains::State& state,
                                          const std::vector<Contact>& before,
                                          const std::vector<Touch>& now, lattice::Direction down,

@@ -68,8 +68,8 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
                            std::vector<std::uint32_t>& pushed) {
   bool any = false;
   for (WallMove& wall : walls) {
-    if (wall.wished != 0 && !wall.done && wall.direction(state_.grains) == direction) {
-      wall.done = push(edges_.step_of(state_.grains, wall.wall, wall.wished), pushed);
+    if (wall.desired != 0 && !wall.done && wall.direction(state_.grains) == direction) {
+      wall.done = push(edges_.step_of(state_.grains, wall.wall, wall.desired), pushed);
       any = any || wall.done;
     }
   }
@@ -77,30 +77,30 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
 }
 
 bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
-  grains::Train train(state_.grains, occupancy_, footprints_, step);
-  if (!train.gather([](std::uint32_t) { return false; })) {
+  grains::PushedCluster cluster(state_.grains, occupancy_, footprints_, step);
+  if (!cluster.gather([](std::uint32_t) { return false; })) {
     return false;
   }
   for (const std::size_t place : step.leaves) {
     occupancy_.release(place);
   }
-  for (const std::uint32_t id : train.ids()) {
+  for (const std::uint32_t id : cluster.ids()) {
     leave(id, step.direction);
   }
-  for (const std::uint32_t id : train.ids()) {
+  for (const std::uint32_t id : cluster.ids()) {
     enter(id, step.direction);
-    keep_up(state_.remainders[id], step.direction);
+    follow_push(state_.remainders[id], step.direction);
   }
   for (const std::size_t place : step.enters) {
     occupancy_.take(place, grains::wall_code(step.wall));
   }
-  note_beside(step.enters);
-  note_beside(step.leaves);
-  pushed.insert(pushed.end(), train.ids().begin(), train.ids().end());
+  note_neighbours(step.enters);
+  note_neighbours(step.leaves);
+  pushed.insert(pushed.end(), cluster.ids().begin(), cluster.ids().end());
   return true;
 }
 
-void SiteMoves::note_beside(const std::vector<std::size_t>& places) {
+void SiteMoves::note_neighbours(const std::vector<std::size_t>& places) {
   const lattice::Lattice& lattice = state_.grains.lattice;
   for (const std::size_t place : places) {
     for (const Direction direction : lattice::kDirections) {
@@ -120,7 +120,7 @@ void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove
     const auto move_grains = [&] {
       bool any = false;
       for (std::uint32_t id = 0; id < grains.size(); ++id) {
-        if (grains[id].present && !moved[id] && wants(state.remainders[id], direction) &&
+        if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction) &&
             moves.in_the_way(id, direction) == grains::kFree) {
           moves.move(id, direction);
           moved[id] = true;

@@ -1,41 +1,43 @@
 #pragma once
-// Moves of one step, site by site where there is room.
+// Moves of one step, site by site into free sites.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "clca/grains/footprint.hpp"
 #include "contact/rule/walls.hpp"
-#include "grains/wall_step.hpp"
+#include "grains/internal/footprint.hpp"
+#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/wall_step.hpp"
 
 namespace clca::contact {
 
-/// Moves grains and walls by single sites, and keeps account of it.
+/// Moves grains and walls by single sites and records the moves.
 class SiteMoves {
  public:
-  /// All outlive it.
-  SiteMoves(State& state, grains::Occupancy& occupancy, const grains::FootprintTable& footprints,
-            const grains::WallEdges& edges)
+  /// All references must outlive this object.
+  SiteMoves(State& state, grains::OccupancyTable& occupancy,
+            const grains::FootprintTable& footprints, const grains::WallEdges& edges)
       : state_(state), occupancy_(occupancy), footprints_(footprints), edges_(edges) {}
 
-  /// Begins a step: nothing has moved, and no grain has a `previous` move.
+  /// Starts a step: clears the record and all `previous` moves.
   void begin();
 
-  /// One of those in the way of a grain, kFree where there is none.
+  /// An owner that blocks a grain; kFree if there is none.
   grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction) const;
-  /// Moves a grain whose way is free.
+  /// Moves a grain into free sites.
   void move(std::uint32_t id, lattice::Direction direction);
-  /// Moves the walls that want this direction and have not moved yet. A wall takes along what is in
-  /// its way, and what is in the way of that, unless the border or another wall is. Returns whether
-  /// any has moved, and adds the grains that were pushed.
+  /// Moves the walls that are due in this direction and have not moved yet, with all grains they
+  /// push.
+  /// A wall blocked by the border or another wall stays. Returns whether any wall moved; appends
+  /// the pushed grains.
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls,
                   std::vector<std::uint32_t>& pushed);
 
-  /// Ids of grains that have moved in this step, each once.
+  /// Ids of grains that moved in this step, without duplicates.
   const std::vector<std::uint32_t>& moved() const { return moved_; }
-  /// Those beside places that walls have entered or left, some more than once.
+  /// Grains next to sites that walls entered or left; may have duplicates.
   const std::vector<std::uint32_t>& beside_walls() const { return beside_walls_; }
 
  private:
@@ -45,20 +47,20 @@ class SiteMoves {
   void leave(std::uint32_t id, lattice::Direction direction);
   void enter(std::uint32_t id, lattice::Direction direction);
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
-  void note_beside(const std::vector<std::size_t>& places);
+  void note_neighbours(const std::vector<std::size_t>& places);
 
   State& state_;
-  grains::Occupancy& occupancy_;
+  grains::OccupancyTable& occupancy_;
   const grains::FootprintTable& footprints_;
   const grains::WallEdges& edges_;
   std::vector<std::uint32_t> moved_;
   std::vector<std::uint32_t> beside_walls_;
 };
 
-/// Moves each grain by a site in every direction in which its remainder asks for it and its way is
-/// free; a row of grains goes at once. Walls take the moves that they want. What they have pushed
-/// may move by itself in the directions that follow. `down`: the direction of the lattice nearest
-/// to gravity.
+/// Moves each grain by one site in every direction in which its remainder is large enough and the
+/// sites are free; chains of grains move at once.
+/// Walls make their moves; grains they pushed may still move in later directions. `down`: lattice
+/// direction nearest to gravity.
 void move_all(SiteMoves& moves, State& state, lattice::Direction down, std::span<WallMove> walls);
 
 }  // namespace clca::contact

@@ -6,7 +6,7 @@ namespace clca::contact {
 
 namespace {
 
-/// Corners of the smallest parallelogram of lattice vectors around a shape.
+/// The smallest parallelogram of lattice vectors around a shape.
 struct Extent {
   lattice::Axial low;
   lattice::Axial high;

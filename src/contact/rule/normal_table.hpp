@@ -1,5 +1,5 @@
 #pragma once
-// Normals of all kinds of grains for every way they can touch, each computed once.
+// Contact normals of all pairs of kinds and relative positions, each computed once.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ class NormalTable {
   explicit NormalTable(const std::vector<grains::Kind>& kinds)
       : kinds_(kinds), tables_(kinds.size() * kinds.size()) {}
 
-  /// normal_between() of the kinds; no direction where they do not touch.
+  /// normal_between() of the kinds; zero if they do not touch.
   UnitVector normal(std::uint16_t first, std::uint16_t second, lattice::Axial apart) {
     Table& table = tables_[first * kinds_.size() + second];
     if (table.normals.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
-// Arithmetic in whole numbers, so that every machine and compiler gives the same bits. What the law
-// of a contact needs is there for eight contacts at once, too (engine/batch_avx2.cpp).
+// Integer arithmetic: the same bits on every machine and compiler. Operations of the contact law
+// also exist for eight contacts at once (engine/batch_avx2.cpp).
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ inline constexpr int kMassBits = 16;         ///< of masses in their unit, see m
 inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
 
-/// Product of two numbers; what is made of such products has room for a sign and 62 bits.
+/// Product of two numbers. Sums of products must fit a sign and 62 bits.
 inline std::int64_t product(std::int32_t one, std::int32_t other) {
   return std::int64_t{one} * other;
 }
-/// A number in every lane.
+/// The same number in every lane.
 inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
   return value;
 }
@@ -27,12 +27,12 @@ inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
 inline std::int64_t scaled(std::int64_t value, int bits) {
   return (value + (std::int64_t{1} << (bits - 1))) >> bits;
 }
-/// The same where it fits.
+/// The same, if the result fits.
 inline std::int32_t rounded(std::int64_t value, int bits) {
   return static_cast<std::int32_t>(scaled(value, bits));
 }
-/// The same where it fits or not: beyond `most`, a power of two, it may be any number further from
-/// 0 than that.
+/// The same for any size: if larger than `most`, a power of two, the result is some number with
+/// absolute value above `most`.
 inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
 }
@@ -43,13 +43,13 @@ inline std::int32_t clamped(std::int64_t value, std::int32_t low, std::int32_t h
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, low, high));
 }
 
-/// A number as a multiple of 2^-bits, at most 2^30 of them.
+/// A number in units of 2^-bits, at most 2^30 of them.
 inline std::int32_t fixed(double value, int bits) {
   return static_cast<std::int32_t>(std::llround(std::min(std::ldexp(value, bits), 0x1p30)));
 }
 
-/// In the direction of a lattice vector that is not zero. One division and one root each, which
-/// every machine rounds alike.
+/// Unit vector along a non-zero lattice vector. One division and one square root each, which every
+/// machine rounds alike.
 inline UnitVector unit_vector(lattice::Axial vector) {
   const double x = vector.x;
   const double doubled_y = 2.0 * vector.q + x;

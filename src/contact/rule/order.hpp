@@ -1,5 +1,5 @@
 #pragma once
-// What comes first, of grains, of contacts and of moves: it turns with gravity.
+// Order of grains, contacts and moves; depends on the direction of gravity.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace clca::contact {
 
-/// How place_along() counts columns and doubled heights.
+/// Weights of columns and doubled heights in place_along().
 struct Slope {
   int column = 0;
   int height = 0;
@@ -18,27 +18,28 @@ inline Slope slope(lattice::Direction direction) {
   return {3 * step.x, 2 * step.q + step.x};
 }
 
-/// Twice the place of a site along a direction, in whole numbers; only to be compared.
+/// Twice the coordinate of a site along a direction, as an integer; only for comparison.
 inline int place_along(lattice::Direction direction, lattice::Site site) {
   const Slope along = slope(direction);
   return along.column * site.column + along.height * lattice::doubled_height(site);
 }
 
-/// Whether a grain is the upper one of two; of two at one height it is the left one.
+/// Whether a grain is the upper one of two; at equal height the left one counts as upper.
 bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
               std::uint32_t other);
 
-/// Strips of columns, numbered from the left, in which contacts are put in order.
+/// Strips of columns, numbered from the left, for sorting contacts.
 inline constexpr int kStripColumns = 128;
 inline int strip_of(const lattice::Lattice& lattice, int column) {
   return lattice.wrapped(column) / kStripColumns;
 }
 
-/// The place of a grain among the upper ones of contacts, when these are put in order: by strips,
-/// every second one first, in a strip from the top down, from the left.
+/// Sort key of a grain as the upper one of contacts: by strips, even ones first, within a strip
+/// from the top down, from the left.
 std::uint64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
 
-/// Of moves in a step: down first, up last; of a pair at the same angle the one that a coin names.
+/// Order of move directions in a step: down first, up last; a coin decides between two at the same
+/// angle.
 std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
     const grains::State& state, lattice::Direction down);
 

@@ -11,26 +11,26 @@ namespace clca::contact {
 namespace {
 
 /// The impulses on a grain.
-struct Load {
+struct GrainImpulses {
   std::int64_t x = 0;
   std::int64_t y = 0;
   std::int64_t normal = 0;  // sum of their sizes
 };
 
-void add(std::vector<Load>& loads, const Contact& contact) {
+void add(std::vector<GrainImpulses>& loads, const Contact& contact) {
   const auto [normal, shear, rolling] = contact.impulse;
   const UnitVector& unit = contact.normal;
   const std::int64_t x = scaled(product(normal, unit.x) - product(shear, unit.y), kUnitBits);
   const std::int64_t y = scaled(product(normal, unit.y) + product(shear, unit.x), kUnitBits);
-  Load& upper = loads[contact.upper];
+  GrainImpulses& upper = loads[contact.upper];
   upper = {upper.x + x, upper.y + y, upper.normal + normal};
   if (grains::is_particle(contact.other)) {
-    Load& other = loads[static_cast<std::size_t>(contact.other)];
+    GrainImpulses& other = loads[static_cast<std::size_t>(contact.other)];
     other = {other.x - x, other.y - y, other.normal + normal};
   }
 }
 
-bool is_out_of_balance(const Load& load, std::int32_t mass, const Rule& rule,
+bool is_out_of_balance(const GrainImpulses& load, std::int32_t mass, const Rule& rule,
                        const Vector& gravity) {
   const auto weight = [&](std::int32_t component) {
     return scaled(product(mass, component), kMassBits);
@@ -39,7 +39,7 @@ bool is_out_of_balance(const Load& load, std::int32_t mass, const Rule& rule,
   return std::abs(load.x + weight(gravity.x)) > most || std::abs(load.y + weight(gravity.y)) > most;
 }
 
-/// Brings contacts to the list where they belong.
+/// Moves contacts between the active and sleeping lists.
 void sort_out(State& state) {
   const auto belongs_to_sleep = [&](const Contact& contact) {
     return both_asleep(state.sleep, contact.upper, contact.other);
@@ -78,7 +78,7 @@ void check_sleep(State& state, const Rule& rule) {
     wake_all(state);
     return;
   }
-  std::vector<Load> loads(state.velocities.size());
+  std::vector<GrainImpulses> loads(state.velocities.size());
   for (const Contact& contact : state.contacts) {
     add(loads, contact);
   }

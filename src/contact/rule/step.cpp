@@ -33,7 +33,7 @@ class Contacts {
                                              : contact.other <= kRightSide
                                                  ? side
                                                  : walls_[grains::wall_number(contact.other)];
-    Touching<std::int32_t> touching = {
+    ContactState<std::int32_t> touching = {
         .upper = upper_velocity,
         .other = other_velocity,
         .normal_x = contact.normal.x,
@@ -51,13 +51,13 @@ class Contacts {
   std::vector<Velocity<std::int32_t>> walls_;  // no impulse changes them
 };
 
-/// The velocities with which contacts are to part: those that are not new do not bounce.
+/// Target separation velocities of contacts: only new contacts bounce.
 std::vector<std::int32_t> bounces(Contacts& all, const std::vector<ActiveContact>& contacts,
                                   std::int32_t restitution) {
   std::vector<std::int32_t> result(contacts.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].is_new) {
-      all.at(contacts[i], [&](const Touching<std::int32_t>& touching) {
+      all.at(contacts[i], [&](const ContactState<std::int32_t>& touching) {
         result[i] = bounce(-separation_velocity(touching), restitution);
       });
     }
@@ -65,14 +65,14 @@ std::vector<std::int32_t> bounces(Contacts& all, const std::vector<ActiveContact
   return result;
 }
 
-/// Forwards and backwards in turn.
+/// Sweeps alternate forwards and backwards.
 void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
            const std::vector<std::int32_t>& bounce, const Rule& rule) {
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
       Contact& contact = contacts[at].contact;
-      all.at(contacts[at], [&](Touching<std::int32_t>& touching) {
+      all.at(contacts[at], [&](ContactState<std::int32_t>& touching) {
         solve(contact.impulse, touching, bounce[at], rule.friction_with(contact.other),
               rule.turning);
       });
@@ -80,7 +80,7 @@ void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
   }
 }
 
-/// Sleepers that touch what has come or moved.
+/// Marks sleeping grains that touch something that moved or appeared.
 void disturb_sleepers(State& state, const std::vector<ActiveContact>& contacts) {
   const auto has_moved = [&](grains::Owner body) {
     return grains::is_particle(body) &&
@@ -97,7 +97,7 @@ void disturb_sleepers(State& state, const std::vector<ActiveContact>& contacts) 
 
 }  // namespace
 
-std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
+std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& occupancy,
                                           const grains::FootprintTable& footprints,
                                           const grains::WallEdges& edges, const Rule& rule,
                                           NormalTable& normals) {
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occup
     }
   }
   for (const ActiveContact& active : contacts) {
-    all.at(active, [&](Touching<std::int32_t>& touching) {
+    all.at(active, [&](ContactState<std::int32_t>& touching) {
       apply(touching, active.contact.impulse, rule.turning.turns);
     });
   }

@@ -1,19 +1,20 @@
 #pragma once
-// One step of lattice contact dynamics, as the model is defined.
+// One step of lattice contact dynamics: the definition of the model.
 
 #include <cstdint>
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "clca/grains/footprint.hpp"
 #include "contact/rule/bodies.hpp"
 #include "contact/rule/contact_law.hpp"
 #include "contact/rule/normal_table.hpp"
-#include "grains/wall_step.hpp"
+#include "grains/internal/footprint.hpp"
+#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/wall_step.hpp"
 
 namespace clca::contact {
 
-/// What does not change in a run, in whole numbers. Ratios in 2^-16.
+/// Constants of a run, as integers. Ratios in 2^-16.
 struct Rule {
   std::int32_t gravity = 0;  ///< in 2^-23 lattice spacings per step squared
   std::int32_t restitution = 0;
@@ -21,7 +22,7 @@ struct Rule {
   std::int32_t friction = 0;                     ///< between grains
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
-  Turning turning = {};
+  RotationParameters turning = {};
   bool sleeping = false;
   Bodies bodies;
 
@@ -33,20 +34,19 @@ struct Rule {
   }
 };
 
-/// Speed up to which a grain counts as resting: twice what gravity gives it in a step.
+/// Speed below which a grain counts as resting: twice what gravity gives in a step.
 inline std::int32_t slow_speed(const Rule& rule) {
   return 2 * rule.gravity;
 }
 
-/// Whether the contacts of this step are put in order anew.
+/// Whether this step sorts the contacts anew.
 inline bool sorts_contacts(const State& state) {
   constexpr std::uint64_t kEvery = 8;
   return state.changed || state.grains.step % kEvery == 0;
 }
 
-/// Carries out a step but for sources and outlets. Returns the ids of the grains that moved,
-/// each once.
-std::vector<std::uint32_t> reference_step(State& state, grains::Occupancy& occupancy,
+/// One step without sources and outlets. Returns the ids of moved grains, without duplicates.
+std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& occupancy,
                                           const grains::FootprintTable& footprints,
                                           const grains::WallEdges& edges, const Rule& rule,
                                           NormalTable& normals);

@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "clca/grains/separation.hpp"
+#include "grains/internal/separation.hpp"
 
 namespace clca::contact {
 
@@ -11,8 +11,8 @@ namespace {
 
 using lattice::Axial;
 
-/// Who owns a place; of the border, which side it is of.
-grains::Owner body_at(const lattice::Lattice& lattice, const grains::Occupancy& occupancy,
+/// Owner of a site; for the border, which side.
+grains::Owner body_at(const lattice::Lattice& lattice, const grains::OccupancyTable& occupancy,
                       std::size_t place) {
   const grains::Owner owner = occupancy.owner(place);
   if (owner != grains::kBorder) {
@@ -28,9 +28,9 @@ grains::Owner body_at(const lattice::Lattice& lattice, const grains::Occupancy& 
   return site.column < 0 ? kLeftSide : kRightSide;
 }
 
-/// Who blocks moves of a grain, and in which directions (bits).
+/// Bodies that block a grain, and the blocked directions as bits.
 std::map<grains::Owner, unsigned> blocking(const grains::State& state,
-                                           const grains::Occupancy& occupancy,
+                                           const grains::OccupancyTable& occupancy,
                                            const grains::FootprintTable& footprints,
                                            std::uint32_t id) {
   const grains::Particle& grain = state.particles[id];
@@ -61,7 +61,7 @@ Axial sum(unsigned directions) {
 
 }  // namespace
 
-std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupancy& occupancy,
+std::vector<Touch> wall_touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                                 const grains::FootprintTable& footprints, std::uint32_t id) {
   std::vector<Touch> result;
   for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
@@ -72,7 +72,7 @@ std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupa
   return result;
 }
 
-std::vector<Touch> touches(const grains::State& state, const grains::Occupancy& occupancy,
+std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                            const grains::FootprintTable& footprints, lattice::Direction down,
                            NormalTable& normals) {
   std::vector<Touch> result;

@@ -1,24 +1,25 @@
 #pragma once
-// Which bodies touch, and along which normal.
+// Touching bodies and their normals.
 
 #include <tuple>
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "clca/grains/footprint.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/order.hpp"
+#include "grains/internal/footprint.hpp"
+#include "grains/internal/occupancy_table.hpp"
 
 namespace clca::contact {
 
-/// A grain and what it touches.
+/// A touching pair: a grain and another body.
 struct Touch {
   std::uint32_t upper = 0;
   grains::Owner other = 0;
   lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
   UnitVector normal = {};     ///< towards the upper grain
 
-  /// Contacts are swept from the top down, those of one height from the left.
+  /// Sweep order: from the top down, at equal height from the left.
   using Key = std::tuple<int, int, lattice::Axial, grains::Owner>;
   Key key(const grains::State& state, lattice::Direction down) const {
     const grains::Particle& grain = state.particles[upper];
@@ -27,13 +28,13 @@ struct Touch {
   }
 };
 
-/// All pairs of bodies that touch, by upper grain, then by `other`.
-std::vector<Touch> touches(const grains::State& state, const grains::Occupancy& occupancy,
+/// All touching pairs, sorted by upper grain, then by `other`.
+std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                            const grains::FootprintTable& footprints, lattice::Direction down,
                            NormalTable& normals);
 
-/// The walls and sides of the box that a grain touches.
-std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupancy& occupancy,
+/// The walls and sides that a grain touches.
+std::vector<Touch> wall_touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                                 const grains::FootprintTable& footprints, std::uint32_t id);
 
 }  // namespace clca::contact

@@ -15,17 +15,17 @@ bool in_motion(const grains::Wall& wall) {
   return wall.motion && wall.present && wall.travel.active;
 }
 
-// A wall that lags adds to its velocity: a 16th of its lag a step, at most half a spacing. A weaker
-// push is lost in the bed, which two sweeps make as soft as an elastic one: with a 64th and an
-// eighth of a spacing walls took two to four times their time. Lags are in the unit of motions
-// (grains::kSpacing).
+// A wall behind its motion adds 1/16 of the lag per step to its velocity, at most half a spacing
+// (units of grains::kSpacing).
+// A weaker push is lost in the bed, which two sweeps make elastic: with 1/64 and 1/8 spacing, walls
+// took two to four times as long.
 constexpr std::int64_t kLagSteps = 16;
-constexpr std::int64_t kMostHaste = grains::kSpacing / 2;
+constexpr std::int64_t kMaxCatchUp = grains::kSpacing / 2;
 
-/// `speed`: of the motion; where that has stopped the wall still has to arrive.
+/// `speed`: of the motion; if that has ended, the wall still has to arrive.
 std::int64_t haste(std::int64_t lag, std::int32_t speed) {
   const std::int64_t least = speed == 0 ? grains::kSpacing / 2 : grains::kSpacing;
-  return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMostHaste, kMostHaste) : 0;
+  return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
 }
 
 }  // namespace
@@ -54,8 +54,8 @@ std::vector<WallMove> advance_walls(State& state) {
     std::int64_t& ahead = state.wall_remainders[wall];
     ahead += grains::velocity(*one.motion, one.travel, ahead);
     result.push_back({.wall = wall,
-                      .wished = (ahead > grains::kSpacing / 2 ? 1 : 0) -
-                                (ahead < -grains::kSpacing / 2 ? 1 : 0)});
+                      .desired = (ahead > grains::kSpacing / 2 ? 1 : 0) -
+                                 (ahead < -grains::kSpacing / 2 ? 1 : 0)});
   }
   return result;
 }
@@ -64,8 +64,8 @@ void end_step(State& state, std::span<const WallMove> walls, bool quiet) {
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     std::int64_t& ahead = state.wall_remainders[move.wall];
-    ahead -= move.done ? move.wished * grains::kSpacing : 0;
-    take_step(*wall.motion, wall.travel, move.wished, move.done, state.grains.step, ahead);
+    ahead -= move.done ? move.desired * grains::kSpacing : 0;
+    take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
     quiet = quiet && !move.done;
   }
   state.quiet_steps = quiet && !state.vessel.moves() ? state.quiet_steps + 1 : 0;
@@ -94,7 +94,7 @@ bool walls_rest(const State& state) {
     }
     const std::int64_t lag = state.wall_remainders[wall];
     const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
-    const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMostHaste;
+    const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMaxCatchUp;
     const bool held_up = one.travel.stalled_since &&
                          state.grains.step - *one.travel.stalled_since >= kQuietSteps &&
                          pushes_no_harder;

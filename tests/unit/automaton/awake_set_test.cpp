@@ -1,4 +1,4 @@
-#include "automaton/awake_set.hpp"
+#include "automaton/engine/awake_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
   EXPECT_TRUE(set.contains(63));
   EXPECT_FALSE(set.contains(62));
   set.clear();
-  EXPECT_TRUE(set.empty());
+  EXPECT_TRUE(set.listed().empty());
   EXPECT_FALSE(set.contains(63));
 }
 
@@ -39,7 +39,7 @@ TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
   EXPECT_EQ(listed(set), (std::vector<std::uint32_t>{8, 7}));
   set.mark(9);
   set.clear();
-  EXPECT_TRUE(set.empty());
+  EXPECT_TRUE(set.listed().empty());
   EXPECT_FALSE(set.contains(7) || set.contains(8) || set.contains(9));
 }
 

@@ -101,7 +101,7 @@ TEST(OverlapWall, ForgetsThePushWhenItGoesBack) {
   EXPECT_EQ(bench.world.state.pushes.size(), 1U);
   bench.advance();
   EXPECT_THAT(bench.world.state.pushes, IsEmpty());
-  EXPECT_FALSE(bench.world.pushes.engaged(0));
+  EXPECT_FALSE(bench.world.pushes.overlapping(0));
   EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
 }
 

@@ -178,7 +178,7 @@ TEST(RigidWall, ThatBeginsOutsideComesInAndThatGoesOutIsNotThere) {
     EXPECT_EQ(sites_now(state.lattice, bench.world.state.walls[0]).size(), step == 1 ? 1U : 2U);
   }
   EXPECT_EQ(bench.advance().walls_stalled, 1U);  // the particle is at the lid
-  bench.world.take_away(0);
+  bench.world.remove(0);
   for (int step = 0; step < 3; ++step) {
     EXPECT_EQ(bench.advance().walls_moved, 1U);
   }

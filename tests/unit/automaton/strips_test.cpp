@@ -1,12 +1,12 @@
-#include "automaton/strips.hpp"
+#include "automaton/engine/strips.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "clca/automaton/rules.hpp"
-#include "clca/grains/footprint.hpp"
-#include "clca/grains/site_bits.hpp"
+#include "grains/internal/bitboard.hpp"
+#include "grains/internal/footprint.hpp"
 
 namespace clca::automaton {
 namespace {
@@ -18,11 +18,11 @@ grains::FootprintTable footprints_of(const grains::State& state) {
 }
 
 /// What 800 columns or rows of a box have to do, shared out among four.
-std::vector<Load> loads_of(const Strips& strips, bool columns) {
-  std::vector<Load> loads(4, strips.no_load());
+std::vector<WorkHistogram> loads_of(const Strips& strips, bool columns) {
+  std::vector<WorkHistogram> loads(4, strips.empty_histogram());
   for (int line = 800; line < 1600; ++line) {
     const Site site = columns ? Site{line, 5} : Site{5, line};
-    loads[static_cast<std::size_t>(line) % 4].note(site, 1);
+    loads[static_cast<std::size_t>(line) % 4].add(site, 1);
   }
   return loads;
 }
@@ -33,9 +33,9 @@ TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
                                            : lattice::Lattice(10, 1600, false)};
     state.kinds = {{lattice::Shape::hexagon(1), 0}};
     Strips strips(state.lattice, footprints_of(state), 4);
-    std::vector<Load> loads = loads_of(strips, columns);
-    std::vector<Load*> all;
-    for (Load& load : loads) {
+    std::vector<WorkHistogram> loads = loads_of(strips, columns);
+    std::vector<WorkHistogram*> all;
+    for (WorkHistogram& load : loads) {
       all.push_back(&load);
     }
     strips.balance(all);
@@ -49,8 +49,8 @@ TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
         EXPECT_LT(strips.inner(strip - 1).end + grains::kWindow, strips.inner(strip).first);
       }
     }
-    for (const Load& load : loads) {
-      EXPECT_EQ(load.lines, strips.no_load().lines);
+    for (const WorkHistogram& load : loads) {
+      EXPECT_EQ(load.lines, strips.empty_histogram().lines);
     }
   }
 }
@@ -65,7 +65,7 @@ TEST(Strips, KeepAsFarApartAsWindowsReach) {
     ASSERT_TRUE(footprint.one_window);
     const int last = footprint.corner.column + grains::kWindow - 1;
     EXPECT_GT(last, 4);
-    EXPECT_TRUE(strips.at_seam({400 - last, 9}));
+    EXPECT_TRUE(strips.at_periodic_boundary({400 - last, 9}));
     EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * grains::kWindow);
   }
 }

@@ -43,14 +43,14 @@ Slopes sampled_rates(const Law& law, const Temperatures& temperatures) {
   std::vector<double> translational;
   std::vector<double> rotational;
   for (int i = 0; i < kPairs; ++i) {
-    Contact before;
+    CollisionState before;
     for (Motion* motion : {&before.first, &before.second}) {
       motion->velocity = std::sqrt(temperatures.translational) * random.vector();
       motion->spin = std::sqrt(temperatures.rotational) * random.vector();
     }
     const Eigen::Vector3d approach = before.first.velocity - before.second.velocity;
     before.normal = (approach.normalized() + random.vector().normalized()).normalized();
-    const Contact after = collide(law, Pair{}, before);
+    const CollisionState after = collide(law, Pair{}, before);
     // Every particle takes part in a collision at the rate |g|, each collision has two of them.
     const double weight = approach.norm() / 2 / 3;
     translational.push_back(

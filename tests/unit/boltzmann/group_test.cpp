@@ -106,17 +106,17 @@ class Oracle {
         random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
     second_ = static_cast<Eigen::Index>((words[0] * (size - 1)) >> 32U);
     second_ += second_ >= first_ ? 1 : 0;
-    const Triple<double> g = {motions_(0, first_) - motions_(0, second_),
-                              motions_(1, first_) - motions_(1, second_),
-                              motions_(2, first_) - motions_(2, second_)};
+    const Vector3<double> g = {motions_(0, first_) - motions_(0, second_),
+                               motions_(1, first_) - motions_(1, second_),
+                               motions_(2, first_) - motions_(2, second_)};
     const double bound = open_unit32(words[1]) * (speed(first_) + speed(second_));
     if (bound * bound >= dot(g, g)) {
       return false;
     }
-    const Triple<double> spins = {motions_(3, first_) + motions_(3, second_),
-                                  motions_(4, first_) + motions_(4, second_),
-                                  motions_(5, first_) + motions_(5, second_)};
-    const Exchange<double> exchange = solid_collision<double>(
+    const Vector3<double> spins = {motions_(3, first_) + motions_(3, second_),
+                                   motions_(4, first_) + motions_(4, second_),
+                                   motions_(5, first_) + motions_(5, second_)};
+    const ImpulsePair<double> exchange = solid_collision<double>(
         law, g, spins, line_of_centres<double>(g, open_unit32(words[2]), open_unit32(words[3])));
     const Eigen::Array3d push(exchange.push.x, exchange.push.y, exchange.push.z);
     const Eigen::Array3d twist(exchange.twist.x, exchange.twist.y, exchange.twist.z);

@@ -24,16 +24,16 @@ TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
       grouping.shuffle(5, static_cast<std::uint64_t>(particles));
       std::vector<Eigen::Index> all_now;
       std::vector<Eigen::Index> all_then;
-      std::vector<Eigen::Index> now;
-      std::vector<Eigen::Index> then;
+      std::vector<Eigen::Index> sources;
+      std::vector<Eigen::Index> targets;
       for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
-        grouping.members(group, now, then);
-        all_now.insert(all_now.end(), now.begin(), now.end());
-        all_then.insert(all_then.end(), then.begin(), then.end());
-        EXPECT_GE(now.size(), 2U);
-        std::sort(now.begin(), now.end());
-        std::sort(then.begin(), then.end());
-        EXPECT_EQ(now, then) << "a group keeps to its own places";
+        grouping.members(group, sources, targets);
+        all_now.insert(all_now.end(), sources.begin(), sources.end());
+        all_then.insert(all_then.end(), targets.begin(), targets.end());
+        EXPECT_GE(sources.size(), 2U);
+        std::sort(sources.begin(), sources.end());
+        std::sort(targets.begin(), targets.end());
+        EXPECT_EQ(sources, targets) << "a group keeps to its own places";
       }
       std::sort(all_now.begin(), all_now.end());
       EXPECT_EQ(all_now, counting(particles)) << particles;
@@ -46,15 +46,15 @@ TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
   constexpr int kSteps = 20'000;
   Grouping grouping(kParticles, 10 * kRun);  // 4 groups of 10 runs each
   std::map<std::pair<Eigen::Index, Eigen::Index>, int> together;
-  std::vector<Eigen::Index> now;
-  std::vector<Eigen::Index> then;
+  std::vector<Eigen::Index> sources;
+  std::vector<Eigen::Index> targets;
   for (int step = 0; step < kSteps; ++step) {
     grouping.shuffle(1, static_cast<std::uint64_t>(step));
     for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
-      grouping.members(group, now, then);
-      for (std::size_t i = 0; i < now.size(); i += kRun) {
+      grouping.members(group, sources, targets);
+      for (std::size_t i = 0; i < sources.size(); i += kRun) {
         for (std::size_t j = 0; j < i; j += kRun) {
-          ++together[{std::min(now[i], now[j]), std::max(now[i], now[j])}];
+          ++together[{std::min(sources[i], sources[j]), std::max(sources[i], sources[j])}];
         }
       }
     }
@@ -71,15 +71,15 @@ TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
 
 TEST(Grouping, MovesParticlesAboutWithinTheirGroup) {
   Grouping grouping(1 << 15, 1 << 13);
-  std::vector<Eigen::Index> now;
-  std::vector<Eigen::Index> then;
+  std::vector<Eigen::Index> sources;
+  std::vector<Eigen::Index> targets;
   grouping.shuffle(3, 0);
-  grouping.members(0, now, then);
+  grouping.members(0, sources, targets);
   std::size_t neighbours = 0;
-  for (std::size_t i = 1; i < then.size(); ++i) {
-    neighbours += then[i] / kRun == then[i - 1] / kRun ? 1 : 0;
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    neighbours += targets[i] / kRun == targets[i - 1] / kRun ? 1 : 0;
   }
-  EXPECT_LT(neighbours, then.size() / 100);
+  EXPECT_LT(neighbours, targets.size() / 100);
 }
 
 }  // namespace

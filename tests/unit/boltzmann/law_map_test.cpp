@@ -16,14 +16,14 @@ using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
 constexpr int kCases = 300;
 
-Vector12d coordinates(const Contact& contact) {
+Vector12d coordinates(const CollisionState& contact) {
   Vector12d result;
   result << contact.first.velocity, contact.first.spin, contact.second.velocity,
       contact.second.spin;
   return result;
 }
 
-Contact contact_at(const Vector12d& coordinates, const Eigen::Vector3d& normal) {
+CollisionState contact_at(const Vector12d& coordinates, const Eigen::Vector3d& normal) {
   return {.first = {.velocity = coordinates.segment<3>(0), .spin = coordinates.segment<3>(3)},
           .second = {.velocity = coordinates.segment<3>(6), .spin = coordinates.segment<3>(9)},
           .normal = normal};

@@ -26,49 +26,52 @@ void for_many(const Check& check) {
   }
 }
 
-Vector3d momentum(const Pair& pair, const Contact& contact) {
+Vector3d momentum(const Pair& pair, const CollisionState& contact) {
   return pair.first.mass * contact.first.velocity + pair.second.mass * contact.second.velocity;
 }
 
 /// The first sphere is at `place` when they touch.
-Vector3d angular_momentum(const Pair& pair, const Contact& contact, const Vector3d& place) {
+Vector3d angular_momentum(const Pair& pair, const CollisionState& contact, const Vector3d& place) {
   const Vector3d second = place + (pair.first.radius + pair.second.radius) * contact.normal;
   return pair.first.mass * place.cross(contact.first.velocity) +
          pair.second.mass * second.cross(contact.second.velocity) +
          pair.first.inertia * contact.first.spin + pair.second.inertia * contact.second.spin;
 }
 
-double translational_energy(const Pair& pair, const Contact& contact) {
+double translational_energy(const Pair& pair, const CollisionState& contact) {
   return (pair.first.mass * contact.first.velocity.squaredNorm() +
           pair.second.mass * contact.second.velocity.squaredNorm()) /
          2;
 }
 
-double rotational_energy(const Pair& pair, const Contact& contact) {
+double rotational_energy(const Pair& pair, const CollisionState& contact) {
   return (pair.first.inertia * contact.first.spin.squaredNorm() +
           pair.second.inertia * contact.second.spin.squaredNorm()) /
          2;
 }
 
 TEST(Law, KeepsMomentum) {
-  for_many([](const Law&, const Pair& pair, const Contact& before, const Contact& after) {
-    EXPECT_LT((momentum(pair, after) - momentum(pair, before)).norm(),
-              kRounding * (1 + momentum(pair, before).norm()));
-  });
+  for_many(
+      [](const Law&, const Pair& pair, const CollisionState& before, const CollisionState& after) {
+        EXPECT_LT((momentum(pair, after) - momentum(pair, before)).norm(),
+                  kRounding * (1 + momentum(pair, before).norm()));
+      });
 }
 
 TEST(Law, KeepsAngularMomentumAboutAnyPoint) {
   RandomContacts places(2);
-  for_many([&](const Law&, const Pair& pair, const Contact& before, const Contact& after) {
-    const Vector3d place = 10 * places.vector();
-    const Vector3d expected = angular_momentum(pair, before, place);
-    EXPECT_LT((angular_momentum(pair, after, place) - expected).norm(),
-              kRounding * (1 + expected.norm()));
-  });
+  for_many(
+      [&](const Law&, const Pair& pair, const CollisionState& before, const CollisionState& after) {
+        const Vector3d place = 10 * places.vector();
+        const Vector3d expected = angular_momentum(pair, before, place);
+        EXPECT_LT((angular_momentum(pair, after, place) - expected).norm(),
+                  kRounding * (1 + expected.norm()));
+      });
 }
 
 TEST(Law, ReversesTheNormalSlipByTheRestitution) {
-  for_many([](const Law& law, const Pair& pair, const Contact& before, const Contact& after) {
+  for_many([](const Law& law, const Pair& pair, const CollisionState& before,
+              const CollisionState& after) {
     const double expected = -law.restitution * before.slip(pair).dot(before.normal);
     EXPECT_NEAR(after.slip(pair).dot(before.normal), expected,
                 kRounding * (1 + before.slip(pair).norm()));
@@ -76,7 +79,8 @@ TEST(Law, ReversesTheNormalSlipByTheRestitution) {
 }
 
 TEST(Law, ScalesTheTangentialSlipByItsRatio) {
-  for_many([](const Law& law, const Pair& pair, const Contact& before, const Contact& after) {
+  for_many([](const Law& law, const Pair& pair, const CollisionState& before,
+              const CollisionState& after) {
     const double ratio = tangential_ratio(law, pair, before);
     EXPECT_LT((tangential_slip(pair, after) - ratio * tangential_slip(pair, before)).norm(),
               kRounding * (1 + before.slip(pair).norm()));
@@ -85,7 +89,8 @@ TEST(Law, ScalesTheTangentialSlipByItsRatio) {
 
 TEST(Law, BrakesUntilItSticksOrRebounds) {
   int sliding = 0;
-  for_many([&](const Law& law, const Pair& pair, const Contact& before, const Contact&) {
+  for_many([&](const Law& law, const Pair& pair, const CollisionState& before,
+               const CollisionState&) {
     const double normal = before.slip(pair).dot(before.normal);
     const double mu = 1 / (1 / pair.first.mass + 1 / pair.second.mass);
     const double k = 1 / mu + std::pow(pair.first.radius, 2) / pair.first.inertia +
@@ -101,7 +106,8 @@ TEST(Law, BrakesUntilItSticksOrRebounds) {
 
 TEST(Law, ChangesBothEnergiesAsOgawaAndKatoSay) {
   // Eqs. 24 to 26, C4 put right.
-  for_many([](const Law& law, const Pair& pair, const Contact& before, const Contact& after) {
+  for_many([](const Law& law, const Pair& pair, const CollisionState& before,
+              const CollisionState& after) {
     const double mu = pair.reduced_mass();
     const double k = pair.compliance();
     const double braking = 1 - tangential_ratio(law, pair, before);
@@ -124,8 +130,9 @@ TEST(Law, ChangesBothEnergiesAsOgawaAndKatoSay) {
 }
 
 TEST(Law, LosesWhatItSaysAndNeverGains) {
-  for_many([](const Law& law, const Pair& pair, const Contact& before, const Contact& after) {
-    const Loss loss = energy_loss(law, pair, before);
+  for_many([](const Law& law, const Pair& pair, const CollisionState& before,
+              const CollisionState& after) {
+    const EnergyLoss loss = energy_loss(law, pair, before);
     const double energy = translational_energy(pair, before) + rotational_energy(pair, before);
     const double left = translational_energy(pair, after) + rotational_energy(pair, after);
     EXPECT_NEAR(loss.total(), energy - left, kRounding * energy);
@@ -156,8 +163,8 @@ TEST(Law, HasRoundNumbersForEqualSolidSpheres) {
   EXPECT_DOUBLE_EQ(friction_number(law, pair), 3.5 * 0.3 * 1.5);
   RandomContacts random(4);
   for (int i = 0; i < kCases; ++i) {
-    const Contact before = random.approaching(pair);
-    const Contact after = collide(law, pair, before);
+    const CollisionState before = random.approaching(pair);
+    const CollisionState after = collide(law, pair, before);
     const double braking = 1 - tangential_ratio(law, pair, before);
     const Vector3d tangential = tangential_slip(pair, before);
     const Vector3d impulse =
@@ -171,7 +178,7 @@ TEST(Law, HasRoundNumbersForEqualSolidSpheres) {
 }
 
 TEST(Law, SticksWhereNothingSlidesUnlessThereIsNoFriction) {
-  Contact head_on;
+  CollisionState head_on;
   head_on.first.velocity = Vector3d::UnitX();
   EXPECT_EQ(tangential_ratio({.restitution = 0.5, .friction = 1e-3}, Pair{}, head_on), 0);
   EXPECT_EQ(tangential_ratio({.restitution = 0.5, .friction = 0}, Pair{}, head_on), 1);
@@ -180,8 +187,8 @@ TEST(Law, SticksWhereNothingSlidesUnlessThereIsNoFriction) {
 TEST(Law, LeavesSpinsAloneWithoutFriction) {
   RandomContacts random(5);
   for (int i = 0; i < kCases; ++i) {
-    const Contact before = random.approaching(Pair{});
-    const Contact after = collide({.restitution = 0.5}, Pair{}, before);
+    const CollisionState before = random.approaching(Pair{});
+    const CollisionState after = collide({.restitution = 0.5}, Pair{}, before);
     EXPECT_EQ(after.first.spin, before.first.spin);
     EXPECT_EQ(after.second.spin, before.second.spin);
   }
@@ -198,11 +205,11 @@ TEST(Law, HasAConstantTangentialRestitutionWhereNothingSlides) {
 
 TEST(Law, SlidesAtGrazingContactsEvenWithARoughness) {
   const Law law = {.restitution = 0.9, .friction = 0.2, .roughness = 0.5};
-  Contact grazing;
+  CollisionState grazing;
   grazing.first.velocity = {0.1, 1, 0};
   const double sliding = 1 - 3.5 * 0.2 * 1.9 * 0.1;
   EXPECT_NEAR(tangential_ratio(law, Pair{}, grazing), sliding, kRounding);
-  Contact steep;
+  CollisionState steep;
   steep.first.velocity = {1, 0.1, 0};
   EXPECT_NEAR(tangential_ratio(law, Pair{}, steep), -0.5, kRounding);
 }

@@ -73,7 +73,7 @@ TEST(MajorantScheme, KeepsTheEnergyOfElasticSmoothSpheresTo1e10) {
   EXPECT_LT(gas.motions.topRows(3).rowwise().mean().abs().maxCoeff(), 1e-12);
 }
 
-/// Collisions per particle and time at the beginning.
+/// Collisions per particle and time at the initial_condition.
 double rate_at_start(Initial initial) {
   constexpr double kTime = 0.02;
   Gas gas = make_gas({.particles = 400'000, .initial = initial}, 3);

@@ -95,14 +95,15 @@ TEST(Moments, OfNoSpinAreZero) {
 
 TEST(EnergyShares, AreOfTheEnergyInUnitsOfItsPresentScale) {
   const Motions motions = parallel(1) * 7;  // all X = 3
-  const EnergyShares result = energy_shares(motions, moments(motions), Bins::uniform(2, 4));
+  const EnergyShares result =
+      energy_shares(motions, moments(motions), statistics::Bins::uniform(2, 4));
   EXPECT_THAT(result.translational, ElementsAre(0, 1, 0));
   EXPECT_THAT(result.rotational, ElementsAre(0, 1, 0));
 }
 
 TEST(EnergyShares, OfANormalGasAreThoseOfChiSquare) {
   const Motions motions = gaussian(100'000, 2);
-  const Bins bins = Bins::equiprobable(20, 3);
+  const statistics::Bins bins = statistics::Bins::equiprobable(20, 3);
   const EnergyShares result = energy_shares(motions, moments(motions), bins);
   // Standard error 7e-4.
   EXPECT_THAT(result.translational, Each(::testing::DoubleNear(0.05, 3.5e-3)));
@@ -111,7 +112,8 @@ TEST(EnergyShares, OfANormalGasAreThoseOfChiSquare) {
 
 TEST(EnergyShares, OfNoSpinAreZero) {
   const Motions motions = gaussian(100, 0);
-  const EnergyShares result = energy_shares(motions, moments(motions), Bins::uniform(1, 2));
+  const EnergyShares result =
+      energy_shares(motions, moments(motions), statistics::Bins::uniform(1, 2));
   EXPECT_THAT(result.rotational, ElementsAre(0, 0, 0));
 }
 

@@ -61,13 +61,7 @@ TEST(ABeginning, HasARatioOfEnergiesThatIsNotNegative) {
   EXPECT_THROW(make_gas({.particles = std::uint64_t{1} << 32U}, 1), std::invalid_argument);
 }
 
-TEST(Distributions, AreComparedBinByBin) {
-  const std::vector<double> two = {0.5, 0.5};
-  const std::vector<double> one = {1};
-  EXPECT_THROW(hellinger_distance(two, one), std::invalid_argument);
-  EXPECT_THROW(hellinger_distance(one, two), std::invalid_argument);
-  EXPECT_THROW(hellinger_floor(20, 0), std::invalid_argument);
-  EXPECT_THROW(hellinger_floor(1, 10), std::invalid_argument);
+TEST(Moments, AreOfAtLeastOneParticle) {
   EXPECT_THROW(moments(Motions()), std::invalid_argument);
 }
 

@@ -12,7 +12,7 @@ namespace clca::boltzmann {
 struct Case {
   Law law;
   Pair pair;
-  Contact contact;
+  CollisionState contact;
 };
 
 class RandomContacts {
@@ -35,10 +35,10 @@ class RandomContacts {
     return {
         .radius = radius, .mass = mass, .inertia = uniform(0.05, 2.0 / 3) * mass * radius * radius};
   }
-  Contact approaching(const Pair& pair) {
-    Contact contact = {.first = {.velocity = vector(), .spin = vector()},
-                       .second = {.velocity = vector(), .spin = vector()},
-                       .normal = vector().normalized()};
+  CollisionState approaching(const Pair& pair) {
+    CollisionState contact = {.first = {.velocity = vector(), .spin = vector()},
+                              .second = {.velocity = vector(), .spin = vector()},
+                              .normal = vector().normalized()};
     if (contact.slip(pair).dot(contact.normal) < 0) {
       contact.normal = -contact.normal;
     }
@@ -58,7 +58,7 @@ class RandomContacts {
 };
 
 /// V_t, of the points that touch.
-inline Eigen::Vector3d tangential_slip(const Pair& pair, const Contact& contact) {
+inline Eigen::Vector3d tangential_slip(const Pair& pair, const CollisionState& contact) {
   const Eigen::Vector3d slip = contact.slip(pair);
   return slip - slip.dot(contact.normal) * contact.normal;
 }

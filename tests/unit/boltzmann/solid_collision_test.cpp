@@ -8,9 +8,9 @@ namespace {
 using Many = Eigen::Array<double, 4, 1>;
 
 constexpr Law kPaper = {.restitution = 0.5, .friction = 0.3};
-constexpr Triple<double> kAlongX = {1, 0, 0};
+constexpr Vector3<double> kAlongX = {1, 0, 0};
 
-void expect_near(const Triple<double>& found, const Triple<double>& expected) {
+void expect_near(const Vector3<double>& found, const Vector3<double>& expected) {
   EXPECT_NEAR(found.x, expected.x, 1e-15);
   EXPECT_NEAR(found.y, expected.y, 1e-15);
   EXPECT_NEAR(found.z, expected.z, 1e-15);
@@ -47,14 +47,14 @@ TEST(SolidCollision, OnlyPushesWhereNothingSlips) {
 }
 
 TEST(SolidCollision, GivesTheSameBitsForManyPairsAtOnce) {
-  const Triple<Many> g = {Many(2, 1, 0.7, 0.3), Many(1, 0, -0.4, 0.1), Many(0, 3, 1.1, 0.2)};
-  const Triple<Many> spins = {Many(0, 0, 1.3, -2), Many(0, 1, 0.6, 1), Many(1, 0, -0.9, 0.5)};
-  const Triple<Many> normal = {Many(1, 1, 0.6, 0.8), Many(0, 0, 0, 0.6), Many(0, 0, 0.8, 0)};
-  const Exchange<Many> many = solid_collision(kPaper, g, spins, normal);
-  const auto lane = [](const Triple<Many>& of, int i) {
-    return Triple<double>{of.x[i], of.y[i], of.z[i]};
+  const Vector3<Many> g = {Many(2, 1, 0.7, 0.3), Many(1, 0, -0.4, 0.1), Many(0, 3, 1.1, 0.2)};
+  const Vector3<Many> spins = {Many(0, 0, 1.3, -2), Many(0, 1, 0.6, 1), Many(1, 0, -0.9, 0.5)};
+  const Vector3<Many> normal = {Many(1, 1, 0.6, 0.8), Many(0, 0, 0, 0.6), Many(0, 0, 0.8, 0)};
+  const ImpulsePair<Many> many = solid_collision(kPaper, g, spins, normal);
+  const auto lane = [](const Vector3<Many>& of, int i) {
+    return Vector3<double>{of.x[i], of.y[i], of.z[i]};
   };
-  const auto expect_equal = [](const Triple<double>& a, const Triple<double>& b) {
+  const auto expect_equal = [](const Vector3<double>& a, const Vector3<double>& b) {
     EXPECT_EQ(a.x, b.x);
     EXPECT_EQ(a.y, b.y);
     EXPECT_EQ(a.z, b.z);

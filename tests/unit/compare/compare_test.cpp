@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "clca/boltzmann/distribution.hpp"
+#include "clca/statistics/distribution.hpp"
 #include "clca/store/table.hpp"
 #include "support/compared_runs.hpp"
 #include "support/runs.hpp"
@@ -54,11 +54,11 @@ class Compare : public ::testing::Test {
   void write_histogram(const std::string& time, const std::string& text) const {
     store::write_whole(gas() / ("histogram-" + time + ".csv"), text);
   }
-  Comparison compared(const Choice& choice = {}) const {
+  Comparison compared(const RunChoice& choice = {}) const {
     return comparison(automaton(), gas(), choice);
   }
   /// The one line with which a comparison is refused; empty when it is not.
-  std::string refusal(const Choice& choice = {}) const {
+  std::string refusal(const RunChoice& choice = {}) const {
     try {
       compared(choice);
     } catch (const CompareError& error) {
@@ -114,7 +114,7 @@ TEST_F(Compare, TellsTheDistancesFromChiSquareAndOfOneRunFromTheOther) {
   EXPECT_DOUBLE_EQ(all[0].floor, 18.0 / 8 / 4000);
   EXPECT_EQ(all[0].samples, 4000U);
   EXPECT_NEAR(all[4].distance,
-              boltzmann::hellinger_distance(sloping_shares(0.01), sloping_shares(0.001)), 1e-15);
+              statistics::hellinger_distance(sloping_shares(0.01), sloping_shares(0.001)), 1e-15);
   EXPECT_DOUBLE_EQ(all[4].floor, 18.0 / 8 / 4000 + 18.0 / 8 / 10'000);
 }
 
@@ -182,7 +182,7 @@ TEST_F(Compare, ChoosesTheRestitutionWhereThereAreSeveral) {
   }
   write_histogram("5", text);
   EXPECT_EQ(compared({.restitution = 0.9}).distributions[2].shares, sloping_shares(0.02));
-  for (const Choice& choice : {Choice{}, Choice{.restitution = 0.7}}) {
+  for (const RunChoice& choice : {RunChoice{}, RunChoice{.restitution = 0.7}}) {
     EXPECT_THAT(refusal(choice), HasSubstr("0.5, 0.9"));
   }
   testing::write_gas(gas(), "5", 0, 0);

@@ -89,12 +89,12 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
   for (int trial = 0; trial < 3000; ++trial) {
     const bool extreme = trial % 3 == 0;
     Workload one =
-        any_workload(random, extreme ? kFastest : kSpacing, extreme ? kStrongest : kSpacing);
+        any_workload(random, extreme ? kMaxVelocity : kSpacing, extreme ? kMaxImpulse : kSpacing);
     Workload other = one;
     const bool turns = random() % 2 == 0;
-    const Turning turning = {.turns = turns,
-                             .resists_rolling = turns && random() % 2 == 0,
-                             .rolling_friction = ratio(0.5)};
+    const RotationParameters turning = {.turns = turns,
+                                        .resists_rolling = turns && random() % 2 == 0,
+                                        .rolling_friction = ratio(0.5)};
     for (const auto& [functions, load] :
          {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
       functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), turns);

@@ -25,7 +25,7 @@ Pairing upright(int radius, std::optional<int> other, Rolling rolling) {
           .pair = pair_of(radius, other, rolling)};
 }
 
-Impulse<Number> solved(Pairing& at, double friction, const Turning& turning = {},
+Impulse<Number> solved(Pairing& at, double friction, const RotationParameters& turning = {},
                        Number bounce = 0) {
   Impulse<Number> impulse;
   solve(impulse, at, bounce, ratio(friction), turning);
@@ -237,30 +237,30 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
   }
   const auto within = [](const Velocity<Number>& velocity) {
     return std::max({std::abs(velocity.x), std::abs(velocity.y), std::abs(velocity.spin)}) <=
-           kFastest;
+           kMaxVelocity;
   };
   for (int trial = 0; trial < 10 * kTrials; ++trial) {
     const UnitVector normal = trial % 2 == 0 ? kUp : any_normal(random);
-    Pairing at = {.upper = {extreme(kFastest), extreme(kFastest), extreme(kFastest)},
-                  .other = {extreme(kFastest), extreme(kFastest), extreme(kFastest)},
+    Pairing at = {.upper = {extreme(kMaxVelocity), extreme(kMaxVelocity), extreme(kMaxVelocity)},
+                  .other = {extreme(kMaxVelocity), extreme(kMaxVelocity), extreme(kMaxVelocity)},
                   .normal_x = normal.x,
                   .normal_y = normal.y,
                   .pair = pairs[random() % pairs.size()]};
     if (at.pair.other_inverse_mass == 0) {
       at.other = {};
     }
-    Impulse<Number> impulse = {std::max(0, extreme(kStrongest)), extreme(kStrongest),
-                               extreme(kStrongest)};
-    const Turning turning = {.turns = true,
-                             .resists_rolling = true,
-                             .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
+    Impulse<Number> impulse = {std::max(0, extreme(kMaxImpulse)), extreme(kMaxImpulse),
+                               extreme(kMaxImpulse)};
+    const RotationParameters turning = {.turns = true,
+                                        .resists_rolling = true,
+                                        .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
     const Number closing = -separation_velocity(at);
     apply(at, impulse, true);
     solve(impulse, at, bounce(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0), turning);
     EXPECT_TRUE(within(at.upper) && within(at.other));
     EXPECT_GE(impulse.normal, 0);
     EXPECT_LE(std::max({impulse.normal, std::abs(impulse.shear), std::abs(impulse.rolling)}),
-              kStrongest);
+              kMaxImpulse);
   }
 }
 

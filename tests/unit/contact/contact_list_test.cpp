@@ -28,7 +28,7 @@ constexpr lattice::Direction kDown = lattice::Direction::down;
 
 std::vector<Touch> touches_of(const grains::State& state) {
   NormalTable normals(state.kinds);
-  const grains::Occupancy occupancy(state);
+  const grains::OccupancyTable occupancy(state);
   const grains::FootprintTable footprints(state, {});
   return touches(state, occupancy, footprints, kDown, normals);
 }

@@ -76,20 +76,21 @@ TEST(TheContactModel, NeedsOneMotionForEachGrain) {
 TEST(TheContactModel, RefusesNumbersOutOfRange) {
   constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
   const char* velocity = "a velocity is out of range";
-  EXPECT_EQ(refusal_of([](State& state) { state.velocities[1].x = kFastest; }), "");
-  EXPECT_EQ(refusal_of([](State& state) { state.velocities[1].x = kFastest + 1; }), velocity);
+  EXPECT_EQ(refusal_of([](State& state) { state.velocities[1].x = kMaxVelocity; }), "");
+  EXPECT_EQ(refusal_of([](State& state) { state.velocities[1].x = kMaxVelocity + 1; }), velocity);
   EXPECT_EQ(refusal_of([](State& state) { state.velocities[0].y = kLeast; }), velocity);
-  EXPECT_EQ(refusal_of([](State& state) { state.velocities[0].spin = -kFastest - 1; }), velocity);
+  EXPECT_EQ(refusal_of([](State& state) { state.velocities[0].spin = -kMaxVelocity - 1; }),
+            velocity);
   const char* remainder = "a remainder is out of range";
-  EXPECT_EQ(refusal_of([](State& state) { state.remainders[0].x = kFarthest + 1; }), remainder);
+  EXPECT_EQ(refusal_of([](State& state) { state.remainders[0].x = kMaxRemainder + 1; }), remainder);
   EXPECT_EQ(refusal_of([](State& state) { state.remainders[0].y = kLeast; }), remainder);
   const char* impulse = "an impulse is out of range";
-  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.normal = kStrongest; }), "");
+  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.normal = kMaxImpulse; }), "");
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.normal = -1; }), impulse);
-  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.normal = kStrongest + 1; }),
+  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.normal = kMaxImpulse + 1; }),
             impulse);
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.shear = kLeast; }), impulse);
-  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.rolling = kStrongest + 1; }),
+  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.rolling = kMaxImpulse + 1; }),
             impulse);
 }
 

@@ -35,8 +35,8 @@ struct Bench {
     for (std::uint32_t id = 0; ids.size() < state.particles.size(); ++id) {
       ids.push_back(id);
     }
-    grains::Occupancy occupancy(state);
-    grains::Occupancy occupancy_of_engine(state);
+    grains::OccupancyTable occupancy(state);
+    grains::OccupancyTable occupancy_of_engine(state);
     const grains::FootprintTable footprints(state, {});
     const grains::WallEdges edges(state);
     State all{.grains = state, .remainders = remainders};
@@ -49,7 +49,7 @@ struct Bench {
     EXPECT_THAT(mover.moves().moved(), ::testing::UnorderedElementsAreArray(moves.moved()));
     state = all.grains;
     remainders = all.remainders;
-    EXPECT_EQ(occupancy, grains::Occupancy(state));
+    EXPECT_EQ(occupancy, grains::OccupancyTable(state));
     EXPECT_EQ(occupancy_of_engine, occupancy);
     return moves.moved();
   }
@@ -88,7 +88,7 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   bench.add(10, 5, {});
   bench.add(10, 8, kDown);
   bench.add(10, 11, kDown);
-  grains::Occupancy occupancy(bench.state);
+  grains::OccupancyTable occupancy(bench.state);
   const grains::FootprintTable footprints(bench.state, {});
   const grains::WallEdges edges(bench.state);
   State all{.grains = bench.state, .remainders = bench.remainders};
@@ -179,9 +179,9 @@ TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
 }
 
 TEST(ARemainder, StaysInRange) {
-  Vector remainder = {kFarthest, -kFarthest};
-  advance(remainder, {kFastest, -kFastest, 0}, true, 50);
-  EXPECT_EQ(remainder, (Vector{kFarthest, -kFarthest}));
+  Vector remainder = {kMaxRemainder, -kMaxRemainder};
+  advance(remainder, {kMaxVelocity, -kMaxVelocity, 0}, true, 50);
+  EXPECT_EQ(remainder, (Vector{kMaxRemainder, -kMaxRemainder}));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace clca::contact {
 namespace {
 
-using grains::Motion;
+using grains::WallMotion;
 using lattice::Direction;
 
 constexpr Parameters kParameters = {.rolling = Rolling::none, .fall_height = 40};
@@ -20,7 +20,7 @@ constexpr Parameters kParameters = {.rolling = Rolling::none, .fall_height = 40}
 class MovingWalls : public ::testing::TestWithParam<bool> {
  protected:
   /// A box 20 columns wide with a wall `thick` rows high from row `bottom` on, and grains above it.
-  ContactModel model(const Motion& motion, std::size_t grains, int bottom = 2, int thick = 2,
+  ContactModel model(const WallMotion& motion, std::size_t grains, int bottom = 2, int thick = 2,
                      int rows = 80) const {
     State state{.grains = testing::empty_state(20, rows)};
     state.grains.kinds = {{lattice::Shape::hexagon(1), 0}};
@@ -145,8 +145,9 @@ TEST_P(MovingWalls, AWallThatHasWaitedMakesUpForIt) {
   // A wall that stands bars the way for a while.
   State state{.grains = testing::empty_state(20, 40)};
   state.grains.kinds = {{lattice::Shape::hexagon(1), 0}};
-  state.grains.walls = {{.sites = {{5, 5}}, .motion = Motion{Direction::up, grains::Drive{5, 20}}},
-                        {.sites = {{5, 10}}}};
+  state.grains.walls = {
+      {.sites = {{5, 5}}, .motion = WallMotion{Direction::up, grains::Drive{5, 20}}},
+      {.sites = {{5, 10}}}};
   ContactModel one(std::move(state), kParameters, {.reference = GetParam()});
   one.set_motion(0, true);
   step(one, 60);
@@ -166,7 +167,7 @@ TEST_P(MovingWalls, APlateInABedArrivesInTime) {
   constexpr int kPeriod = 10;
   State state{.grains = testing::empty_state(120, 160)};
   state.grains.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
-  grains::Wall plate{.motion = Motion{Direction::up_right, grains::Drive{kPeriod, kDistance}}};
+  grains::Wall plate{.motion = WallMotion{Direction::up_right, grains::Drive{kPeriod, kDistance}}};
   for (int column = 30; column < 33; ++column) {
     for (int row = 0; row < 60; ++row) {
       plate.sites.push_back({column, row});
@@ -188,7 +189,8 @@ TEST_P(MovingWalls, APlateInABedArrivesInTime) {
 TEST_P(MovingWalls, AreRefusedWhereTheyCannotBe) {
   State state{.grains = testing::empty_state(20, 40)};
   state.grains.kinds = {{lattice::Shape::hexagon(1), 0}};
-  state.grains.walls = {{.sites = {{5, 5}}, .motion = Motion{Direction::up, grains::Drive{5, 20}}}};
+  state.grains.walls = {
+      {.sites = {{5, 5}}, .motion = WallMotion{Direction::up, grains::Drive{5, 20}}}};
   state.wall_remainders = {1};
   EXPECT_THROW(check_valid(state), std::invalid_argument);
   state.wall_remainders = {0};

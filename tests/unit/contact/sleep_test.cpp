@@ -114,7 +114,7 @@ TEST_P(SleepTest, ALoadThatIsOutOfBalanceWakes) {
                    [](const Contact& contact) { return !grains::is_particle(contact.other); });
   ASSERT_NE(on_wall, state.sleep.contacts.end());
   const std::uint32_t id = on_wall->upper;
-  on_wall->impulse.normal = on_wall->impulse.normal * 4 + kStrongest / 64;
+  on_wall->impulse.normal = on_wall->impulse.normal * 4 + kMaxImpulse / 64;
   ContactModel other(state, kParameters, {.reference = GetParam()});
   for (int step = 0; step < 8; ++step) {
     other.step();

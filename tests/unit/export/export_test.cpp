@@ -96,7 +96,7 @@ TEST(Bodies, StayInAPeriodicBoxAndCountHowOftenTheyLeftIt) {
 }
 
 TEST(KindLooks, NameTheOrientationWhereASpeciesHasSeveral) {
-  const auto looks = kind_looks(two_species(), three_particles().kinds);
+  const auto looks = kind_appearances(two_species(), three_particles().kinds);
   ASSERT_EQ(looks.size(), 3U);
   EXPECT_EQ(looks[0].name, "dot");
   EXPECT_EQ(looks[1].name, "rod@60");
@@ -107,12 +107,12 @@ TEST(KindLooks, NameTheOrientationWhereASpeciesHasSeveral) {
 TEST(Chosen, KeepsTheBeatInEachStage) {
   const std::vector<Frame> frames = {{0, 0, 1}, {4, 0, 1},  {8, 0, 1},
                                      {8, 1, 1}, {12, 1, 1}, {16, 1, 1}};
-  EXPECT_THAT(chosen(frames, {}), ElementsAre(0, 1, 2, 3, 4, 5));
-  EXPECT_THAT(chosen(frames, {.every = 8}), ElementsAre(0, 2, 3, 5));
-  EXPECT_THAT(chosen(frames, {.from = 5, .until = 12}), ElementsAre(2, 3, 4));
-  EXPECT_THAT([&] { chosen(frames, {.from = 17}); },
+  EXPECT_THAT(selected_frames(frames, {}), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(selected_frames(frames, {.every = 8}), ElementsAre(0, 2, 3, 5));
+  EXPECT_THAT(selected_frames(frames, {.from = 5, .until = 12}), ElementsAre(2, 3, 4));
+  EXPECT_THAT([&] { selected_frames(frames, {.from = 17}); },
               ::testing::ThrowsMessage<ExportError>(HasSubstr("from step 0 to 16")));
-  EXPECT_THAT([&] { chosen({}, {}); },
+  EXPECT_THAT([&] { selected_frames({}, {}); },
               ::testing::ThrowsMessage<ExportError>(HasSubstr("no frames yet")));
 }
 

@@ -14,11 +14,11 @@ namespace {
 using Phase = Travel::Phase;
 
 /// Offsets after each of `steps` steps in which nothing stands in the way and no particle moves.
-std::vector<std::int32_t> offsets(const Motion& motion, int steps) {
+std::vector<std::int32_t> offsets(const WallMotion& motion, int steps) {
   Travel travel{.active = true};
   std::vector<std::int32_t> result;
   for (int step = 0; step < steps; ++step) {
-    take_step(motion, travel, wish(motion, travel), true, static_cast<std::uint64_t>(step));
+    take_step(motion, travel, desired_step(motion, travel), true, static_cast<std::uint64_t>(step));
     end_step(motion, travel, false);
     result.push_back(travel.offset);
   }
@@ -26,22 +26,22 @@ std::vector<std::int32_t> offsets(const Motion& motion, int steps) {
 }
 
 TEST(Drive, GoesOneSiteEveryPeriodUntilItsDistanceIsDone) {
-  const Motion motion{.program = Drive{.period = 3, .distance = 2}};
+  const WallMotion motion{.program = Drive{.period = 3, .distance = 2}};
   EXPECT_EQ(offsets(motion, 10), (std::vector{0, 0, 1, 1, 1, 2, 2, 2, 2, 2}));
 }
 
 TEST(Drive, DoesNotMakeUpForAStallAndIsOverAtItsDistanceOnly) {
-  const Motion motion{.program = Drive{.period = 2, .distance = 1}};
+  const WallMotion motion{.program = Drive{.period = 2, .distance = 1}};
   Travel travel{.active = true};
   for (std::uint64_t step = 0; step < 4; ++step) {  // due in steps 1 and 3: both fail
-    take_step(motion, travel, wish(motion, travel), false, step);
+    take_step(motion, travel, desired_step(motion, travel), false, step);
   }
   EXPECT_EQ(travel.stalls, 2U);
   EXPECT_EQ(travel.stalled_since, 1U);
   EXPECT_FALSE(is_over(motion, travel));
-  EXPECT_EQ(wish(motion, travel), 0);
+  EXPECT_EQ(desired_step(motion, travel), 0);
   take_step(motion, travel, 0, false, 4);
-  EXPECT_EQ(wish(motion, travel), 1);
+  EXPECT_EQ(desired_step(motion, travel), 1);
   take_step(motion, travel, 1, true, 5);
   EXPECT_EQ(travel.offset, 1);
   EXPECT_EQ(travel.stalls, 2U);
@@ -50,7 +50,7 @@ TEST(Drive, DoesNotMakeUpForAStallAndIsOverAtItsDistanceOnly) {
 }
 
 TEST(Travel, StalledSinceStaysAtTheFirstOfAChainOfStalls) {
-  const Motion motion{.program = Drive{.period = 1, .distance = 9}};
+  const WallMotion motion{.program = Drive{.period = 1, .distance = 9}};
   Travel travel{.active = true};
   take_step(motion, travel, 1, true, 10);
   take_step(motion, travel, 1, false, 11);
@@ -96,28 +96,28 @@ TEST(Wave, TheSineInIntegersIsNearTheRealOne) {
 }
 
 TEST(Wave, NeverEndsAndNeverInsistsAndCountsItsPeriods) {
-  const Motion motion{.program = Wave{Waveform::triangle, 2, 8}};
+  const WallMotion motion{.program = Wave{Waveform::triangle, 2, 8}};
   Travel travel{.active = true};
   for (std::uint64_t step = 0; step < 20; ++step) {
     EXPECT_EQ(travel.cycles, step / 8);
     EXPECT_FALSE(is_over(motion, travel));
-    EXPECT_EQ(lasting_wish(motion, travel), 0);
-    take_step(motion, travel, wish(motion, travel), false, step);
+    EXPECT_EQ(pending_step(motion, travel), 0);
+    take_step(motion, travel, desired_step(motion, travel), false, step);
   }
   EXPECT_EQ(travel.offset, 0);  // stalled all the time
 }
 
 TEST(Shake, RisesFallsWaitsForItsStepsAndBeginsAnew) {
   // The step of the last drop does not count.
-  const Motion motion{.program = Shake{.amplitude = 2, .wait = 2}};
+  const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 2}};
   EXPECT_EQ(offsets(motion, 14), (std::vector{1, 2, 1, 0, 0, 0, 1, 2, 1, 0, 0, 0, 1, 2}));
 }
 
 TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
-  const Motion motion{.program = Shake{.amplitude = 1, .wait = {}}};
+  const WallMotion motion{.program = Shake{.amplitude = 1, .wait = {}}};
   Travel travel{.active = true};
   const auto step = [&](bool particles_move) {
-    take_step(motion, travel, wish(motion, travel), true, 0);
+    take_step(motion, travel, desired_step(motion, travel), true, 0);
     end_step(motion, travel, particles_move);
   };
   step(true);
@@ -126,7 +126,7 @@ TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(travel.phase, Phase::waiting);
     EXPECT_EQ(travel.cycles, 0U);
-    EXPECT_EQ(wish(motion, travel), 0);
+    EXPECT_EQ(desired_step(motion, travel), 0);
     step(true);
   }
   step(false);
@@ -137,13 +137,13 @@ TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
 }
 
 TEST(Shake, ThatCannotRiseTriesAgainAndDoesNotTurn) {
-  const Motion motion{.program = Shake{.amplitude = 2, .wait = 1}};
+  const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 1}};
   Travel travel{.active = true};
   take_step(motion, travel, 1, true, 0);
   take_step(motion, travel, 1, false, 1);
   EXPECT_EQ(travel.phase, Phase::rising);
-  EXPECT_EQ(wish(motion, travel), 1);
-  EXPECT_NE(lasting_wish(motion, travel), 0);
+  EXPECT_EQ(desired_step(motion, travel), 1);
+  EXPECT_NE(pending_step(motion, travel), 0);
 }
 
 TEST(Path, GoesStraightFromPointToPointAndRoundsHalvesAwayFromZero) {
@@ -157,15 +157,15 @@ TEST(Path, GoesStraightFromPointToPointAndRoundsHalvesAwayFromZero) {
 }
 
 TEST(Path, CatchesUpWhenItHasStalledAndInsistsOnlyAfterItsLastPoint) {
-  const Motion motion{.program = Path{{{2, 2}}}};
+  const WallMotion motion{.program = Path{{{2, 2}}}};
   Travel travel{.active = true};
   take_step(motion, travel, 1, false, 0);
-  EXPECT_EQ(lasting_wish(motion, travel), 0);
+  EXPECT_EQ(pending_step(motion, travel), 0);
   take_step(motion, travel, 1, false, 1);
-  EXPECT_NE(lasting_wish(motion, travel), 0);
+  EXPECT_NE(pending_step(motion, travel), 0);
   EXPECT_FALSE(is_over(motion, travel));
-  take_step(motion, travel, wish(motion, travel), true, 2);
-  take_step(motion, travel, wish(motion, travel), true, 3);
+  take_step(motion, travel, desired_step(motion, travel), true, 2);
+  take_step(motion, travel, desired_step(motion, travel), true, 3);
   EXPECT_EQ(travel.offset, 2);
   EXPECT_TRUE(is_over(motion, travel));
 }
@@ -175,9 +175,9 @@ TEST(Path, WithoutPointsIsOverFromTheStart) {
   EXPECT_EQ(target(Path{}, 7), 0);
 }
 
-TEST(Motion, RangeIsWhatTheOffsetCanReach) {
-  const auto range = [](const Motion& motion) {
-    const Range found = range_of(motion);
+TEST(WallMotion, RangeIsWhatTheOffsetCanReach) {
+  const auto range = [](const WallMotion& motion) {
+    const OffsetRange found = range_of(motion);
     return std::pair(found.low, found.high);
   };
   EXPECT_EQ(range({.program = Drive{1, 5}}), std::pair(0, 5));

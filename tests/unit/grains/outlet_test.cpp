@@ -1,4 +1,4 @@
-#include "clca/grains/outlet.hpp"
+#include "grains/internal/outlet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "clca/grains/separation.hpp"
+#include "grains/internal/separation.hpp"
 
 #include <gtest/gtest.h>
 

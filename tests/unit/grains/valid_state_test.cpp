@@ -25,7 +25,7 @@ std::string refusal_after(const std::function<void(State&)>& change) {
   return {};
 }
 
-void set_motion(State& state, Motion motion) {
+void set_motion(State& state, WallMotion motion) {
   state.walls[0].motion = std::move(motion);
 }
 
@@ -44,7 +44,7 @@ TEST(AState, IsNotValidWithParticlesOfNoKindOrMove) {
   EXPECT_EQ(refusal_after([](State& state) { state.particles[0].kind = 2; }),
             "a particle is of no kind");
   EXPECT_EQ(refusal_after([](State& state) { state.particles[0].previous = 7; }),
-            "a particle has moved nowhere");
+            "the last move of a particle is out of range");
   EXPECT_EQ(refusal_after([](State& state) {
               state.particles[0] = testing::particle_at(std::numeric_limits<int>::max(), 0);
             }),
@@ -53,17 +53,18 @@ TEST(AState, IsNotValidWithParticlesOfNoKindOrMove) {
 
 TEST(AState, IsNotValidWithMotionsThatCannotBeCarriedOut) {
   const auto down = lattice::Direction::down;
-  for (const Motion& motion :
-       {Motion{down, Drive{.period = 0, .distance = 1}}, Motion{down, Drive{1, -1}},
-        Motion{down, Wave{.amplitude = 1, .period = 0}}, Motion{down, Wave{.amplitude = -1}},
-        Motion{down, Shake{.amplitude = -1, .wait = 1}}, Motion{down, Path{{{0, 1}}}},
-        Motion{down, Path{{{4, 1}, {4, 2}}}},
-        Motion{static_cast<lattice::Direction>(6), Drive{1, 1}}}) {
+  for (const WallMotion& motion :
+       {WallMotion{down, Drive{.period = 0, .distance = 1}}, WallMotion{down, Drive{1, -1}},
+        WallMotion{down, Wave{.amplitude = 1, .period = 0}},
+        WallMotion{down, Wave{.amplitude = -1}},
+        WallMotion{down, Shake{.amplitude = -1, .wait = 1}}, WallMotion{down, Path{{{0, 1}}}},
+        WallMotion{down, Path{{{4, 1}, {4, 2}}}},
+        WallMotion{static_cast<lattice::Direction>(6), Drive{1, 1}}}) {
     EXPECT_EQ(refusal_after([&](State& state) { set_motion(state, motion); }),
               "the motion of a wall cannot be carried out");
   }
   EXPECT_EQ(refusal_after([](State& state) { state.walls[0].travel.offset = 6; }),
-            "a wall is where its motion never comes to");
+            "a wall is where its motion never goes");
 }
 
 TEST(AState, IsNotValidWithSourcesThatHaveNothingToDraw) {
@@ -78,7 +79,7 @@ TEST(AState, IsNotValidWithSourcesThatHaveNothingToDraw) {
 }
 
 TEST(AState, IsNotValidWithPushesBetweenNobody) {
-  const std::string nobody = "a push is between nobody";
+  const std::string nobody = "a push names a particle, wall or direction that does not exist";
   EXPECT_EQ(refusal_after([](State& state) { state.pushes = {{.pushed = 1, .pusher = 0}}; }),
             nobody);
   EXPECT_EQ(refusal_after([](State& state) { state.pushes = {{.pushed = 0, .pusher = 5}}; }),

@@ -67,9 +67,9 @@ TEST(Circle, DiscsAndRingsHoldTheSitesAtTheirDistance) {
     const double radius = between(0, 30);
     const double thickness = between(0, 6);
     const auto distance = [&](const Eigen::Vector2d& point) { return (point - centre).norm(); };
-    EXPECT_EQ(as_set(sites_in(Catchment(lattice), Disc{centre, radius})),
+    EXPECT_EQ(as_set(sites_in(SweptRegion(lattice), Disc{centre, radius})),
               sites_where(lattice, [&](const auto& point) { return distance(point) <= radius; }));
-    EXPECT_EQ(as_set(sites_in(Catchment(lattice), Ring{centre, radius, thickness})),
+    EXPECT_EQ(as_set(sites_in(SweptRegion(lattice), Ring{centre, radius, thickness})),
               sites_where(lattice, [&](const auto& point) {
                 return distance(point) >= radius && distance(point) <= radius + thickness;
               }));
@@ -87,13 +87,13 @@ TEST(Circle, AnArcIsThePartOfItsRingBetweenItsAngles) {
     const double from = between(-360, 360);
     const double to = from + (trial % 5 == 0 ? between(0.001, 2) : between(2, 359.9));
     Sites expected;
-    for (const Site site : sites_in(Catchment(lattice), ring)) {
+    for (const Site site : sites_in(SweptRegion(lattice), ring)) {
       const double beyond = std::fmod(angle_of(position(site) - ring.centre) - from + 1080, 360);
       if (beyond <= to - from) {
         expected.insert(site);
       }
     }
-    EXPECT_EQ(as_set(sites_in(Catchment(lattice), Arc{ring, from, to})), expected)
+    EXPECT_EQ(as_set(sites_in(SweptRegion(lattice), Arc{ring, from, to})), expected)
         << from << " to " << to;
   }
 }
@@ -103,7 +103,7 @@ TEST(Circle, SitesOnTheEdgeAreInside) {
   const Site middle = {40, 40};
   for (const int steps : {1, 7, 30}) {
     const Disc disc = {position(middle), static_cast<double>(steps)};
-    const Sites sites = as_set(sites_in(Catchment(lattice), disc));
+    const Sites sites = as_set(sites_in(SweptRegion(lattice), disc));
     for (const Direction direction : kDirections) {
       const Axial way = {steps * unit(direction).x, steps * unit(direction).q};
       EXPECT_TRUE(sites.contains(middle + way)) << steps;
@@ -111,13 +111,18 @@ TEST(Circle, SitesOnTheEdgeAreInside) {
   }
   // Six sites at the corners of a hexagon, 60 degrees apart: both ends count.
   const Ring ring = {position(middle), 1, 0.5};
-  EXPECT_EQ(sites_in(Catchment(lattice), ring).size(), 6U);
+  EXPECT_EQ(sites_in(SweptRegion(lattice), ring).size(), 6U);
   for (int from = -330; from <= 210; from += 60) {
-    EXPECT_EQ(sites_in(Catchment(lattice), Arc{ring, from + 0.0, from + 60.0}).size(), 2U) << from;
-    EXPECT_EQ(sites_in(Catchment(lattice), Arc{ring, from + 0.0, from + 180.0}).size(), 4U) << from;
-    EXPECT_EQ(sites_in(Catchment(lattice), Arc{ring, from + 0.0, from + 300.0}).size(), 6U) << from;
-    EXPECT_EQ(sites_in(Catchment(lattice), Arc{ring, from + 1.0, from + 59.0}).size(), 0U) << from;
-    EXPECT_EQ(sites_in(Catchment(lattice), Arc{ring, from + 1.0, from + 359.0}).size(), 5U) << from;
+    EXPECT_EQ(sites_in(SweptRegion(lattice), Arc{ring, from + 0.0, from + 60.0}).size(), 2U)
+        << from;
+    EXPECT_EQ(sites_in(SweptRegion(lattice), Arc{ring, from + 0.0, from + 180.0}).size(), 4U)
+        << from;
+    EXPECT_EQ(sites_in(SweptRegion(lattice), Arc{ring, from + 0.0, from + 300.0}).size(), 6U)
+        << from;
+    EXPECT_EQ(sites_in(SweptRegion(lattice), Arc{ring, from + 1.0, from + 59.0}).size(), 0U)
+        << from;
+    EXPECT_EQ(sites_in(SweptRegion(lattice), Arc{ring, from + 1.0, from + 359.0}).size(), 5U)
+        << from;
   }
 }
 
@@ -131,7 +136,7 @@ TEST(Circle, ARingOneSpacingThickIsClosed) {
     const Site middle = {35, 30};
     const Ring ring = {position(middle) + Eigen::Vector2d(even ? 0 : off_by(), even ? 0 : off_by()),
                        even ? 2.0 + trial % 23 : 2 + 22 * off_by(), 1};
-    const Sites wet = flooded(lattice, as_set(sites_in(Catchment(lattice), ring)), middle);
+    const Sites wet = flooded(lattice, as_set(sites_in(SweptRegion(lattice), ring)), middle);
     EXPECT_EQ(wet, sites_where(lattice,
                                [&](const auto& point) {
                                  return (point - ring.centre).norm() < ring.radius - 1e-6;
@@ -156,24 +161,24 @@ TEST(Circle, AWideDiscTakesNoLongerThanToItsFirstSite) {
 }
 
 TEST(Circle, OnlyTheSitesThatComeInAreTaken) {
-  const Catchment above(Lattice(20, 10, false), Direction::down, 0, 30);
+  const SweptRegion above(Lattice(20, 10, false), Direction::down, 0, 30);
   const Disc disc = {{8, 25}, 3};
   const Lattice high(20, 60, false);
-  EXPECT_EQ(sites_in(above, disc), sites_in(Catchment(high), disc));
-  EXPECT_TRUE(sites_in(Catchment(Lattice(20, 10, false)), disc).empty());
+  EXPECT_EQ(sites_in(above, disc), sites_in(SweptRegion(high), disc));
+  EXPECT_TRUE(sites_in(SweptRegion(Lattice(20, 10, false)), disc).empty());
 }
 
 TEST(Circle, WhatIsNoCircleIsRefused) {
   const Lattice lattice(10, 10, false);
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(sites_in(Catchment(lattice), Disc{{kNaN, 0}, 1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Disc{{0, 0}, -1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Disc{{0, 0}, kNaN}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Ring{{0, 0}, 1, -1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Ring{{0, 0}, 1e9, 1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Arc{{{0, 0}, 1, 1}, 5, 5}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Arc{{{0, 0}, 1, 1}, 5, 365}), std::invalid_argument);
-  EXPECT_THROW(sites_in(Catchment(lattice), Arc{{{0, 0}, 1, 1}, kNaN, 3}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{kNaN, 0}, 1}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{0, 0}, -1}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{0, 0}, kNaN}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Ring{{0, 0}, 1, -1}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Ring{{0, 0}, 1e9, 1}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, 5, 5}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, 5, 365}), std::invalid_argument);
+  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, kNaN, 3}), std::invalid_argument);
 }
 
 }  // namespace

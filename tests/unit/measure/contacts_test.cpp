@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "clca/grains/separation.hpp"
+#include "grains/internal/separation.hpp"
 #include "pushed_states.hpp"
 
 namespace clca::measure {
@@ -22,7 +22,7 @@ using lattice::kColumnPitch;
 using lattice::Shape;
 using ::testing::ElementsAre;
 
-std::vector<Contact> contacts_of(const State& state) {
+std::vector<OverlapContact> contacts_of(const State& state) {
   return contacts(state, Occupancy(state));
 }
 
@@ -34,13 +34,13 @@ TEST(Contacts, AreAllPairsThatShareSitesWallsFirst) {
   EXPECT_EQ(found[0].sites, 1);
   EXPECT_EQ(found[0].depth, 1);
   EXPECT_EQ(found[0].source, 0U);
-  EXPECT_TRUE(found[0].place.isApprox(Eigen::Vector2d(10 * kColumnPitch, 12)));
+  EXPECT_TRUE(found[0].point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 12)));
   EXPECT_EQ(found[1].first, 0U);
   EXPECT_EQ(found[1].second, 1);
   EXPECT_EQ(found[1].sites, 1);
   EXPECT_EQ(found[1].depth, 1);
   EXPECT_EQ(found[1].source, 0U);
-  EXPECT_TRUE(found[1].place.isApprox(Eigen::Vector2d(10 * kColumnPitch, 10)));
+  EXPECT_TRUE(found[1].point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 10)));
   EXPECT_THAT(force_indices(3, found), ElementsAre(2, 1, 0));
 }
 
@@ -64,10 +64,10 @@ TEST(Contacts, KnowTheirSourceWhicheverOfThePairWasPushed) {
 TEST(Contacts, OfAWallThatNoSingleMoveLeavesAreOfDepthTwo) {
   State state = testing::pushed_state();
   state.walls[0].sites = {{10, 11}, {10, 12}};
-  const Contact contact = contacts_of(state).at(0);
+  const OverlapContact contact = contacts_of(state).at(0);
   EXPECT_EQ(contact.sites, 2);
   EXPECT_EQ(contact.depth, 2);
-  EXPECT_TRUE(contact.place.isApprox(Eigen::Vector2d(10 * kColumnPitch, 11.5)));
+  EXPECT_TRUE(contact.point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 11.5)));
 }
 
 TEST(Contacts, AcrossASeamArePlacedNearTheFirst) {
@@ -78,7 +78,7 @@ TEST(Contacts, AcrossASeamArePlacedNearTheFirst) {
   const auto found = contacts_of(state);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].depth, 1);
-  EXPECT_TRUE(found[0].place.isApprox(Eigen::Vector2d(24 * kColumnPitch, 24)));
+  EXPECT_TRUE(found[0].point.isApprox(Eigen::Vector2d(24 * kColumnPitch, 24)));
 }
 
 /// Hexagons thrown onto each other, no more than two on a site.
@@ -121,7 +121,7 @@ TEST(Contacts, CountTheSitesCommonToBothParticles) {
     const auto found = contacts_of(state);
     EXPECT_EQ(found.size(), state.pushes.size());
     grains::Separation separation(state);
-    for (const Contact& contact : found) {
+    for (const OverlapContact& contact : found) {
       const auto& first = state.particles[contact.first];
       const auto& second = state.particles[static_cast<std::size_t>(contact.second)];
       const auto& parts = state.shape(first).sites();

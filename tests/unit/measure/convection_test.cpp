@@ -143,10 +143,10 @@ TEST(Snapshot, AJourneyBeginsInTheBoxAndRunsOnAcrossTheSeam) {
   state.particles = {testing::particle_at(23, 5)};
   const Snapshot snapshot(state);
   state.particles[0].column = 25;
-  const auto journeys = snapshot.journeys(state);
-  ASSERT_EQ(journeys.size(), 1U);
-  EXPECT_TRUE(journeys[0].from.isApprox(Eigen::Vector2d(11 * kColumnPitch, 5.5)));
-  EXPECT_TRUE(journeys[0].displacement.isApprox(Eigen::Vector2d(2 * kColumnPitch, 0)));
+  const auto displacements = snapshot.displacements(state);
+  ASSERT_EQ(displacements.size(), 1U);
+  EXPECT_TRUE(displacements[0].from.isApprox(Eigen::Vector2d(11 * kColumnPitch, 5.5)));
+  EXPECT_TRUE(displacements[0].vector.isApprox(Eigen::Vector2d(2 * kColumnPitch, 0)));
 }
 
 }  // namespace

@@ -17,16 +17,16 @@ Grid row_of_cells(int cells) {
 }
 
 /// Particles that begin in one cell of a row.
-void add_cell(std::vector<Journey>& journeys, const Grid& grid, std::size_t cell,
+void add_cell(std::vector<Displacement>& particles, const Grid& grid, std::size_t cell,
               const Displacements& displacements) {
   for (const Eigen::Vector2d& displacement : displacements) {
-    journeys.push_back({.from = grid.centre(cell), .displacement = displacement, .sites = 1});
+    particles.push_back({.from = grid.centre(cell), .vector = displacement, .sites = 1});
   }
 }
 
 double distance(const std::vector<double>& shares) {
   const std::vector<double> reference(shares.size(), 1.0 / static_cast<double>(shares.size()));
-  return boltzmann::hellinger_distance(shares, reference);
+  return statistics::hellinger_distance(shares, reference);
 }
 
 /// Normal displacements about a drift of the cell, the standard deviations going from 1 to
@@ -38,7 +38,7 @@ Fluctuations normal_windows(int windows, double hottest) {
   std::mt19937_64 engine(7);
   std::normal_distribution<double> normal;
   for (int window = 0; window < windows; ++window) {
-    std::vector<Journey> journeys;
+    std::vector<Displacement> particles;
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
       const double share = static_cast<double>(cell) / static_cast<double>(grid.size() - 1);
       const double deviation = 1 + (hottest - 1) * share;
@@ -46,9 +46,9 @@ Fluctuations normal_windows(int windows, double hottest) {
       for (Eigen::Vector2d& displacement : displacements) {
         displacement = {100 * share + deviation * normal(engine), deviation * normal(engine)};
       }
-      add_cell(journeys, grid, cell, displacements);
+      add_cell(particles, grid, cell, displacements);
     }
-    result.add(journeys, grid);
+    result.add(particles, grid);
   }
   return result;
 }
@@ -58,14 +58,14 @@ TEST(Fluctuations, OfNormalDisplacementsAreChiSquareUpToTheNoiseFloor) {
   ASSERT_EQ(fluctuations.samples(), 200U * 5 * (5 + 8 + 15 + 40));
   // The distance of equals is the floor times chi-square with about 18 degrees over 18: three times
   // the floor has odds of 1e-5.
-  const double floor = boltzmann::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
+  const double floor = statistics::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
   EXPECT_LT(distance(fluctuations.shares()), 3 * floor);
   EXPECT_LT(distance(fluctuations.local_shares()), 3 * floor);
 }
 
 TEST(Fluctuations, CellsOfUnequalHeatAreSeenOnlyOnTheScaleOfTheWindow) {
   const Fluctuations fluctuations = normal_windows(200, 3);
-  const double floor = boltzmann::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
+  const double floor = statistics::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
   EXPECT_GT(distance(fluctuations.shares()), 100 * floor);
   EXPECT_LT(distance(fluctuations.local_shares()), 3 * floor);
 }
@@ -75,12 +75,12 @@ TEST(Fluctuations, CellsOfUnequalHeatAreSeenOnlyOnTheScaleOfTheWindow) {
 // 0.713, 0.675 and 0. Without n/(n-1) it would be 7/3 in both cells.
 TEST(Fluctuations, AreCorrectedForTheMeanTakenFromFewParticles) {
   const Grid grid = row_of_cells(2);
-  std::vector<Journey> journeys;
-  add_cell(journeys, grid, 0, {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0, 0}});
-  add_cell(journeys, grid, 1,
+  std::vector<Displacement> particles;
+  add_cell(particles, grid, 0, {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0, 0}});
+  add_cell(particles, grid, 1,
            {{1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0, 0}});
   Fluctuations fluctuations;
-  fluctuations.add(journeys, grid);
+  fluctuations.add(particles, grid);
   EXPECT_EQ(fluctuations.samples(), 14U);
   const std::vector<double> shares = fluctuations.shares();
   EXPECT_DOUBLE_EQ(shares[0], 2.0 / 14);
@@ -95,13 +95,13 @@ TEST(Fluctuations, AreCorrectedForTheMeanTakenFromFewParticles) {
 
 TEST(Fluctuations, LeaveOutCellsThatRestOrMoveAsOneOrHoldTooFewAndSaySo) {
   const Grid grid = row_of_cells(4);
-  std::vector<Journey> journeys;
-  add_cell(journeys, grid, 0, Displacements(8, Eigen::Vector2d(0, 0)));
-  add_cell(journeys, grid, 1, Displacements(12, Eigen::Vector2d(0.1, 0.7)));
-  add_cell(journeys, grid, 2, {{1, 0}, {-1, 0}, {0, 1}, {0, -1}});
-  add_cell(journeys, grid, 3, {{3, 0}, {1, 0}, {2, 1}, {2, -1}, {2, 2}, {2, -2}});
+  std::vector<Displacement> particles;
+  add_cell(particles, grid, 0, Displacements(8, Eigen::Vector2d(0, 0)));
+  add_cell(particles, grid, 1, Displacements(12, Eigen::Vector2d(0.1, 0.7)));
+  add_cell(particles, grid, 2, {{1, 0}, {-1, 0}, {0, 1}, {0, -1}});
+  add_cell(particles, grid, 3, {{3, 0}, {1, 0}, {2, 1}, {2, -1}, {2, 2}, {2, -2}});
   Fluctuations fluctuations;
-  fluctuations.add(journeys, grid);
+  fluctuations.add(particles, grid);
   EXPECT_EQ(fluctuations.samples(), 6U);
   EXPECT_DOUBLE_EQ(fluctuations.resting_share(), 20.0 / 30);
   EXPECT_DOUBLE_EQ(fluctuations.sparse_share(), 4.0 / 30);
@@ -114,9 +114,9 @@ TEST(Fluctuations, HaveNoSamplesWhereAllRestOrNobodyIsThere) {
   Fluctuations fluctuations;
   fluctuations.add({}, grid);
   EXPECT_EQ(fluctuations.resting_share(), 0);
-  std::vector<Journey> journeys;
-  add_cell(journeys, grid, 0, Displacements(9, Eigen::Vector2d(0, 0)));
-  fluctuations.add(journeys, grid);
+  std::vector<Displacement> particles;
+  add_cell(particles, grid, 0, Displacements(9, Eigen::Vector2d(0, 0)));
+  fluctuations.add(particles, grid);
   EXPECT_EQ(fluctuations.samples(), 0U);
   EXPECT_EQ(fluctuations.resting_share(), 1);
   EXPECT_EQ(fluctuations.shares(), std::vector<double>(Fluctuations::kBins, 0.0));
@@ -127,10 +127,10 @@ TEST(Fluctuations, OneThatMovesAmongRestingOnesIsAsFarOutAsCanBe) {
   const Grid grid = row_of_cells(1);
   Displacements displacements(10, Eigen::Vector2d(0, 0));
   displacements[4] = {0, -1};
-  std::vector<Journey> journeys;
-  add_cell(journeys, grid, 0, displacements);
+  std::vector<Displacement> particles;
+  add_cell(particles, grid, 0, displacements);
   Fluctuations fluctuations;
-  fluctuations.add(journeys, grid);
+  fluctuations.add(particles, grid);
   EXPECT_DOUBLE_EQ(fluctuations.shares().back(), 0.1);
   EXPECT_DOUBLE_EQ(fluctuations.local_shares().back(), 0.1);
 }

@@ -7,7 +7,7 @@
 
 #include "clca/measure/convection.hpp"
 #include "clca/measure/displacement.hpp"
-#include "clca/measure/fields.hpp"
+#include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/force_distribution.hpp"
 #include "clca/measure/outflow.hpp"
@@ -47,7 +47,7 @@ TEST(ASnapshot, IsHeldAgainstAStateThatFollowedIt) {
   State earlier = begin;
   earlier.step = 4;
   for (const State& wrong : {fewer, earlier}) {
-    EXPECT_THROW(Snapshot(begin).journeys(wrong), std::invalid_argument);
+    EXPECT_THROW(Snapshot(begin).displacements(wrong), std::invalid_argument);
     EXPECT_THROW(FieldWindow(begin).fields(wrong, 5), std::invalid_argument);
     Convection convection(begin.lattice, 5);
     convection.begin_cycle(begin);

@@ -10,7 +10,7 @@ namespace clca::testing {
 inline grains::Wall plate(std::vector<lattice::Site> sites,
                           lattice::Direction direction = lattice::Direction::down) {
   return {.sites = std::move(sites),
-          .motion = grains::Motion{.direction = direction, .program = grains::Drive{}},
+          .motion = grains::WallMotion{.direction = direction, .program = grains::Drive{}},
           .passive = grains::Passive::overlap};
 }
 

@@ -20,7 +20,7 @@ contact::Force with_floor(const Eigen::Vector2d& place, const Eigen::Vector2d& b
                           double along_normal, double along_shear) {
   contact::Force force;
   force.other = contact::kFloor;
-  force.place = place;
+  force.point = place;
   force.normal = branch.normalized();
   force.branch = branch;
   force.along_normal = along_normal;

@@ -107,7 +107,7 @@ TEST_F(FiguresTest, ThereMayBeOneForEachGroupOrFile) {
   write_template("g", "# needs: p-*.csv: x\n# groups: r\n# one figure for each: group\n");
   write_template("f", "# needs: p-*.csv: x\n# one figure for each: file\n");
   write("p-flow.csv", "r,x\n0.2,1\n1,1\n");
-  write("p-packing.csv", "r,x\n0.2,1\n");
+  write("p-packing.csv", "r,x\n0.2,1\n3,0\n");  // nothing to draw for 3
   EXPECT_THAT(names(), ElementsAre("f-packing", "f-flow", "g-0.2", "g-1"));
   EXPECT_THAT(names({"g"}), ElementsAre("g-0.2", "g-1"));
   EXPECT_THAT(names({"g-1", "f-flow"}), ElementsAre("f-flow", "g-1"));
@@ -124,7 +124,38 @@ TEST_F(FiguresTest, TemplatesLearnOfColumnsAndMeasuresThatAreThere) {
   EXPECT_THAT(setting, HasSubstr("known_columns = '|more.csv:z|series.csv:x|series.csv:x_se|';"));
   EXPECT_THAT(setting, HasSubstr("chance = 2.5"));
   EXPECT_THAT(setting, HasSubstr("none = NaN;"));
-  EXPECT_THAT(setting, HasSubstr("scene = 'it''s';"));
+}
+
+TEST_F(FiguresTest, AColumnMayBeAPrefixOrHaveToChange) {
+  write_template("a", "# needs: series.csv: x, travel.*\n");
+  write_template("b", "# needs: series.csv: changing n\n");
+  write("series.csv",
+        "x,n,travel.lid,travel.no sign,travel.rest,travel.gate\n1,5,1,1,0,2\n2,5,1,1,0,2\n");
+  EXPECT_THAT(names(), ElementsAre("a"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("array columns[2] = ['travel.lid', 'travel.gate'];"
+                                               "array column_labels[2] = ['lid', 'gate'];"));
+  write("series.csv", "x,n\n1,5\n2,0\n");
+  EXPECT_THAT(names(), ElementsAre("b"));
+}
+
+TEST_F(FiguresTest, AFigureHasTheTitleOfItsSceneAndTheDescriptionOfItsTemplate) {
+  write_template("t", "# What is\n# shown.\n#\n# needs: series.csv: x\n# More.\n");
+  write("series.csv", "x\n1\n");
+  EXPECT_EQ(found().at(0).title, "it's");
+  EXPECT_EQ(found().at(0).description, "What is shown.");
+}
+
+TEST_F(FiguresTest, UnreadableTablesLeaveTheOtherFigures) {
+  write_template("a", "# needs: a.csv: x\n");
+  write_template("b", "# needs: b.csv: x\n");
+  write("a.csv", "x\none\n");
+  write("b.csv", "x\n1\n");
+  std::vector<std::string> warnings;
+  const auto left = figures_of_readable_tables(
+      run(), templates(), [&](const std::string& text) { warnings.push_back(text); });
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].name, "b");
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.csv: line 2: 'one' in column 'x' is no number")));
 }
 
 TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {

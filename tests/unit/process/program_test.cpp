@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,7 +20,7 @@
 namespace clca::process {
 namespace {
 
-std::string text(const Transcript& transcript) {
+std::string text(const OutputCapture& transcript) {
   const auto bytes = transcript.bytes();
   return {bytes.begin(), bytes.end()};
 }
@@ -29,8 +31,8 @@ std::span<const std::uint8_t> bytes(const std::string& text) {
 
 TEST(ProgramTest, LeavesWhatItWritesAndItsExitCode) {
   const testing::ScratchFolder folder;
-  const Transcript out;
-  const Transcript err;
+  const OutputCapture out;
+  const OutputCapture err;
   Program program({"/bin/sh", "-c", "pwd; echo oh >&2; cat; exit 3"},
                   {.folder = folder.path(), .out = &out, .err = &err});
   EXPECT_EQ(program.wait(), 3);
@@ -43,7 +45,7 @@ TEST(ProgramTest, ASignalThatEndsItIsTold) {
 }
 
 TEST(ProgramTest, ReadsAllThatItIsFedUntilTheEnd) {
-  const Transcript out;
+  const OutputCapture out;
   Program program({"/usr/bin/wc", "-c"}, {.out = &out, .fed = true});
   const std::string much(1'000'000, 'x');
   EXPECT_TRUE(program.feed(bytes(much)));
@@ -60,7 +62,7 @@ TEST(ProgramTest, OneThatNoLongerReadsIsNoSignalButAnAnswer) {
 }
 
 TEST(ProgramTest, OneThatIsFedIsOutOfReachOfTheTerminal) {
-  const Transcript out;
+  const OutputCapture out;
   Program fed({"/bin/sh", "-c", "cut -d' ' -f5 /proc/$$/stat"}, {.out = &out, .fed = true});
   fed.wait();
   EXPECT_NE(std::stol(text(out)), ::getpgrp());
@@ -68,10 +70,19 @@ TEST(ProgramTest, OneThatIsFedIsOutOfReachOfTheTerminal) {
 
 TEST(ProgramTest, OneThatIsGivenUpIsEnded) {
   const testing::ScratchFolder folder;
-  const std::filesystem::path late = folder.path() / "late";
-  { const Program program({"/bin/sh", "-c", "sleep 1; touch " + late.string()}, {}); }
-  std::system("sleep 1.5");
-  EXPECT_FALSE(std::filesystem::exists(late));
+  const std::string pipe = (folder.path() / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  int from = -1;
+  {
+    const Program program({"/bin/sh", "-c", "exec sleep 1000 > " + pipe}, {});
+    from = ::open(pipe.c_str(), O_RDONLY);  // returns once the program has opened it, too
+  }
+  // The pipe hangs up when the last program that writes to it has ended.
+  constexpr int kLimit = 120'000;  // milliseconds
+  pollfd end = {.fd = from, .events = POLLIN, .revents = 0};
+  EXPECT_EQ(::poll(&end, 1, kLimit), 1);
+  EXPECT_EQ(end.revents, POLLHUP);
+  ::close(from);
 }
 
 TEST(ProgramTest, OneThatCannotBeStartedIsAnError) {
@@ -93,14 +104,14 @@ TEST(ProgramTest, OneThatHangsIsEndedOnceItIsToStop) {
   Program waits({"/bin/sleep", "1000"}, {.stop = &stop});
   Program takes_nothing({"/bin/sleep", "1000"}, {.fed = true, .stop = &stop});
   stop = SIGINT;
-  EXPECT_THROW(waits.wait(), Stopped);
+  EXPECT_THROW(waits.wait(), StoppedError);
   const std::string much(10'000'000, 'x');
-  EXPECT_THROW(takes_nothing.feed(bytes(much)), Stopped);
+  EXPECT_THROW(takes_nothing.feed(bytes(much)), StoppedError);
 }
 
 TEST(ProgramTest, OneThatComesToItsEndInTimeIsDone) {
   const std::atomic<int> stop = SIGINT;
-  const Transcript out;
+  const OutputCapture out;
   Program program({"/usr/bin/wc", "-c"},
                   {.out = &out, .fed = true, .stop = &stop, .grace = std::chrono::minutes(1)});
   const std::string much(1'000'000, 'x');
@@ -113,7 +124,7 @@ TEST(ProgramTest, OneInheritsNoFilesButItsStreams) {
   const testing::ScratchFolder folder;
   const int open = ::open((folder.path() / "file").c_str(), O_WRONLY | O_CREAT, 0600);
   const Program other({"/bin/sleep", "1000"}, {.fed = true});
-  const Transcript out;
+  const OutputCapture out;
   Program program({"/bin/ls", "/proc/self/fd"}, {.out = &out});
   EXPECT_EQ(program.wait(), 0);
   EXPECT_EQ(text(out), "0\n1\n2\n3\n");  // 3 is the folder that ls reads

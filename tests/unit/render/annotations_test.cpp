@@ -8,6 +8,7 @@
 #include "clca/render/coloring.hpp"
 #include "packed_state.hpp"
 #include "render/legend_lines.hpp"
+#include "support/missing.hpp"
 
 namespace clca::render {
 namespace {
@@ -16,7 +17,7 @@ class Annotations : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string problem = font_problem(); !problem.empty()) {
-      GTEST_SKIP() << problem;
+      CLCA_SKIP_AS_MISSING(problem);
     }
   }
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clca/process/program.hpp"
+#include "support/missing.hpp"
 #include "support/runs.hpp"
 
 namespace clca::render {
@@ -41,7 +42,7 @@ void write_movie(const fs::path& file, int width, int height) {
 
 std::string output_of(std::vector<std::string> arguments) {
   arguments[0] = process::find_program(arguments[0]).value().string();
-  const process::Transcript out;
+  const process::OutputCapture out;
   EXPECT_EQ(process::Program(arguments, {.out = &out}).wait(), 0);
   const auto bytes = out.bytes();
   return {bytes.begin(), bytes.end()};
@@ -77,7 +78,7 @@ class MovieTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!process::find_program("ffmpeg") || !process::find_program("ffprobe")) {
-      GTEST_SKIP() << "there is no ffmpeg";
+      CLCA_SKIP_AS_MISSING("there is no ffmpeg");
     }
   }
   fs::path file(const std::string& name) const { return folder_.path() / name; }

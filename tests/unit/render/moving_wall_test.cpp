@@ -7,7 +7,7 @@
 #include "clca/render/compare.hpp"
 #include "packed_state.hpp"
 #include "render/colors.hpp"
-#include "render/seen_walls.hpp"
+#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 namespace {
@@ -21,7 +21,7 @@ std::size_t count_of(const Image& image, Rgb color) {
 grains::Wall moving_wall(const grains::State& state, const lattice::Rectangle& place) {
   grains::Wall wall;
   wall.sites = lattice::sites_in(state.lattice, place);
-  wall.motion = grains::Motion{lattice::Direction::up, grains::Drive{1, 1000}};
+  wall.motion = grains::WallMotion{lattice::Direction::up, grains::Drive{1, 1000}};
   return wall;
 }
 
@@ -138,9 +138,9 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
   }
 }
 
-TEST(SeenWalls, MatchWhenTheSameIsSeen) {
+TEST(WallsAppearance, MatchWhenTheSameIsSeen) {
   const grains::State state = with_moving_wall(false);
-  const SeenWalls seen(state);
+  const WallsAppearance seen(state);
   grains::State other = state;
   other.walls[1].travel.clock = 17;
   other.walls[1].travel.stalls = 3;
@@ -151,8 +151,8 @@ TEST(SeenWalls, MatchWhenTheSameIsSeen) {
   other = state;
   other.walls[0].present = false;
   EXPECT_FALSE(seen.match(other));
-  EXPECT_TRUE(SeenWalls(other).match(other));
-  EXPECT_FALSE(SeenWalls(other).match(state));
+  EXPECT_TRUE(WallsAppearance(other).match(other));
+  EXPECT_FALSE(WallsAppearance(other).match(state));
   other = state;
   other.walls[0].sites.pop_back();
   EXPECT_FALSE(seen.match(other));

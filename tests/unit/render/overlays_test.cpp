@@ -9,6 +9,7 @@
 #include "clca/render/coloring.hpp"
 #include "packed_state.hpp"
 #include "render/annotations.hpp"
+#include "support/missing.hpp"
 
 namespace clca::render {
 namespace {
@@ -79,7 +80,7 @@ class LegendLine : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string problem = font_problem(); !problem.empty()) {
-      GTEST_SKIP() << problem;
+      CLCA_SKIP_AS_MISSING(problem);
     }
   }
 };

@@ -141,19 +141,19 @@ TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
     style.drawing = drawing;
     Painter painter(style, automaton.state().lattice, automaton.state().kinds);
     const auto exposed = [&] {
-      return painter.expose(automaton.state(), automaton.occupancy(), color_by_displacement(20));
+      return painter.capture(automaton.state(), automaton.occupancy(), color_by_displacement(20));
     };
-    const Image before = painter.develop(exposed(), {});
-    const Exposure kept = exposed();
+    const Image before = painter.rasterize(exposed(), {});
+    const Capture kept = exposed();
     for (int step = 0; step < 20; ++step) {
       automaton.step();
     }
     Image developed;
-    std::thread beside([&] { developed = painter.develop(kept, {}); });
-    const Exposure later = exposed();
+    std::thread beside([&] { developed = painter.rasterize(kept, {}); });
+    const Capture later = exposed();
     beside.join();
     EXPECT_EQ(developed, before);
-    EXPECT_NE(painter.develop(later, {}), before);
+    EXPECT_NE(painter.rasterize(later, {}), before);
   }
 }
 
@@ -208,7 +208,7 @@ TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
   const grains::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
   Coloring coloring = color_by_id();
-  coloring.palette.resize(kMostShades + 1);
+  coloring.palette.resize(kMaxShades + 1);
   EXPECT_THROW(painter.draw(state, occupancy, coloring, {}), std::invalid_argument);
   const grains::State other = packed(60, 40, false).state();
   EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(), {}),

@@ -12,13 +12,13 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr int kTolerance = 2;
 // One pixel in 1000: of some 60 000 pixels beside an edge or an outline, about one in 256.
-constexpr std::size_t kMostPixels = kWidth * kHeight / 1000;
+constexpr std::size_t kMaxPixels = kWidth * kHeight / 1000;
 
 void expect_same(const grains::State& state, int samples, const lattice::Rectangle& view = {}) {
   const Image polygons = picture(state, Drawing::polygons, kWidth, kHeight, samples, view);
   const Image lookup = picture(state, Drawing::lookup, kWidth, kHeight, samples, view);
   const Difference difference = compare(polygons, lookup, kTolerance);
-  EXPECT_LE(difference.pixels, kMostPixels);
+  EXPECT_LE(difference.pixels, kMaxPixels);
   testing::Test::RecordProperty("pixels", static_cast<int>(difference.pixels));
 }
 

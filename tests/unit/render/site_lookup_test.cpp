@@ -9,7 +9,7 @@
 #include "clca/render/painter.hpp"
 #include "packed_state.hpp"
 #include "render/framing.hpp"
-#include "render/seen_walls.hpp"
+#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 namespace {
@@ -64,7 +64,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
       }
     }
   }
-  Expected result = {code_of(Ground::paper), true};
+  Expected result = {code_of(Background::paper), true};
   for (const auto& [owner, sum] : weights) {
     const double inside = sum - 0.5;
     const double edge = projection.outline_width / lattice::kColumnPitch;
@@ -77,7 +77,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
         const auto shade = std::find(coloring.palette.begin(), coloring.palette.end(), fill);
         result.code = code_of(static_cast<std::size_t>(shade - coloring.palette.begin()), outlined);
       } else {
-        result.code = code_of(owner == kMovingWall ? Ground::moving_wall : Ground::wall);
+        result.code = code_of(owner == kMovingWall ? Background::moving_wall : Background::wall);
       }
     }
   }
@@ -122,7 +122,7 @@ void expect_as_defined(const grains::State& state, const Coloring& coloring,
       const bool in_box =
           x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
       const Expected expected = in_box ? expected_at(state, occupancy, coloring, projection, x, y)
-                                       : Expected{code_of(Ground::paper), true};
+                                       : Expected{code_of(Background::paper), true};
       sure += expected.sure ? 1U : 0U;
       wrong += expected.sure && grid.at(x, y) != expected.code ? 1U : 0U;
     }
@@ -166,7 +166,7 @@ TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
   }
   grains::Wall moving;
   moving.sites = lattice::sites_in(state.lattice, {14, 14, 30, 16});
-  moving.motion = grains::Motion{lattice::Direction::up, grains::Drive{1, 1000}};
+  moving.motion = grains::WallMotion{lattice::Direction::up, grains::Drive{1, 1000}};
   moving.passive = grains::Passive::overlap;
   state.walls = {moving, {lattice::sites_in(state.lattice, {2, 14, 5, 17})}};
   state.pushes = {{1, 0, 0, lattice::Direction::up},

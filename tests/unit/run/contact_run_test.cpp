@@ -236,13 +236,13 @@ TEST_F(ContactRunTest, TheReferenceEngineLeavesTheSameRun) {
   EXPECT_EQ(testing::difference_of_runs(path("fast"), path("reference")), "");
 }
 
-TEST_F(ContactRunTest, AReferenceOfTheAutomatonIsRefused) {
+TEST_F(ContactRunTest, TheReferenceEngineOfTheAutomatonLeavesTheSameRun) {
   const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
                             "output.frames.color_by=species", "output.frames.overlay=none"});
-  EXPECT_THAT([&] { run(scene, {.folder = path(), .reference = true}); },
-              ::testing::ThrowsMessage<ScenePlaceError>(
-                  HasSubstr("--engine reference: error: only model contact has this engine")));
-  EXPECT_FALSE(fs::exists(path()));
+  const auto fast = run(scene, {.folder = path("fast"), .threads = 2});
+  const auto reference = run(scene, {.folder = path("reference"), .reference = true});
+  EXPECT_EQ(reference.state_hash, fast.state_hash);
+  EXPECT_EQ(testing::difference_of_runs(path("fast"), path("reference")), "");
 }
 
 TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
@@ -355,7 +355,7 @@ TEST_F(ContactRunTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
   EXPECT_EQ(first.stages[1].ended, "time");
   EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
-              ::testing::ThrowsMessage<ScenePlaceError>(HasSubstr("has passed this end")));
+              ::testing::ThrowsMessage<SceneRunError>(HasSubstr("has passed this end")));
   const auto later = resume(load_run(path(), kMuch, "{time: 0.2}"), {});
   EXPECT_EQ(later.state_hash, run(timed("0.2"), {.folder = path("at once")}).state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("at once"), path()), "");

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr double kMostBytes = 1e9;
+constexpr double kMaxBytes = 1e9;
 
 // About as many steps as there are rows: many for a gas so small.
 constexpr const char* kGas = R"(clca: 1
@@ -47,7 +47,7 @@ scene::BoltzmannScene gas(const Overrides& overrides = {}) {
 template <class T>
 T reread(const T& value) {
   T result;
-  fields::decode(fields::encode(value), kMostBytes, result);
+  reflection::decode(reflection::encode(value), kMaxBytes, result);
   return result;
 }
 
@@ -62,10 +62,10 @@ class AGasThatGoesOn : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(AGasThatGoesOn, HasTheSameBitsHoweverOftenItWasStopped) {
   const scene::BoltzmannScene scene = gas(GetParam().overrides);
-  const GasCarrier carrier(scene);
+  const GasIntegrator carrier(scene);
   constexpr std::uint64_t kSeed = 7;
   GasMember unbroken;
-  carrier.carry(unbroken, 0.8, kSeed, 1, [](const GasMember&) { return true; });
+  carrier.integrate(unbroken, 0.8, kSeed, 1, [](const GasMember&) { return true; });
   ASSERT_EQ(unbroken.observations.size(), carrier.times().size());
   ASSERT_GT(unbroken.steps, 10U);
   for (const int asked : {1, 2, 5, 17}) {
@@ -73,13 +73,13 @@ TEST_P(AGasThatGoesOn, HasTheSameBitsHoweverOftenItWasStopped) {
     int stops = 0;
     while (member.observations.size() < carrier.times().size()) {
       int left = asked + 1;  // once before there is a step
-      carrier.carry(member, 0.8, kSeed, 1 + stops % 3,
-                    [&](const GasMember&) { return --left > 0; });
+      carrier.integrate(member, 0.8, kSeed, 1 + stops % 3,
+                        [&](const GasMember&) { return --left > 0; });
       member = reread(member);
       ++stops;
     }
     EXPECT_GE(stops, 2);
-    EXPECT_EQ(fields::difference(fields::encode(member), fields::encode(unbroken)), "")
+    EXPECT_EQ(reflection::difference(reflection::encode(member), reflection::encode(unbroken)), "")
         << "every " << asked;
   }
 }
@@ -140,11 +140,11 @@ class GasResumeTest : public ::testing::Test {
                                  const std::function<bool(const GasProgress&)>& enough) {
     std::atomic<int> stop = 0;
     const RunEvents events = stopping(stop, enough);
-    return resume(load_run(folder_.path(), kMostBytes),
+    return resume(load_run(folder_.path(), kMaxBytes),
                   {.folder = {}, .threads = threads, .stop = &stop}, events);
   }
   store::RunSummary resume_to(const std::optional<std::string>& until = {}) {
-    return resume(load_run(folder_.path(), kMostBytes, until), {.folder = {}, .threads = 1});
+    return resume(load_run(folder_.path(), kMaxBytes, until), {.folder = {}, .threads = 1});
   }
   std::string problem(const std::optional<std::string>& until = {}) {
     try {
@@ -189,7 +189,7 @@ TEST_F(GasResumeTest, StoppedInAnyEnsembleItEndsAsAnUnbrokenRun) {
   const auto interrupted = content(folder_.path());
   // Stopped before the first step of this process: all as it was.
   ASSERT_EQ(
-      resume(load_run(folder_.path(), kMostBytes), {.folder = {}, .threads = 2, .time_limit = 0})
+      resume(load_run(folder_.path(), kMaxBytes), {.folder = {}, .threads = 2, .time_limit = 0})
           .status,
       "interrupted");
   EXPECT_EQ(content(folder_.path()), interrupted);
@@ -241,7 +241,7 @@ TEST_F(GasResumeTest, KilledBeforeItsFirstCheckpointItBeginsAnew) {
   const scene::BoltzmannScene scene = gas();
   run(scene, {.folder = folder_.path()});
   fs::remove(folder_.path() / "run.json");
-  store::Checkpoint start = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  store::Checkpoint start = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   start.fields.clear();
   store::replace_checkpoint(store::OutputFolder(folder_.path()), start);
   EXPECT_EQ(resume_to().status, "done");
@@ -296,21 +296,22 @@ TEST_F(GasResumeTest, AnInterruptedRunIsProlongedLikewise) {
 TEST_F(GasResumeTest, AnEndThatWasPassedIsRefused) {
   run(gas(), {.folder = folder_.path()});
   const auto before = content(folder_.path());
-  EXPECT_THAT(problem("1"), HasSubstr("until 1: its gases are beyond 1, or on the way there"));
+  EXPECT_THAT(problem("1"),
+              HasSubstr("until 1: its gases are beyond 1, or in a step that leads beyond it"));
   EXPECT_EQ(content(folder_.path()), before);
 }
 
 TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
   run_until(gas(kLong), 1, [](const GasProgress& at) { return at.stage_number == 2; });
-  store::Checkpoint checkpoint = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  store::Checkpoint checkpoint = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   GasCourse course;
-  fields::decode(kSavedGases, checkpoint.fields, kMostBytes, course);
+  reflection::decode(kSavedGases, checkpoint.fields, kMaxBytes, course);
   for (GasCase& one : course.cases) {
     for (GasMember& member : one.members) {
-      member.lasting.reset();
+      member.retained.reset();
     }
   }
-  fields::encode(kSavedGases, course, checkpoint.fields);
+  reflection::encode(kSavedGases, course, checkpoint.fields);
   store::write_checkpoint(store::OutputFolder(folder_.path()), checkpoint);
   EXPECT_THAT(problem("500"), HasSubstr("has not kept its gases as they were before the end"));
 }
@@ -338,7 +339,7 @@ GasMember& ended(GasCourse& course) {
 TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
   run_until(gas(kLong), 1,
             [](const GasProgress& at) { return at.stage_number == 2 && at.time > 0; });
-  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Forgery> forgeries = {
       {[](GasCourse& all) { all.cases.emplace_back(); }, "restitutions are others"},
@@ -352,22 +353,25 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
        "bins are others"},
       {[](GasCourse& all) { ended(all).observations[1].shares.translational = {1}; },
        "bins are others"},
-      {[](GasCourse& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
-      {[](GasCourse& all) { ended(all).lasting->time = 3; }, "at another time"},
-      {[](GasCourse& all) { under_way(all).lasting = under_way(all).gas; }, "ahead of its time"},
+      {[](GasCourse& all) { ended(all).gas = ended(all).retained; }, "beyond the end"},
+      {[](GasCourse& all) { ended(all).retained->time = 3; }, "at another time"},
+      {[](GasCourse& all) { under_way(all).retained = under_way(all).gas; },
+       "kept for an end that it has not reached"},
       {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
       {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
       {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
       {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 8001); }, "number of particles"},
-      {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; }, "speeds that are none"},
-      {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; }, "speeds that are none"},
-      {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "speeds that are none"}};
+      {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; },
+       "not finite or too large"},
+      {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; },
+       "not finite or too large"},
+      {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "not finite or too large"}};
   for (const Forgery& forgery : forgeries) {
     GasCourse course;
-    fields::decode(kSavedGases, sound.fields, kMostBytes, course);
+    reflection::decode(kSavedGases, sound.fields, kMaxBytes, course);
     forgery.change(course);
     store::Checkpoint forged = sound;
-    fields::encode(kSavedGases, course, forged.fields);
+    reflection::encode(kSavedGases, course, forged.fields);
     fs::remove(folder_.path() / "run.json");
     store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), ::testing::AllOf(HasSubstr("its checkpoint is not of this run"),
@@ -377,7 +381,7 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
 
 TEST_F(GasResumeTest, AnyColumnThatIsMissingOrOfOtherNumbersIsRefused) {
   run(gas({"boltzmann.ensemble=2"}), {.folder = folder_.path()});
-  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMostBytes)->checkpoint;
+  const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   ASSERT_GT(sound.fields.size(), 20U);
   fs::remove(folder_.path() / "run.json");
   for (const auto& [path, column] : sound.fields) {

@@ -102,9 +102,9 @@ class ResumeTest : public ::testing::Test {
     return scene::parse(kSmall, "small.yaml", overrides);
   }
   fs::path path() const { return folder_.path() / "run"; }
-  std::string why_not(double most_bytes = kMuch) const {
+  std::string why_not(double max_bytes = kMuch) const {
     try {
-      resume(load_run(path(), most_bytes), {});
+      resume(load_run(path(), max_bytes), {});
     } catch (const store::StoreError& error) {
       return error.what();
     }
@@ -217,7 +217,7 @@ TEST_F(ResumeTest, AnEndThatTheRunHasPassedIsRefusedAndNothingIsChanged) {
   const auto scene = testing::bytes_of(path() / "scene.yaml");
   const auto summary = testing::bytes_of(path() / "run.json");
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "2"), {}); },
-              ::testing::ThrowsMessage<ScenePlaceError>(
+              ::testing::ThrowsMessage<SceneRunError>(
                   HasSubstr("--until 2: error: stage flow has passed this end: it is at step")));
   EXPECT_EQ(testing::bytes_of(path() / "scene.yaml"), scene);
   EXPECT_EQ(testing::bytes_of(path() / "run.json"), summary);
@@ -277,7 +277,7 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
   EXPECT_THAT(refusal(column("state/particles/kind", std::uint16_t{9})),
               EndsWith("a particle is of no kind"));
   EXPECT_THAT(refusal(column("state/particles/previous", std::uint8_t{7})),
-              EndsWith("a particle has moved nowhere"));
+              EndsWith("the last move of a particle is out of range"));
   EXPECT_THAT(refusal(column("state/particles/column", std::int32_t{1 << 30})),
               EndsWith("a particle is too far away"));
   EXPECT_THAT(refusal(column("state/particles/row", std::int32_t{-1})),

@@ -62,7 +62,7 @@ TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
   ASSERT_EQ(state.walls.size(), 2U);
   EXPECT_FALSE(state.walls[0].present);
   EXPECT_EQ(state.walls[0].motion,
-            (grains::Motion{lattice::Direction::down, grains::Drive{1, 30}}));
+            (grains::WallMotion{lattice::Direction::down, grains::Drive{1, 30}}));
   EXPECT_EQ(state.walls[0].passive, grains::Passive::overlap);
   EXPECT_FALSE(state.walls[0].sites.empty()) << "outside the box at home";
   EXPECT_TRUE(state.walls[1].present);
@@ -119,7 +119,7 @@ TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {
   const testing::ScratchFolder folder;
   const auto scene = small_scene({"stages.packing.fill.counts.small=285"});
   EXPECT_THAT([&] { run(scene, {.folder = folder.path() / "out"}); },
-              ::testing::ThrowsMessage<ScenePlaceError>(::testing::AllOf(
+              ::testing::ThrowsMessage<SceneRunError>(::testing::AllOf(
                   ::testing::StartsWith("small.yaml:12:11: error: the fill of stage packing"),
                   ::testing::HasSubstr("of 285 small"), ::testing::HasSubstr("enlarge"))));
   EXPECT_FALSE(fs::exists(folder.path() / "out"));

@@ -93,7 +93,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:6:18: error: rules.gravity: expected one of down, up, up_right, down_right, "
      "down_left, up_left, found 'downleft'; did you mean 'down_left'?"},
     {"a class twice in the order of updates", "rules: {update_priority: [rest, rest, gravity]}",
-     "scene.yaml:6:33: error: rules.update_priority: 'rest' stands there twice; name each "
+     "scene.yaml:6:33: error: rules.update_priority: 'rest' is named twice; name each "
      "class once"},
     {"a class missing in the order of updates", "rules: {update_priority: [rest, gravity]}",
      "scene.yaml:6:26: error: rules.update_priority: expected 3 items, found 2"},

@@ -50,7 +50,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "0.162, 0.163, 0.164, 0.165], friction: 0}",
      "scene.yaml:4:26: error: boltzmann.restitution: expected 1 to 64 items, found 65"},
     {"a restitution twice", "boltzmann: {restitution: [0.5, 0.7, 0.50], friction: 0.3}",
-     "scene.yaml:4:37: error: boltzmann.restitution: '0.50' stands there twice; name each value "
+     "scene.yaml:4:37: error: boltzmann.restitution: '0.50' is named twice; name each value "
      "once"},
     {"a list in the list", "boltzmann: {restitution: [0.5, [0.7]], friction: 0.3}",
      "scene.yaml:4:32: error: boltzmann.restitution: expected a number from 0 to 1, found a list"},

@@ -158,7 +158,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}}, ram: {box: "
      "[15, 40, 25, 42], motion: {direction: down, distance: 9}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate, ram]}]",
-     "scene.yaml:7:16: error: walls.plate: shares sites with wall 'ram', which moves just so; make "
+     "scene.yaml:7:16: error: walls.plate: shares sites with wall 'ram', which has the same "
+     "motion; make "
      "them parts of one wall, or move one of them elsewhere",
      Judge::parser},
     {"a wall that slides across the seam into another",

@@ -46,7 +46,7 @@ TEST(BoltzmannScene, FillsInTheDefaults) {
   expected.checkpoint = Checkpoints{.every = {}, .seconds = 60};
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(scene.name, "gas");
-  EXPECT_EQ(scene.place, "folder/gas.yaml:2:1");
+  EXPECT_EQ(scene.location, "folder/gas.yaml:2:1");
 }
 
 TEST(BoltzmannScene, ReadsEverything) {

@@ -14,7 +14,7 @@ namespace clca::scene {
 
 namespace {
 
-using grains::Motion;
+using grains::WallMotion;
 using lattice::Direction;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -32,7 +32,7 @@ std::string plate(const std::string& motion) {
          "stages: [{name: first, sources: [spout], move: [plate], until: {steps: 9}}]\n";
 }
 
-Motion motion_of(const std::string& motion) {
+WallMotion motion_of(const std::string& motion) {
   return *scene_with(plate("motion: " + motion)).walls[0].motion;
 }
 
@@ -58,20 +58,20 @@ constexpr std::string_view kTray =
 
 TEST(ParseMotion, ReadsADriveOneSiteAStepUnlessThePeriodSaysOtherwise) {
   EXPECT_EQ(motion_of("{direction: down, distance: 30}"),
-            (Motion{Direction::down, grains::Drive{1, 30}}));
+            (WallMotion{Direction::down, grains::Drive{1, 30}}));
   EXPECT_EQ(motion_of("{direction: up_left, period: 4, distance: 1000000}"),
-            (Motion{Direction::up_left, grains::Drive{4, 1'000'000}}));
+            (WallMotion{Direction::up_left, grains::Drive{4, 1'000'000}}));
 }
 
 TEST(ParseMotion, ReadsWavesDownToTheShortestPeriod) {
   EXPECT_EQ(motion_of("{wave: {amplitude: 2, period: 14}}"),
-            (Motion{Direction::up, grains::Wave{grains::Waveform::sine, 2, 14}}));
+            (WallMotion{Direction::up, grains::Wave{grains::Waveform::sine, 2, 14}}));
   EXPECT_EQ(motion_of("{direction: down_left, wave: {form: triangle, amplitude: 3, period: 12}}"),
-            (Motion{Direction::down_left, grains::Wave{grains::Waveform::triangle, 3, 12}}));
+            (WallMotion{Direction::down_left, grains::Wave{grains::Waveform::triangle, 3, 12}}));
 }
 
 TEST(ParseMotion, TheWidestAndLongestWaveStaysWithinItsAmplitude) {
-  const Motion motion = motion_of("{wave: {amplitude: 10000, period: 10000000}}");
+  const WallMotion motion = motion_of("{wave: {amplitude: 10000, period: 10000000}}");
   const auto& wave = std::get<grains::Wave>(motion.program);
   EXPECT_EQ(grains::target(wave, 2'500'000), 10'000);
   EXPECT_EQ(grains::target(wave, 5'000'000), 0);
@@ -79,16 +79,17 @@ TEST(ParseMotion, TheWidestAndLongestWaveStaysWithinItsAmplitude) {
 }
 
 TEST(ParseMotion, ReadsShakesThatWaitUntilSettledOrSoManySteps) {
-  EXPECT_EQ(motion_of("{shake: {amplitude: 2}}"), (Motion{Direction::up, grains::Shake{2, {}}}));
+  EXPECT_EQ(motion_of("{shake: {amplitude: 2}}"),
+            (WallMotion{Direction::up, grains::Shake{2, {}}}));
   EXPECT_EQ(motion_of("{shake: {amplitude: 2, wait: settled}}"),
             motion_of("{shake: {amplitude: 2}}"));
   EXPECT_EQ(motion_of("{direction: up_right, shake: {amplitude: 1, wait: 50}}"),
-            (Motion{Direction::up_right, grains::Shake{1, 50}}));
+            (WallMotion{Direction::up_right, grains::Shake{1, 50}}));
 }
 
 TEST(ParseMotion, ReadsPathsAsSteepAsOneSiteAStep) {
   EXPECT_EQ(motion_of("{path: [[3, 3], [4, 2], [100, -50]]}"),
-            (Motion{Direction::up, grains::Path{{{3, 3}, {4, 2}, {100, -50}}}}));
+            (WallMotion{Direction::up, grains::Path{{{3, 3}, {4, 2}, {100, -50}}}}));
 }
 
 TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
@@ -97,7 +98,7 @@ TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
   EXPECT_THAT(tray.parts, ElementsAre(WallPart(lattice::Rectangle{0, 0, 100, 2}),
                                       WallPart(lattice::Segment{{0, 2}, {0, 60}, 1})));
   EXPECT_EQ(tray.passive, grains::Passive::overlap);
-  EXPECT_EQ(tray.place, "scene.yaml:9:5");
+  EXPECT_EQ(tray.location, "scene.yaml:9:5");
   EXPECT_EQ(scene.walls[1].passive, grains::Passive::rigid);
   EXPECT_FALSE(scene.walls[2].motion.has_value());
 }
@@ -105,11 +106,11 @@ TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
 TEST(ParseMotion, ReadsWhatStagesInsertAndMove) {
   const Scene scene = scene_with(kTray);
   EXPECT_THAT(scene.stages[0].insert, ElementsAre(1));
-  EXPECT_EQ(scene.stages[0].insert_place, "scene.yaml:17:45");
+  EXPECT_EQ(scene.stages[0].insert_location, "scene.yaml:17:45");
   EXPECT_THAT(scene.stages[0].move, ElementsAre(0, 1));
   EXPECT_EQ(scene.stages[0].until, Until(UntilCycles{3}));
   EXPECT_EQ(scene.stages[0].max_steps, 1'000'000);
-  EXPECT_TRUE(scene.stages[1].insert_place.empty());
+  EXPECT_TRUE(scene.stages[1].insert_location.empty());
   EXPECT_TRUE(scene.stages[2].move.empty());
 }
 

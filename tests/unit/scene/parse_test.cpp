@@ -242,9 +242,9 @@ TEST(Parse, SavesEveryMinuteUnlessTheSceneSaysOtherwise) {
 
 TEST(Parse, KeepsThePlacesThatLaterMessagesName) {
   const Scene scene = scene_with("");
-  EXPECT_EQ(scene.box.place, "scene.yaml:4:6");
-  EXPECT_EQ(scene.stages[0].fill->place, "scene.yaml:10:30");
-  EXPECT_EQ(scene.output.frames->place, "scene.yaml:12:18");
+  EXPECT_EQ(scene.box.location, "scene.yaml:4:6");
+  EXPECT_EQ(scene.stages[0].fill->location, "scene.yaml:10:30");
+  EXPECT_EQ(scene.output.frames->location, "scene.yaml:12:18");
 }
 
 TEST(Parse, TakesFilesWithTheLineEndsOfOtherSystems) {

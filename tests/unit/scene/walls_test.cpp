@@ -10,7 +10,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
-#include "scene/sweep.hpp"
+#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 
@@ -34,7 +34,7 @@ std::string refusal(const Scene& scene) {
 
 /// The sites of the box that are covered after some step, all tried one by one.
 std::set<Site> plain_way(const lattice::Lattice& lattice, const Wall& wall) {
-  const grains::Range range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::range_of(*wall.motion);
   const lattice::Axial step = lattice::unit(wall.motion->direction);
   std::set<Site> way;
   for (const Site home : wall_sites(lattice, wall)) {
@@ -50,7 +50,7 @@ std::set<Site> plain_way(const lattice::Lattice& lattice, const Wall& wall) {
 
 std::set<Site> way_of(const lattice::Lattice& lattice, const Wall& wall) {
   std::set<Site> way;
-  meets(lattice, wall, [&](Site site) {
+  any_swept_site(lattice, wall, [&](Site site) {
     way.insert(site);
     return false;
   });
@@ -80,7 +80,7 @@ TEST(WallSites, AreThoseOfAllPartsOnce) {
 TEST(WallSites, OfAWallThatMovesMayBeginOutsideTheBox) {
   const Wall above = {.name = "plate",
                       .parts = {lattice::Rectangle{0, 60, 0.5, 1e6}},
-                      .motion = grains::Motion{lattice::Direction::down, grains::Drive{1, 15}}};
+                      .motion = grains::WallMotion{lattice::Direction::down, grains::Drive{1, 15}}};
   const lattice::Lattice lattice(116, 50, false);
   EXPECT_THAT(wall_sites(lattice, above),
               ElementsAre(Site{0, 60}, Site{0, 61}, Site{0, 62}, Site{0, 63}, Site{0, 64}));
@@ -92,9 +92,10 @@ TEST(WallsThere, FollowsWhatStagesInsertAndRemove) {
       "  - {name: first, sources: [spout]}\n"
       "  - {name: second, insert: [left], remove: [right]}\n"
       "  - {name: third, remove: [left], insert: [right]}\n");
-  EXPECT_THAT(walls_there_first(scene), ElementsAre(false, true));
-  EXPECT_THAT(walls_there(scene), ElementsAre(ElementsAre(false, true), ElementsAre(true, false),
-                                              ElementsAre(false, true)));
+  EXPECT_THAT(walls_present_at_start(scene), ElementsAre(false, true));
+  EXPECT_THAT(
+      walls_present_by_stage(scene),
+      ElementsAre(ElementsAre(false, true), ElementsAre(true, false), ElementsAre(false, true)));
 }
 
 TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
@@ -113,7 +114,7 @@ TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
         const grains::Drive drive = {1, amplitude};
         for (const WallPart& form : forms) {
           Wall wall = {.name = "plate", .parts = {form, lattice::Rectangle{0, 0, 1, 2}}};
-          wall.motion = grains::Motion{direction, wave};
+          wall.motion = grains::WallMotion{direction, wave};
           EXPECT_EQ(way_of(lattice, wall), plain_way(lattice, wall));
           wall.motion->program = drive;
           EXPECT_EQ(way_of(lattice, wall), plain_way(lattice, wall));
@@ -126,7 +127,8 @@ TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
 TEST(Way, EndsWhereTheTestHolds) {
   const Wall wall = {.name = "plate", .parts = {lattice::Rectangle{0, 0, 9, 9}}};
   int visited = 0;
-  EXPECT_TRUE(meets(lattice::Lattice(12, 9, false), wall, [&](Site) { return ++visited == 5; }));
+  EXPECT_TRUE(
+      any_swept_site(lattice::Lattice(12, 9, false), wall, [&](Site) { return ++visited == 5; }));
   EXPECT_EQ(visited, 5);
 }
 

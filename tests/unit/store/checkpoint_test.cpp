@@ -72,9 +72,9 @@ struct Entry {
   }
 };
 
-std::string reason(const Bytes& file, double most_bytes = kMuch) {
+std::string reason(const Bytes& file, double max_bytes = kMuch) {
   try {
-    parse_checkpoint(file, most_bytes);
+    parse_checkpoint(file, max_bytes);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -134,7 +134,7 @@ TEST(Checkpoint, AnEntryThatLiesIsRefused) {
   EXPECT_EQ(refusal({.type = 8}), "an entry of an unknown type");
   EXPECT_EQ(refusal({.name = "many"}), "an entry that is there twice");
   EXPECT_EQ(refusal({.type = 0, .name = "kind"}), "an entry that is there twice");
-  EXPECT_EQ(refusal({.type = 0, .name = "other"}), "a text that is none of its own");
+  EXPECT_EQ(refusal({.type = 0, .name = "other"}), "a text of an unknown name");
   EXPECT_EQ(refusal({.length = 1}), "an entry goes beyond its end");
   EXPECT_EQ(refusal({.length = kMost}), "an entry goes beyond its end");
   EXPECT_EQ(refusal({.count = 1}), "an entry that is longer than its data can be");

@@ -46,9 +46,9 @@ class Hdf5FileTest : public ::testing::Test {
   }
   /// Why these datasets cannot be read of a file.
   std::string reason(const Bytes& bytes, const std::vector<Hdf5Dataset>& datasets,
-                     double most_bytes = kMuch) const {
+                     double max_bytes = kMuch) const {
     try {
-      read_hdf5(put(bytes), kKind, datasets, most_bytes);
+      read_hdf5(put(bytes), kKind, datasets, max_bytes);
     } catch (const StoreError& error) {
       return error.what();
     }

@@ -38,10 +38,10 @@ class HostileHdf5 : public ::testing::Test {
   std::filesystem::path path() const { return folder_.path() / "file.h5"; }
 
   /// What comes of reading `numbers`.
-  std::string reason(const Bytes& content, double most_bytes = kMuch) {
+  std::string reason(const Bytes& content, double max_bytes = kMuch) {
     write_whole(path(), with_header(kKind, content));
     try {
-      read_hdf5(path(), kKind, {{.path = "numbers", .values = &numbers_}}, most_bytes);
+      read_hdf5(path(), kKind, {{.path = "numbers", .values = &numbers_}}, max_bytes);
     } catch (const StoreError& error) {
       EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
       return error.what();
@@ -49,8 +49,8 @@ class HostileHdf5 : public ::testing::Test {
     return "";
   }
   std::string reason(const std::function<void(const Handle& file)>& fill,
-                     double most_bytes = kMuch) {
-    return reason(hdf5::image(path(), fill), most_bytes);
+                     double max_bytes = kMuch) {
+    return reason(hdf5::image(path(), fill), max_bytes);
   }
 
   testing::ScratchFolder folder_;

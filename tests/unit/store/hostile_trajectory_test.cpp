@@ -84,7 +84,7 @@ void write_contacts(const std::filesystem::path& run, const scene::Scene& scene)
   state.particles = {testing::particle_at(5, 5), testing::particle_at(9, 5)};
   state.origins = {{5, 5}, {9, 5}};
   const contact::Force force = {
-      .upper = 0, .other = 1, .place = {5, 5}, .normal = {0, 1}, .branch = {0, 2}};
+      .upper = 0, .other = 1, .point = {5, 5}, .normal = {0, 1}, .branch = {0, 2}};
   contact::Force on_floor = force;
   on_floor.other = contact::kFloor;
   TrajectoryWriter writer(OutputFolder(run), scene, state, {});
@@ -114,7 +114,7 @@ output: {trajectory: {contacts: true}}
   EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = 2; }), EndsWith(kCannotBe));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = -2; }), EndsWith(kCannotBe));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.other[1] += 4; }), EndsWith(kCannotBe));
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.place[3] = 1e9; }), EndsWith(kCannotBe));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.point[3] = 1e9; }), EndsWith(kCannotBe));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.force[3] = kInfinity; }),
               EndsWith("a number of a contact that is not finite"));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.velocity[3] = kInfinity; }),

@@ -85,6 +85,7 @@ RunSummary full_summary() {
       .kind = "boltzmann",
       .version = "1.2.3",
       .scene = "a",
+      .title = "A scene",
       .seed = 18446744073709551615U,
       .threads = 2,
       .status = "done",
@@ -121,6 +122,7 @@ TEST_F(ReadSummary, GivesBackWhatWasWritten) {
   write_whole(folder_ / "run.json", to_json(summary));
   const RunSummary read = read_summary(folder_ / "run.json");
   EXPECT_EQ(to_json(read), to_json(summary));
+  EXPECT_EQ(read.title, summary.title);
   EXPECT_EQ(read.seed, summary.seed);
   EXPECT_EQ(read.wall_seconds, summary.wall_seconds);
   EXPECT_EQ(read.stages.at(0).measures, summary.stages.at(0).measures);

@@ -10,6 +10,7 @@
 
 #include "clca/scene/parse.hpp"
 #include "clca/store/trajectory.hpp"
+#include "support/missing.hpp"
 #include "support/runs.hpp"
 #include "support/states.hpp"
 #include "support/trajectories.hpp"
@@ -46,7 +47,7 @@ class TrajectoryInPython : public ::testing::Test {
  protected:
   void SetUp() override {
     if (output_of("/usr/bin/python3 -c 'import h5py, numpy'") != "") {
-      GTEST_SKIP() << "/usr/bin/python3 has no h5py (python3-h5py)";
+      CLCA_SKIP_AS_MISSING("/usr/bin/python3 has no h5py (python3-h5py)");
     }
   }
 
@@ -117,7 +118,7 @@ output: {trajectory: {contacts: true}}
   grains::State state = run::initial_state(scene);
   state.particles = {testing::particle_at(5, 5)};
   state.origins = {{5, 5}};
-  contact::Force force = {.other = contact::kFloor, .place = {5, 5}, .along_normal = 2.5};
+  contact::Force force = {.other = contact::kFloor, .point = {5, 5}, .along_normal = 2.5};
   ContactFrame frame = {.velocities = {{0, 0}}, .forces = {force, force}};
   frame.forces[1].other = contact::kLeftSide;
   TrajectoryWriter writer(OutputFolder(run()), scene, state, {});

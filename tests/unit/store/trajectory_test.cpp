@@ -60,9 +60,9 @@ class TrajectoryTest : public ::testing::Test {
     }
   }
 
-  std::string reason(const scene::Scene& scene, double most_bytes = kMuch) const {
+  std::string reason(const scene::Scene& scene, double max_bytes = kMuch) const {
     try {
-      const Trajectory trajectory(run(), scene, run::initial_state(scene), most_bytes);
+      const Trajectory trajectory(run(), scene, run::initial_state(scene), max_bytes);
       for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
         trajectory.state(frame);
       }
@@ -228,12 +228,12 @@ TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   run::Model model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
-  constexpr std::size_t kMostFrames = (std::size_t{16} << 20U) / (80 * 33);
-  for (std::size_t frame = 0; frame <= kMostFrames; ++frame) {
+  constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (80 * 33);
+  for (std::size_t frame = 0; frame <= kMaxFrames; ++frame) {
     writer.add(model.state(), 0, frame == 0);
   }
   EXPECT_EQ(writer.written().parts, 1U);
-  EXPECT_GT(writer.written().frames, kMostFrames * 9 / 10);
+  EXPECT_GT(writer.written().frames, kMaxFrames * 9 / 10);
 }
 
 TEST_F(TrajectoryTest, FilesThatAreNotWholeAreRefused) {

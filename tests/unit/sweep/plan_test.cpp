@@ -53,8 +53,8 @@ TEST(Plan, WithoutVariationsItHasOneRunASeed) {
 TEST(Plan, RefusesASceneOfTheBoltzmannEquation) {
   Request gas = request({"boltzmann.friction=0,0.3"});
   gas.scene = std::string(CLCA_SOURCE_DIR) + "/scenes/boltzmann-case1.yaml";
-  EXPECT_THAT([&] { plan(gas); }, ThrowsMessage<scene::SceneError>(HasSubstr(
-                                      "error: a sweep takes scenes of the automaton only")));
+  EXPECT_THAT([&] { plan(gas); }, ThrowsMessage<scene::SceneError>(
+                                      HasSubstr("error: a sweep takes scenes of grains only")));
 }
 
 TEST(Plan, NamesOfRunsFitAFileSystemAndStayApart) {

@@ -19,7 +19,7 @@ TEST(Seeds, AreNumbersAndRangesInAscendingOrder) {
   EXPECT_THAT(parse_seeds("7..7"), ElementsAre(7));
   EXPECT_THAT(parse_seeds("18446744073709551614..18446744073709551615"),
               ElementsAre(18446744073709551614U, 18446744073709551615U));
-  EXPECT_EQ(parse_seeds("1..100000").size(), kMostRuns);
+  EXPECT_EQ(parse_seeds("1..100000").size(), kMaxRuns);
 }
 
 TEST(Seeds, WhatIsNoListOfSeedsIsRefusedWithTheReason) {
@@ -85,7 +85,7 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
       {"a=", "a value is missing"},
       {"a=1,,2", "a value is missing"},
       {"a=1,", "a value is missing"},
-      {"a=1,2,1", "the value 1 stands there twice"},
+      {"a=1,2,1", "the value 1 is named twice"},
   };
   for (const auto& [text, reason] : cases) {
     const std::string& given = text;  // a lambda cannot capture the binding itself

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "sweep/overview.hpp"
-#include "sweep/statistics.hpp"
 
 namespace clca::sweep {
 namespace {
@@ -33,40 +32,6 @@ Result done(std::vector<store::NamedMeasure> measures) {
   result.summary.state_hash = 0xabc;
   result.summary.stages = {{"flow", 5, "settled", std::move(measures)}};
   return result;
-}
-
-TEST(Statistics, AreThoseOfTheSample) {
-  const Statistics found = statistics({2, 4, 4, 4, 5, 5, 7, 9});
-  EXPECT_DOUBLE_EQ(found.mean, 5);
-  EXPECT_DOUBLE_EQ(found.standard_deviation, std::sqrt(32.0 / 7));
-  EXPECT_DOUBLE_EQ(found.standard_error, std::sqrt(32.0 / 7 / 8));
-  EXPECT_EQ(found.count, 8U);
-  EXPECT_EQ(found.least, 2);
-  EXPECT_EQ(found.most, 9);
-}
-
-TEST(Statistics, OfCountsWithAWholeMeanAreExact) {
-  EXPECT_EQ(statistics({143, 165, 154, 121, 187}).mean, 154);
-}
-
-TEST(Statistics, LeaveOutWhatIsNoNumber) {
-  const Statistics found = statistics({1, kNone, 3, std::numeric_limits<double>::infinity()});
-  EXPECT_EQ(found.count, 2U);
-  EXPECT_EQ(found.mean, 2);
-}
-
-TEST(Statistics, OfOneOrNoValueHaveNoSpread) {
-  EXPECT_EQ(statistics({4}).mean, 4);
-  EXPECT_TRUE(std::isnan(statistics({4}).standard_deviation));
-  EXPECT_TRUE(std::isnan(statistics({4}).standard_error));
-  EXPECT_TRUE(std::isnan(statistics({}).mean));
-  EXPECT_TRUE(std::isnan(statistics({}).least));
-  EXPECT_EQ(statistics({}).count, 0U);
-}
-
-TEST(Statistics, OfEqualValuesHaveASpreadOfExactlyZero) {
-  EXPECT_EQ(statistics(std::vector<double>(16, 0.1)).standard_deviation, 0);
-  EXPECT_EQ(statistics(std::vector<double>(16, 0.1)).mean, 0.1);
 }
 
 TEST(Tables, HaveARowForEachRunAndForEachMeasure) {

@@ -19,9 +19,9 @@ class ReadFile : public ::testing::Test {
   fs::path path(const std::string& name) const { return folder_.path() / name; }
 
   /// Why it cannot be read.
-  static std::string reason(const fs::path& file, double most_bytes = 100) {
+  static std::string reason(const fs::path& file, double max_bytes = 100) {
     try {
-      read_file(file, most_bytes);
+      read_file(file, max_bytes);
     } catch (const ReadError& error) {
       return error.what();
     }

@@ -1,0 +1,57 @@
+#pragma once
+// Coarse-grained fields: packing, velocity and its fluctuations on the cells of a grid.
+
+#include <vector>
+
+#include "clca/measure/grid.hpp"
+#include "clca/measure/snapshot.hpp"
+#include "clca/reflection/reflection.hpp"
+
+namespace clca::measure {
+
+/// Means over the particles that started the window in the cell, weighted by their sites.
+struct FieldCell {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
+  double packing = 0;                                ///< share of its sites taken by particles now
+  std::size_t particles = 0;                         ///< that the means are over
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< mean, spacings per step
+  /// 1/2 <|v - <v>|^2>: kinetic energy of the fluctuations per unit mass, (spacings per step)^2.
+  double fluctuation = 0;
+};
+
+struct Fields {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<FieldCell> cells = {};  ///< in the order of Grid
+};
+
+/// A window of steps: velocity is displacement per step.
+class FieldWindow {
+ public:
+  /// Starts the window.
+  explicit FieldWindow(const grains::State& state) : begin_(state) {}
+
+  /// The fields if the window ends now, on a Grid of side `cell` (lattice spacings).
+  /// Particles that entered or left during the window count for the packing only. In a window of
+  /// zero steps all velocities are 0.
+  Fields fields(const grains::State& now, double cell) const;
+  /// Displacements of the particles if the window ends now.
+  std::vector<Displacement> displacements(const grains::State& now) const {
+    return begin_.displacements(now);
+  }
+
+  /// False if the window cannot have started in a run that reached `now`.
+  bool precedes(const grains::State& now) const { return begin_.precedes(now); }
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("begin", &FieldWindow::begin_));
+  }
+
+ private:
+  Snapshot begin_;
+};
+
+/// Mean fluctuation over cells, weighted by their particles; 0 if there are none.
+double fluctuation_energy(const Fields& fields);
+
+}  // namespace clca::measure

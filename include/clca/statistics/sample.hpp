@@ -1,0 +1,22 @@
+#pragma once
+// Mean and spread of a sample.
+
+#include <cstddef>
+#include <vector>
+
+namespace clca::statistics {
+
+/// NaN if there are too few values: any statistic of none, a spread of one.
+struct Sample {
+  double mean = 0;
+  double standard_deviation = 0;  ///< of the sample, over n - 1
+  double standard_error = 0;      ///< of the mean
+  std::size_t count = 0;          ///< of the values
+  double least = 0;
+  double most = 0;
+};
+
+/// Over the finite values, in order.
+Sample sample(const std::vector<double>& values);
+
+}  // namespace clca::statistics

@@ -1,0 +1,37 @@
+#pragma once
+// Text for messages: found values, shortened and printable, and suggestions.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace clca::text {
+
+/// True for the characters that move a terminal's cursor rather than print.
+bool is_control(char32_t character);
+
+/// `text` with control characters and invalid bytes written as escapes.
+std::string printable(std::string_view text);
+
+/// The beginning of `text`, at most `count` characters.
+std::string_view first_characters(std::string_view text, std::size_t count);
+
+/// `text` in single quotes, printable, shortened if long.
+std::string shown(std::string_view text);
+
+/// `path` for a command line: quoted if it has special characters, after `./` if it begins with
+/// `-`.
+std::string shell_word(std::string_view path);
+
+/// `names` separated by commas, shortened if many.
+std::string listed(std::span<const std::string_view> names);
+
+/// The name closest to `text`, if one is close.
+std::optional<std::string_view> nearest(std::string_view text,
+                                        std::span<const std::string_view> names);
+
+/// `; did you mean 'X'?` or nothing.
+std::string suggestion(std::string_view text, std::span<const std::string_view> names);
+
+}  // namespace clca::text

@@ -1,0 +1,8 @@
+# Correlation of translational and rotational energy.
+#
+# needs: series.csv: time, correlation
+# groups: restitution
+quantity = 'correlation'
+@set_time_axis
+set ylabel 'correlation'
+plot @curves, @error_bars

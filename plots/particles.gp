@@ -1,0 +1,9 @@
+# Particles in the box, where some enter or leave.
+#
+# needs: series.csv: step, changing particles
+# groups: stage
+quantity = 'particles'
+set xlabel time_title noenhanced
+set ylabel 'particles in the box'
+set yrange [0:*]
+plot @stages

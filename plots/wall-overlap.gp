@@ -1,0 +1,7 @@
+# Overlap that began at each wall: its index of force.
+#
+# needs: series.csv: step, index.*
+set xlabel time_title noenhanced
+set ylabel 'index of force, sites'
+set yrange [0:*]
+plot @walls

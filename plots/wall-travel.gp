@@ -1,0 +1,6 @@
+# How far walls are from where they were at the beginning, along their motion.
+#
+# needs: series.csv: step, travel.*
+set xlabel time_title noenhanced
+set ylabel 'travel, sites'
+plot @walls

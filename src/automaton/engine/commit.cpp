@@ -1,0 +1,165 @@
+// Carrying out moves and waking the particles that may gain a free direction by them.
+
+#include <bit>
+
+#include "automaton/engine/engine.hpp"
+
+namespace clca::automaton {
+
+namespace {
+
+/// Windows whose particles are woken together, soon after they were changed.
+constexpr std::size_t kWakeBatch = 64;
+
+std::size_t place_of(const lattice::Lattice& lattice, const MoveProposal& proposal,
+                     lattice::Offset offset) {
+  return lattice.at(lattice.index(proposal.site), proposal.site.column, offset);
+}
+
+void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
+  const grains::Owner owner = world.occupancy.owner_shared(place);
+  if (grains::is_particle(owner)) {
+    worker.waking.insert(static_cast<std::uint32_t>(owner));
+  }
+}
+
+void wake_by_sites(const World& world, StripWorker& worker, const MoveProposal& proposal,
+                   const grains::Footprint& footprint) {
+  for (const lattice::Offset offset : footprint.wake[proposal.move]) {
+    wake_owner(world, worker, place_of(world.state.lattice, proposal, offset));
+  }
+}
+
+void change_sites(World& world, StripWorker& worker, const MoveProposal& proposal,
+                  const grains::Footprint& footprint) {
+  grains::OccupancyTable& occupancy = world.occupancy;
+  if (footprint.one_window) {
+    const grains::MoveWindow& window = footprint.windows[proposal.move];
+    occupancy.flip(corner(proposal, footprint), window.swapped, proposal.access);
+    const std::uint64_t sites = proposal.taken & window.wake;
+    worker.to_wake.add_if(sites != 0, {footprint.corner_from(proposal.site), sites});
+  } else {
+    wake_by_sites(world, worker, proposal, footprint);
+    for (const grains::WindowMask& swapped : footprint.swapped_masks[proposal.move]) {
+      occupancy.flip(occupancy.corner(swapped.corner(proposal.site)), swapped.sites,
+                     proposal.access);
+    }
+  }
+  const std::size_t place = world.state.lattice.index(proposal.site);
+  for (const grains::Exchanges& exchanges : footprint.exchanges[proposal.move]) {
+    occupancy.exchange_owners_shared(place, exchanges, static_cast<grains::Owner>(proposal.id));
+  }
+}
+
+/// The same across the periodic boundary.
+void change_sites_one_by_one(World& world, StripWorker& worker, const MoveProposal& proposal,
+                             const grains::Footprint& footprint) {
+  wake_by_sites(world, worker, proposal, footprint);
+  const auto change = [&](const std::vector<lattice::Offset>& offsets, grains::Owner owner) {
+    for (const lattice::Offset offset : offsets) {
+      const std::size_t place = place_of(world.state.lattice, proposal, offset);
+      world.occupancy.set_owner_shared(place, owner);
+      world.occupancy.flip(world.occupancy.corner(world.state.lattice.site(place)), 1,
+                           proposal.access);
+    }
+  };
+  change(footprint.lead[proposal.move], static_cast<grains::Owner>(proposal.id));
+  change(footprint.trail[proposal.move], grains::kFree);
+}
+
+}  // namespace
+
+void Engine::mark_found_by_others(StripWorker& worker) {
+  for (const StripWorker& finder : busy()) {
+    if (&finder == &worker) {
+      continue;
+    }
+    const Proposals& proposals = finder.proposals[worker.strip];
+    for (const auto* list : {&proposals.falling, &proposals.sloping}) {
+      for (const MoveProposal& proposal : *list) {
+        worker.waking.mark(proposal.id);
+      }
+    }
+  }
+}
+
+void Engine::commit(StripWorker& worker) {
+  for_each_proposal(worker, &Proposals::falling,
+                    [&](MoveProposal& proposal) { commit_unless_contested(worker, proposal); });
+  for_each_proposal(worker, &Proposals::sloping, [&](MoveProposal& proposal) {
+    proposal.contested = contested_lead(proposal);
+    for_each_lead(proposal,
+                  [&](Corner at, std::uint64_t) { reservations_.release(at, proposal.access); });
+    commit_unless_contested(worker, proposal);
+  });
+  wake_neighbours(worker);
+  if (overlaps_) {
+    give_turns_among_overlaps(worker);
+  } else {
+    give_turns(worker);
+  }
+}
+
+// A provisional target was free when the step began, and vacated sites are nobody's target. So a
+// mover whose lead sites nobody else wants moves, whatever its place in the order.
+void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal) {
+  if (proposal.contested > 0 || proposal.outcome == ConflictOutcome::overlapping) {
+    worker.turns.push_back({decisions_.key(proposal.id, proposal.move), &proposal});
+  } else {
+    apply_move(worker, proposal);
+  }
+}
+
+// The other moves may or may not have been carried out yet: only particles that stay where they are
+// need to be woken, as movers are awake anyway, and their sites keep their owners.
+void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
+  const grains::Footprint& footprint = world_.footprints.of(proposal.kind, proposal.site.column);
+  if (wraps(proposal.site)) {
+    change_sites_one_by_one(world_, worker, proposal, footprint);
+  } else {
+    change_sites(world_, worker, proposal, footprint);
+  }
+  grains::Particle& particle = world_.state.particles[proposal.id];
+  const lattice::Site step = step_of(proposal.site, proposal.move);
+  if (world_.state.lattice.periodic()) {
+    particle.column += step.column;  // not wrapped
+  } else {
+    particle.column = proposal.site.column + step.column;  // without reading it first
+  }
+  particle.row = proposal.site.row + step.row;
+  particle.previous = proposal.move;
+  if (worker.to_wake.size() >= kWakeBatch) {
+    wake_neighbours(worker);
+  }
+}
+
+void Engine::apply_or_rest(StripWorker& worker, const MoveProposal& proposal) {
+  if (proposal.outcome == ConflictOutcome::won) {
+    apply_move(worker, proposal);
+  } else {
+    world_.state.particles[proposal.id].previous = grains::kRest;
+  }
+}
+
+void Engine::wake_neighbours(StripWorker& worker) {
+  const lattice::Lattice& lattice = world_.state.lattice;
+  for (const WakeWindow& window : worker.to_wake) {
+    for (std::uint64_t sites = window.sites; sites != 0; sites &= sites - 1) {
+      const int bit = std::countr_zero(sites);
+      wake_owner(world_, worker,
+                 lattice.index({window.corner.column + bit % grains::kWindow,
+                                window.corner.row + bit / grains::kWindow}));
+    }
+  }
+  worker.to_wake.clear();
+}
+
+void Engine::finish(StripWorker& worker) {
+  for (const QueuedMove& turn : worker.deferred) {
+    apply_or_rest(worker, *turn.proposal);
+  }
+  wake_neighbours(worker);
+  end_conflicts(worker);
+}
+
+}  // namespace clca::automaton

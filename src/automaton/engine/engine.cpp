@@ -1,0 +1,193 @@
+#include "automaton/engine/engine.hpp"
+
+#include <algorithm>
+
+namespace clca::automaton {
+
+namespace {
+
+void clear(std::vector<Proposals>& all) {
+  for (Proposals& proposals : all) {
+    proposals.falling.clear();
+    proposals.sloping.clear();
+  }
+}
+
+}  // namespace
+
+Engine::Engine(World& world, const Options& options)
+    : world_(world),
+      options_(options),
+      decisions_(world),
+      reservations_(world.state.lattice),
+      strips_(world.state.lattice, world.footprints, static_cast<std::size_t>(options.threads)),
+      workers_(static_cast<std::size_t>(options.threads)),
+      examined_(world.state.particles.size()) {
+  for (std::size_t strip = 0; strip < workers_.size(); ++strip) {
+    StripWorker& worker = workers_[strip];
+    worker.strip = strip;
+    worker.proposals.resize(workers_.size());
+    worker.proposals_before.resize(workers_.size());
+    worker.work = strips_.empty_histogram();
+  }
+}
+
+std::size_t Engine::advance() {
+  begin_step();
+  wake_changed();
+  if (!options_.sleeping) {
+    wake_all();
+  }
+  assign_strips();
+  grains::PhaseClock clock(options_.profile);
+  parallel::FirstFailure failure;
+  if (in_parallel_) {
+#pragma omp parallel num_threads(options_.threads)
+    run_phases(clock, failure);
+    failure.rethrow();
+  } else {
+    run_phases(clock, failure);
+  }
+  examined_ = 0;
+  std::size_t moved = pushed_.size();
+  for (const StripWorker& worker : busy()) {
+    examined_ += worker.examined;
+    for (const Proposals& proposals : worker.proposals) {
+      moved += proposals.falling.size() + proposals.sloping.size();
+    }
+    moved -= static_cast<std::size_t>(std::count_if(
+        worker.turns.begin(), worker.turns.end(),
+        [](const QueuedMove& turn) { return turn.proposal->outcome != ConflictOutcome::won; }));
+  }
+  nothing_moved_ = moved == 0 && quiet_;
+  world_.changes.by_others = false;
+  return moved;
+}
+
+// Each phase reads what all threads have written in the one before.
+void Engine::run_phases(grains::PhaseClock<Profile>& clock, parallel::FirstFailure& failure) {
+  const auto end = [&](double Profile::*phase) {
+#pragma omp master
+    clock.end(phase);
+  };
+  // 3. Awake particles choose a provisional direction.
+  in_each_strip(failure, &Engine::propose);
+  if (overlaps_) {
+    move_overlapping();
+  }
+  end(&Profile::decide);
+  // 4. Movers that nobody is in the way of move, whatever their place in the order. The others have
+  // their turn in order.
+  in_each_strip(failure, &Engine::reserve);
+  in_each_strip(failure, &Engine::find_conflicts);
+  end(&Profile::contest);
+  in_each_strip(failure, &Engine::commit);
+  end(&Profile::move);
+#pragma omp single
+  failure.guard([this] { give_deferred_turns(); });
+  in_each_strip(failure, &Engine::finish);
+  end(&Profile::turns);
+}
+
+void Engine::in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&)) {
+  if (!in_parallel_) {
+    (this->*phase)(workers_.front());
+    return;
+  }
+#pragma omp for schedule(static, 1)
+  for (StripWorker& worker : workers_) {
+    failure.guard([&] { (this->*phase)(worker); });
+  }
+}
+
+void Engine::begin_step() {
+  pushed_.clear();
+  quiet_ = true;
+  overlaps_ = !world_.state.pushes.empty();
+  const bool proposals_hold = !had_overlaps_ && !overlaps_ && !world_.changes.by_others;
+  had_overlaps_ = overlaps_;
+  const std::size_t busy_now = busy().size();
+  for (StripWorker& worker : std::span(workers_).first(std::max(busy_before_, busy_now))) {
+    std::swap(worker.proposals, worker.proposals_before);
+    std::swap(worker.awake, worker.waking);
+    clear(worker.proposals);
+    worker.turns.clear();
+    worker.deferred.clear();
+    worker.examined = 0;
+    if (!proposals_hold) {
+      clear(worker.proposals_before);
+      worker.awake.list_marked();
+    }
+  }
+  busy_before_ = busy_now;
+}
+
+void Engine::wake_changed() {
+  for (StripWorker& worker : busy()) {
+    worker.awake.resize(world_.state.particles.size());
+    worker.waking.resize(world_.state.particles.size());
+  }
+  for (const std::uint32_t id : world_.changes.particles) {
+    wake(id);
+  }
+  for (const std::size_t place : world_.changes.vacated) {
+    if (!world_.occupancy.taken(place)) {
+      wake_upstream(world_.state.lattice.site(place));
+    }
+  }
+  world_.changes.particles.clear();
+  world_.changes.vacated.clear();
+}
+
+// The owners of the sites from which a candidate move leads to the vacated one.
+void Engine::wake_upstream(lattice::Site vacated) {
+  const lattice::Lattice& lattice = world_.state.lattice;
+  for (const lattice::Direction direction : candidate_directions(world_.rules)) {
+    const lattice::Site from = vacated + unit(opposite(direction));
+    const grains::Owner owner =
+        lattice.contains(from) ? world_.occupancy.owner(lattice.index(from)) : grains::kFree;
+    if (grains::is_particle(owner)) {
+      wake(static_cast<std::uint32_t>(owner));
+    }
+  }
+}
+
+// By the worker of its strip in the last step.
+void Engine::wake(std::uint32_t id) {
+  const lattice::Site site = site_of(world_.state.particles[id]);
+  workers_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
+}
+
+void Engine::wake_all() {
+  for (std::uint32_t id = 0; id < world_.state.particles.size(); ++id) {
+    wake(id);
+  }
+}
+
+void Engine::assign_strips() {
+  in_parallel_ = workers_.size() > 1 && examined_ >= options_.parallel_from && !overlaps_;
+  for (StripWorker& worker : workers_) {
+    worker.inner_before = worker.inner;
+  }
+  records_work_ = false;
+  if (!in_parallel_) {
+    workers_.front().inner = strips_.whole_box();
+    return;
+  }
+  constexpr std::uint64_t kRebalance = 16;  // steps; seldom, so that caches stay warm
+  if (world_.state.step % kRebalance == 0) {
+    std::vector<WorkHistogram*> histograms;
+    for (StripWorker& worker : workers_) {
+      histograms.push_back(&worker.work);
+    }
+    strips_.balance(histograms);
+  }
+  records_work_ = world_.state.step % kRebalance == kRebalance - 1;
+  for (StripWorker& worker : workers_) {
+    worker.inner = strips_.inner(worker.strip);
+    worker.awake.resize(world_.state.particles.size());
+    worker.waking.resize(world_.state.particles.size());
+  }
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,173 @@
+#pragma once
+// The particles' own moves of one step, fast: points 3 and 4 of "One step" in docs/model.md.
+
+#include <span>
+#include <vector>
+
+#include "automaton/engine/site_reservations.hpp"
+#include "automaton/engine/strip_worker.hpp"
+#include "automaton/engine/strips.hpp"
+#include "automaton/rule/step.hpp"
+#include "automaton/rule/world.hpp"
+#include "clca/automaton/automaton.hpp"
+#include "clca/parallel/first_failure.hpp"
+#include "grains/internal/phase_clock.hpp"
+
+namespace clca::automaton {
+
+/// Comes to the same states as ReferenceStep. Only particles that may have gained a free direction
+/// are examined, only moves that conflict with others are sorted, and each thread works on a strip
+/// of the box. "Why the parallel step equals the sequential one" in docs/model.md says why that is
+/// enough.
+class Engine {
+ public:
+  Engine(World& world, const Options& options);
+
+  /// Returns how many moved.
+  std::size_t advance();
+
+  /// Particles that the last step looked at.
+  std::size_t examined() const { return examined_; }
+
+  /// True when no particle that overlaps had moved in the step before the last.
+  bool was_quiet() const { return quiet_; }
+
+  /// Calls `visit` with the id of each particle that moved in the last step.
+  template <class Visit>
+  void for_each_moved(Visit visit) const {
+    for (const StripWorker& worker : busy()) {
+      for (const Proposals& proposals : worker.proposals) {
+        for (const auto* list : {&proposals.falling, &proposals.sloping}) {
+          for (const MoveProposal& proposal : *list) {
+            if (proposal.move != grains::kRest) {
+              visit(proposal.id);
+            }
+          }
+        }
+      }
+    }
+    for (const MoveProposal& proposal : pushed_) {
+      visit(proposal.id);
+    }
+  }
+
+ private:
+  using Corner = grains::Bitboard::Corner;
+
+  /// The workers that take part in this step.
+  std::span<StripWorker> busy() {
+    return std::span(workers_).first(in_parallel_ ? workers_.size() : 1);
+  }
+  std::span<const StripWorker> busy() const {
+    return std::span(workers_).first(in_parallel_ ? workers_.size() : 1);
+  }
+  /// Calls `visit` with the proposals in a strip, whichever worker has found them.
+  template <class Visit>
+  void for_each_proposal(const StripWorker& worker, ReusableBuffer<MoveProposal> Proposals::*list,
+                         Visit visit) {
+    for (StripWorker& finder : busy()) {
+      for (MoveProposal& proposal : finder.proposals[worker.strip].*list) {
+        visit(proposal);
+      }
+    }
+  }
+  lattice::Site site_of(const grains::Particle& particle) const {
+    return {world_.state.lattice.wrapped(particle.column), particle.row};
+  }
+  /// Whether a particle there has to be handled site by site, as windows do not wrap.
+  bool wraps(lattice::Site site) const { return strips_.at_periodic_boundary(site); }
+
+  // Before the phases.
+  /// Keeps only the proposals of the last step, if they still tell where their particles are.
+  void begin_step();
+  /// Wakes particles by what walls, sources, outlets and overlaps have changed.
+  void wake_changed();
+  void wake_upstream(lattice::Site vacated);
+  void wake(std::uint32_t id);
+  void wake_all();
+  void assign_strips();
+
+  // The phases. Each begins when all workers have ended the one before.
+  void run_phases(grains::PhaseClock<Profile>& clock, parallel::FirstFailure& failure);
+  void in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&));
+
+  // Provisional directions, see proposals.cpp.
+  void propose(StripWorker& worker);
+  void examine_awake_of(StripWorker& worker, StripWorker& owner);
+  bool awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id, lattice::Site at) const;
+  void examine(StripWorker& worker, const AwakeParticle& particle);
+  grains::Move provisional_by_parts(const AwakeParticle& particle) const;
+  AwakeParticle particle_after(const MoveProposal& before) const;
+
+  // Particles that overlap, see overlap_step.cpp.
+  void move_overlapping();
+  MoveProposal overlapping_proposal(std::uint32_t id, grains::Move move) const;
+  void propose_overlapping();
+  void move_pushed();
+  void yield_to_pushed(ReusableBuffer<MoveProposal>& proposals);
+  void give_turns_among_overlaps(StripWorker& worker);
+
+  // Conflicts, see conflicts.cpp.
+  /// Calls `visit` with the corner of each window that has lead sites, and these sites.
+  template <class Visit>
+  void for_each_lead(const MoveProposal& proposal, Visit visit) const;
+  void reserve(StripWorker& worker);
+  void find_conflicts(StripWorker& worker);
+  std::uint16_t contested_lead(const MoveProposal& proposal) const;
+  bool depends_on_deferred(const MoveProposal& proposal) const;
+  void give_turns(StripWorker& worker);
+  void give_deferred_turns();
+  void give_turn(MoveProposal& proposal);
+  void end_conflicts(StripWorker& worker);
+
+  // Carrying out moves and waking, see commit.cpp.
+  void commit(StripWorker& worker);
+  void commit_unless_contested(StripWorker& worker, MoveProposal& proposal);
+  void apply_move(StripWorker& worker, const MoveProposal& proposal);
+  void apply_or_rest(StripWorker& worker, const MoveProposal& proposal);
+  void mark_found_by_others(StripWorker& worker);
+  void wake_neighbours(StripWorker& worker);
+  void finish(StripWorker& worker);
+
+  World& world_;
+  Options options_;
+  Decisions decisions_;
+  SiteReservations reservations_;
+  Strips strips_;
+  std::vector<StripWorker> workers_;
+  std::vector<QueuedMove> deferred_;  // of all workers
+  std::vector<MoveProposal> pushed_;  // by the passive rule
+  std::vector<MoveProposal> freed_;   // overlap, but move by themselves
+  std::size_t examined_;
+  // This step:
+  bool in_parallel_ = false;
+  bool overlaps_ = false;      // some particles overlap
+  bool records_work_ = false;  // for Strips
+  bool quiet_ = true;
+  // The last step:
+  std::size_t busy_before_ = 1;  // workers that took part
+  bool had_overlaps_ = true;     // at its beginning; true before the first step
+  bool nothing_moved_ = false;   // and no overlapping particle in the step before that
+};
+
+template <class Visit>
+[[gnu::always_inline]] inline void Engine::for_each_lead(const MoveProposal& proposal,
+                                                         Visit visit) const {
+  const grains::Footprint& footprint = world_.footprints.of(proposal.kind, proposal.site.column);
+  if (wraps(proposal.site)) {
+    const lattice::Lattice& lattice = world_.state.lattice;
+    const std::size_t place = lattice.index(proposal.site);
+    for (const lattice::Offset offset : footprint.lead[proposal.move]) {
+      const std::size_t lead = lattice.at(place, proposal.site.column, offset);
+      visit(world_.occupancy.corner(lattice.site(lead)), std::uint64_t{1});
+    }
+  } else if (footprint.one_window) {
+    visit(corner(proposal, footprint), footprint.windows[proposal.move].lead);
+  } else {
+    for (const grains::WindowMask& lead : footprint.lead_masks[proposal.move]) {
+      visit(world_.occupancy.corner(lead.corner(proposal.site)), lead.sites);
+    }
+  }
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,131 @@
+#include "automaton/engine/strips.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "grains/internal/bitboard.hpp"
+
+namespace clca::automaton {
+
+namespace {
+
+/// Extends the reach to a window with its lower left corner there, seen from a reference site.
+void include(Reach& reach, lattice::Site corner) {
+  reach.left = std::max(reach.left, -corner.column);
+  reach.right = std::max(reach.right, corner.column + grains::kWindow - 1);
+  reach.down = std::max(reach.down, -corner.row);
+  reach.up = std::max(reach.up, corner.row + grains::kWindow - 1);
+}
+
+Reach reach_of(const grains::FootprintTable& footprints) {
+  Reach reach;
+  for (const grains::Footprint& footprint : footprints.all()) {
+    include(reach, footprint.corner);
+    for (const auto* masks : {&footprint.lead_masks, &footprint.swapped_masks}) {
+      for (const std::vector<grains::WindowMask>& of_move : *masks) {
+        for (const grains::WindowMask& mask : of_move) {
+          include(reach, mask.corner({}));
+        }
+      }
+    }
+  }
+  return reach;
+}
+
+/// Sums the histograms and clears them.
+std::vector<std::uint64_t> sum_and_clear(std::span<WorkHistogram* const> histograms,
+                                         std::size_t axis) {
+  std::vector<std::uint64_t> sum(histograms.front()->lines[axis].size(), 0);
+  for (WorkHistogram* work : histograms) {
+    for (std::size_t line = 0; line < sum.size(); ++line) {
+      sum[line] += std::exchange(work->lines[axis][line], 0);
+    }
+  }
+  return sum;
+}
+
+/// Where to cut into parts of equal work.
+std::vector<int> equal_parts(const std::vector<std::uint64_t>& work, std::uint64_t total,
+                             std::size_t parts) {
+  std::vector<int> cuts;
+  std::uint64_t done = 0;
+  for (std::size_t line = 0; line < work.size(); ++line) {
+    while (cuts.size() + 1 < parts && done >= total * (cuts.size() + 1) / parts) {
+      cuts.push_back(static_cast<int>(line));
+    }
+    done += work[line];
+  }
+  cuts.resize(parts - 1, static_cast<int>(work.size()));
+  return cuts;
+}
+
+/// The work closer than `apart` to a cut.
+std::uint64_t work_at(const std::vector<int>& cuts, const std::vector<std::uint64_t>& work,
+                      int apart) {
+  std::uint64_t sum = 0;
+  for (const int cut : cuts) {
+    const int end = std::min(cut + apart, static_cast<int>(work.size()));
+    for (int line = std::max(cut - apart, 0); line < end; ++line) {
+      sum += work[static_cast<std::size_t>(line)];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Strips::Strips(const lattice::Lattice& lattice, const grains::FootprintTable& footprints,
+               std::size_t count)
+    : reach_(reach_of(footprints)) {
+  // Particles on both sides reach over a cut, and from there to the end of a word of bits.
+  extents_ = {{{.length = lattice.columns(),
+                .apart = reach_.left + reach_.right + 2 * grains::kWindow,
+                .wraps = lattice.periodic()},
+               {.length = lattice.rows(), .apart = reach_.down + reach_.up + grains::kWindow}}};
+  for (std::size_t strip = 1; strip < count; ++strip) {
+    const auto columns = static_cast<std::size_t>(lattice.columns());
+    cuts_.push_back(static_cast<int>(columns * strip / count));
+  }
+}
+
+Interval Strips::inner(std::size_t strip) const {
+  const Extent& extent = extents_[static_cast<std::size_t>(axis_)];
+  const bool first = strip == 0 && !extent.wraps;
+  const bool last = strip == cuts_.size() && !extent.wraps;
+  return {.axis = axis_,
+          .first = first ? 0 : (strip == 0 ? 0 : cuts_[strip - 1]) + extent.apart,
+          .end = last ? extent.length
+                      : (strip == cuts_.size() ? extent.length : cuts_[strip]) - extent.apart};
+}
+
+WorkHistogram Strips::empty_histogram() const {
+  WorkHistogram work;
+  for (std::size_t axis = 0; axis < work.lines.size(); ++axis) {
+    work.lines[axis].resize(static_cast<std::size_t>(extents_[axis].length), 0);
+  }
+  return work;
+}
+
+void Strips::balance(std::span<WorkHistogram* const> histograms) {
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  const std::size_t parts = cuts_.size() + 1;
+  for (const Axis axis : {Axis::columns, Axis::rows}) {
+    const auto number = static_cast<std::size_t>(axis);
+    const std::vector<std::uint64_t> work = sum_and_clear(histograms, number);
+    const std::uint64_t total = std::accumulate(work.begin(), work.end(), std::uint64_t{0});
+    if (total == 0) {
+      return;  // nothing is known about the work to come
+    }
+    const std::vector<int> cuts = equal_parts(work, total, parts);
+    const std::uint64_t at_cuts = work_at(cuts, work, extents_[number].apart);
+    if (at_cuts < least) {
+      least = at_cuts;
+      axis_ = axis;
+      cuts_ = cuts;
+    }
+  }
+}
+
+}  // namespace clca::automaton

@@ -1,0 +1,69 @@
+#include "automaton/rule/overlap_change.hpp"
+
+#include <algorithm>
+
+namespace clca::automaton {
+
+std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
+                                           lattice::Direction direction) {
+  const grains::State& state = world.state;
+  const grains::Particle& here = state.particles[id];
+  const std::vector<Overlap> before = world.overlaps(id, here);
+  const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
+  std::vector<OverlapChange> result;
+  result.reserve(before.size() + after.size());
+  for (const Overlap& one : before) {
+    result.push_back({.owner = one.owner, .sites_before = one.sites});
+  }
+  for (const Overlap& one : after) {
+    auto change = std::find_if(result.begin(), result.end(), [&](const OverlapChange& other) {
+      return other.owner == one.owner;
+    });
+    if (change == result.end()) {
+      change = result.insert(result.end(), {.owner = one.owner});
+    }
+    change->sites_after = one.sites;
+  }
+  for (OverlapChange& change : result) {
+    if (grains::is_particle(change.owner)) {
+      const grains::Particle& other = state.particles[static_cast<std::size_t>(change.owner)];
+      change.depth_before = world.separation.depth(here, other);
+      change.depth_after = world.separation.depth(here, other, unit(direction));
+    }
+  }
+  return result;
+}
+
+const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Owner owner) {
+  const auto found =
+      std::find_if(changes.begin(), changes.end(),
+                   [owner](const OverlapChange& change) { return change.owner == owner; });
+  return found == changes.end() ? nullptr : &*found;
+}
+
+int shared_sites(const World& world, std::uint32_t id) {
+  int sum = 0;
+  world.for_each_place(world.state.particles[id], [&](std::size_t place) {
+    // A wall is the first owner of a place, so this is one only if both are particles.
+    const bool two = world.occupancy.second_owner(place) != grains::kFree;
+    sum += two && grains::is_particle(world.occupancy.owner(place)) ? 1 : 0;
+  });
+  return sum;
+}
+
+bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
+               std::span<const lattice::Direction> directions) {
+  return std::any_of(directions.begin(), directions.end(), [&](lattice::Direction direction) {
+    bool clear = true;
+    const auto& parts = world.state.shape(particle).sites();
+    const lattice::Site target = particle.site() + unit(direction);
+    for (const lattice::Axial part : parts) {
+      const lattice::Site site = target + part;
+      clear = clear && !(world.state.lattice.contains(site) &&
+                         world.occupancy.has(world.state.lattice.index(site), owner));
+    }
+    return clear;
+  });
+}
+
+}  // namespace clca::automaton

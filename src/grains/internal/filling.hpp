@@ -1,0 +1,31 @@
+#pragma once
+// Placing particles: at random, or as a packing that is at rest from the start.
+
+#include <cstddef>
+#include <span>
+
+#include "clca/grains/fill.hpp"
+#include "clca/grains/state.hpp"
+#include "clca/lattice/region.hpp"
+#include "grains/internal/occupancy_table.hpp"
+
+namespace clca::grains {
+
+/// Throws std::invalid_argument unless there is one count for each species.
+void check_counts(const State& state, std::span<const std::size_t> counts);
+
+/// Places `counts` particles per species at random in free sites of `region`, larger species first,
+/// in random orientations. A species that no longer fits is placed in part.
+/// Appends them to `state` and enters them in `occupancy`. Ids are given column by column from the
+/// left, upwards. Throws as check_counts and lattice::check.
+FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+                       std::span<const std::size_t> counts);
+
+/// Sequential deposition (Visscher & Bolsterli 1972): drops particles one by one over random
+/// columns of `region`; each falls and rolls down until it rests. Gravity points down.
+/// `counts` per species, in random order. The bottom and sides of the region hold the particles; a
+/// particle that does not fit is not placed. Ids and preconditions as for fill_region.
+FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+                      std::span<const std::size_t> counts);
+
+}  // namespace clca::grains

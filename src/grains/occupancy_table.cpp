@@ -1,0 +1,130 @@
+#include "grains/internal/occupancy_table.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace clca::grains {
+
+namespace {
+
+/// Whether the particle `id` may overlap `owner`.
+bool may_share(const State& state, std::uint32_t id, Owner owner) {
+  return find_push(state, id, owner) != nullptr ||
+         (is_particle(owner) &&
+          find_push(state, static_cast<std::uint32_t>(owner), static_cast<Owner>(id)) != nullptr);
+}
+
+void put(OccupancyTable& occupancy, const State& state, std::size_t index, std::uint32_t id) {
+  if (!occupancy.taken(index)) {
+    occupancy.take(index, static_cast<Owner>(id));
+    return;
+  }
+  if (occupancy.second_owner(index) != kFree || !may_share(state, id, occupancy.owner(index))) {
+    throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
+  }
+  occupancy.add(index, static_cast<Owner>(id));
+}
+
+void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number) {
+  const Wall& wall = state.walls[number];
+  for (const lattice::Site site : wall.sites) {
+    if (!wall.motion && !state.lattice.contains(site)) {
+      throw std::invalid_argument("a wall leaves the box");
+    }
+  }
+  if (!wall.present) {
+    return;
+  }
+  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+    const std::size_t index = state.lattice.index(site);
+    const Owner other = occupancy.owner(index);
+    if (is_wall(other) && (wall.motion || state.walls[wall_number(other)].motion)) {
+      throw std::invalid_argument("a wall that moves stands in another wall");
+    }
+    occupancy.take(index, wall_code(number));
+  }
+}
+
+void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
+  // In a periodic box the border columns are never read.
+  const int first = lattice.periodic() ? 0 : -1;
+  const int last = lattice.periodic() ? lattice.columns() - 1 : lattice.columns();
+  for (int column = first; column <= last; ++column) {
+    occupancy.take(lattice.index({column, -1}), kBorder);
+    occupancy.take(lattice.index({column, lattice.rows()}), kBorder);
+  }
+  if (!lattice.periodic()) {
+    for (int row = 0; row < lattice.rows(); ++row) {
+      occupancy.take(lattice.index({-1, row}), kBorder);
+      occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
+    }
+  }
+}
+
+/// A particle as wide as the box would block itself.
+bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) {
+  const int columns = shape.sites().back().x - shape.sites().front().x + 1;
+  return lattice.periodic() && columns >= lattice.columns();
+}
+
+}  // namespace
+
+OccupancyTable::OccupancyTable(const State& state)
+    : taken_(state.lattice),
+      inverted_owners_(state.lattice.memory_size()),
+      second_owners_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
+  const lattice::Lattice& lattice = state.lattice;
+  take_border(*this, lattice);
+  for (const Kind& kind : state.kinds) {
+    if (meets_itself(lattice, kind.shape)) {
+      throw std::invalid_argument("a kind is as wide as the periodic box");
+    }
+  }
+  for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+    put_wall(*this, state, wall);
+  }
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    const Particle& particle = state.particles[id];
+    if (!particle.present) {
+      continue;
+    }
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      const lattice::Site site = particle.site() + part;
+      if (!lattice.contains(site)) {
+        throw std::invalid_argument("a particle leaves the box");
+      }
+      put(*this, state, lattice.index(site), static_cast<std::uint32_t>(id));
+    }
+  }
+}
+
+void OccupancyTable::add(std::size_t index, Owner owner) {
+  if (!taken(index)) {
+    take(index, owner);
+    return;
+  }
+  if (second_owners_.empty() || second_owners_[index] != kFree) {
+    throw std::logic_error("a site cannot have another owner");
+  }
+  const Owner first = this->owner(index);
+  set_owner(index, std::min(first, owner));
+  second_owners_[index] = std::max(first, owner);
+}
+
+bool OccupancyTable::remove(std::size_t index, Owner owner) {
+  if (second_owner(index) == kFree) {
+    release(index);
+    return true;
+  }
+  if (this->owner(index) == owner) {
+    set_owner(index, second_owners_[index]);
+  }
+  second_owners_[index] = kFree;
+  return false;
+}
+
+bool OccupancyTable::operator==(const OccupancyTable& other) const {
+  return Occupancy(*this) == Occupancy(other);
+}
+
+}  // namespace clca::grains

@@ -1,0 +1,34 @@
+#pragma once
+// Decides when to save a checkpoint and writes it in the background.
+
+#include <functional>
+#include <future>
+#include <optional>
+
+#include "clca/scene/output.hpp"
+#include "clca/store/checkpoint.hpp"
+#include "run/meter.hpp"
+
+namespace clca::run {
+
+class CheckpointWriter {
+ public:
+  explicit CheckpointWriter(const std::optional<scene::Checkpoints>& when);
+
+  /// Whether a checkpoint is due after `step` steps.
+  bool due(std::uint64_t step);
+  /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
+  /// rethrows its error.
+  /// Calls `before` first, which syncs files that the checkpoint refers to.
+  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
+            std::function<void()> before);
+  /// Waits until everything is written. Rethrows its error.
+  void finish();
+
+ private:
+  std::optional<scene::Checkpoints> when_;
+  std::optional<IntervalTimer> timer_;
+  std::future<void> writing_;
+};
+
+}  // namespace clca::run

@@ -1,0 +1,242 @@
+#include "scene/keyed_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "clca/text/message.hpp"
+#include "scene/limits.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+bool is_digit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// Digits without a superfluous zero in front, which elsewhere would mean octal.
+bool is_plain_integer(std::string_view text) {
+  if (text.starts_with('-')) {
+    text.remove_prefix(1);
+  }
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit) &&
+         (text.size() == 1 || text.front() != '0');
+}
+
+/// The same with a fraction and an exponent; std::from_chars checks the rest.
+bool is_plain_number(std::string_view text) {
+  const std::size_t sign = text.starts_with('-') ? 1 : 0;
+  const std::size_t end = std::min(text.find_first_of(".eE"), text.size());
+  const std::string_view whole = text.substr(sign, end - sign);
+  const bool fraction = end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1]);
+  return is_plain_integer(whole) || (whole.empty() && fraction);
+}
+
+template <class T>
+std::optional<T> converted(std::string_view text) {
+  const bool plain = std::is_integral_v<T> ? is_plain_integer(text) : is_plain_number(text);
+  if (!plain) {
+    return {};
+  }
+  T result = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, result);
+  return stop == end && error == std::errc() ? std::optional(result) : std::nullopt;
+}
+
+template <class T>
+std::optional<T> converted(const Value& value) {
+  return value.is(Value::Kind::scalar) && !value.quoted ? converted<T>(value.text) : std::nullopt;
+}
+
+[[noreturn]] void unexpected(const Value& value, std::string_view path, std::string_view allowed) {
+  fail(value.location, fmt::format("{}: expected {}, found {}", path, allowed, found(value)));
+}
+
+template <class T>
+T read_ranged(const Value& value, std::string_view path, T low, T high) {
+  const auto number = converted<T>(value);
+  if (!number || *number < low || *number > high) {
+    unexpected(value, path,
+               fmt::format("a {} from {} to {}", std::is_integral_v<T> ? "whole number" : "number",
+                           low, high));
+  }
+  return *number;
+}
+
+bool is_name_letter(char letter) {
+  return is_digit(letter) || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+         letter == '_' || letter == '-';
+}
+
+}  // namespace
+
+std::uint64_t read_count(const Value& value, std::string_view path, std::uint64_t low,
+                         std::uint64_t high) {
+  return read_ranged(value, path, low, high);
+}
+
+int read_int(const Value& value, std::string_view path, int low, int high) {
+  return read_ranged(value, path, low, high);
+}
+
+std::optional<double> to_number(std::string_view text) {
+  return converted<double>(text);
+}
+
+double read_number(const Value& value, std::string_view path, double low, double high) {
+  return read_ranged(value, path, low, high);
+}
+
+double read_positive(const Value& value, std::string_view path, double high) {
+  const auto number = converted<double>(value);
+  if (!number || *number <= 0 || *number > high) {
+    unexpected(value, path, fmt::format("a number above 0 and up to {}", high));
+  }
+  return *number;
+}
+
+bool read_bool(const Value& value, std::string_view path) {
+  if (!value.is(Value::Kind::scalar) || value.quoted ||
+      (value.text != "true" && value.text != "false")) {
+    unexpected(value, path, "true or false");
+  }
+  return value.text == "true";
+}
+
+const std::string& read_text(const Value& value, std::string_view path) {
+  if (!value.is(Value::Kind::scalar)) {
+    unexpected(value, path, "text");
+  }
+  return value.text;
+}
+
+const std::vector<Value>& read_list(const Value& value, std::string_view path, std::size_t least,
+                                    std::size_t most) {
+  if (!value.is(Value::Kind::list)) {
+    unexpected(value, path, "a list");
+  }
+  const std::size_t size = value.items.size();
+  if (size < least || size > most) {
+    const std::string range =
+        least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+    fail(value.location, fmt::format("{}: expected {} items, found {}", path, range, size));
+  }
+  return value.items;
+}
+
+const std::vector<Entry>& read_map(const Value& value, std::string_view path) {
+  if (!value.is(Value::Kind::map)) {
+    unexpected(value, path, "a map");
+  }
+  return value.entries;
+}
+
+const std::vector<Entry>& read_named(const Value& value, std::string_view path) {
+  const std::vector<Entry>& entries = read_map(value, path);
+  if (entries.size() > kMaxItems) {
+    fail(value.location,
+         fmt::format("{}: expected at most {}, found {}", path, kMaxItems, entries.size()));
+  }
+  for (const Entry& entry : entries) {
+    check_name(entry.key, entry.location, path);
+  }
+  return entries;
+}
+
+void check_name(const std::string& name, const TextLocation& location, std::string_view path) {
+  if (name.empty() || name.size() > kMaxNameLength ||
+      !std::all_of(name.begin(), name.end(), is_name_letter)) {
+    fail(location, fmt::format("{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}",
+                               path, kMaxNameLength, text::shown(name)));
+  }
+}
+
+std::size_t read_reference(const std::string& name, const TextLocation& location,
+                           std::string_view path, std::string_view kind,
+                           std::span<const std::string_view> names) {
+  const auto match = std::find(names.begin(), names.end(), name);
+  if (match == names.end()) {
+    const std::string known = names.empty() ? "there is none" : "known: " + text::listed(names);
+    fail(location, fmt::format("{}: unknown {} {} ({}){}", path, kind, text::shown(name), known,
+                               text::suggestion(name, names)));
+  }
+  return static_cast<std::size_t>(match - names.begin());
+}
+
+std::size_t read_word(const Value& value, std::string_view path,
+                      std::span<const std::string_view> words) {
+  const auto match = std::find(words.begin(), words.end(), value.text);
+  if (!value.is(Value::Kind::scalar) || match == words.end()) {
+    fail(value.location,
+         fmt::format("{}: expected one of {}, found {}{}", path, fmt::join(words, ", "),
+                     found(value), text::suggestion(value.text, words)));
+  }
+  return static_cast<std::size_t>(match - words.begin());
+}
+
+std::string join_path(std::string_view path, std::string_view key) {
+  return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
+}
+
+KeyedMap::KeyedMap(const Value& map, std::string path, std::span<const std::string_view> keys)
+    : map_(map), path_(std::move(path)) {
+  for (const Entry& entry : read_map(map, path_.empty() ? "scene" : path_)) {
+    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
+      fail(entry.location, fmt::format("unknown key {}{} (allowed: {}){}", text::shown(entry.key),
+                                       path_.empty() ? "" : " in " + path_, fmt::join(keys, ", "),
+                                       text::suggestion(entry.key, keys)));
+    }
+  }
+}
+
+const Value& KeyedMap::at(std::string_view key) const {
+  const Value* value = find(key);
+  if (value == nullptr) {
+    fail(location(), fmt::format("{}: key '{}' is missing", path_.empty() ? "scene" : path_, key));
+  }
+  return *value;
+}
+
+std::string_view KeyedMap::only(std::initializer_list<std::string_view> keys) const {
+  const std::vector<std::string_view> all = keys;
+  std::vector<std::string_view> present;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(present),
+               [this](std::string_view key) { return find(key) != nullptr; });
+  if (present.size() != 1) {
+    fail(location(),
+         fmt::format("{}: expected exactly one of {}, found {}", path_, fmt::join(all, ", "),
+                     present.empty() ? "none" : fmt::format("{}", fmt::join(present, " and "))));
+  }
+  return present.front();
+}
+
+std::uint64_t KeyedMap::count(std::string_view key, std::uint64_t low, std::uint64_t high,
+                              std::optional<std::uint64_t> otherwise) const {
+  return otherwise && find(key) == nullptr ? *otherwise : read_count(at(key), path(key), low, high);
+}
+
+int KeyedMap::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
+  return otherwise && find(key) == nullptr ? *otherwise : read_int(at(key), path(key), low, high);
+}
+
+double KeyedMap::number(std::string_view key, double low, double high,
+                        std::optional<double> otherwise) const {
+  return otherwise && find(key) == nullptr ? *otherwise
+                                           : read_number(at(key), path(key), low, high);
+}
+
+double KeyedMap::positive(std::string_view key, double high,
+                          std::optional<double> otherwise) const {
+  return otherwise && find(key) == nullptr ? *otherwise : read_positive(at(key), path(key), high);
+}
+
+bool KeyedMap::boolean(std::string_view key, bool otherwise) const {
+  const Value* value = find(key);
+  return value == nullptr ? otherwise : read_bool(*value, path(key));
+}
+
+}  // namespace clca::scene

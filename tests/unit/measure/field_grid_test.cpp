@@ -1,0 +1,162 @@
+#include "clca/measure/field_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/states.hpp"
+
+namespace clca::measure {
+namespace {
+
+using grains::State;
+using lattice::kColumnPitch;
+using lattice::Shape;
+using testing::particle_at;
+
+/// Kind 0 is one site, kind 1 two.
+State bed(int columns, int rows) {
+  State state = testing::empty_state(columns, rows);
+  state.kinds = {{Shape({{0, 0}}), 0}, {Shape({{0, 0}, {0, 1}}), 1}};
+  return state;
+}
+
+TEST(Grid, FillsTheBoxWithCellsNearTheWishedSize) {
+  const lattice::Lattice lattice(10, 10, false);  // 8.66 by 10.5 spacings
+  const Grid grid(lattice, 3);
+  EXPECT_EQ(grid.columns(), 3U);
+  EXPECT_EQ(grid.rows(), 4U);
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    EXPECT_EQ(grid.index(grid.centre(cell)), cell);
+  }
+  EXPECT_EQ(grid.index(lattice::position(lattice::Site{0, 0})), 0U);
+  EXPECT_EQ(grid.index(lattice::position(lattice::Site{9, 0})), 2U);
+  EXPECT_EQ(grid.index(lattice::position(lattice::Site{9, 9})), 11U);
+  EXPECT_EQ(Grid(lattice, 1000).size(), 1U);
+}
+
+TEST(Grid, RunsOnAcrossASeam) {
+  const Grid grid(lattice::Lattice(10, 10, true), 3);
+  const Eigen::Vector2d point(1, 5);
+  EXPECT_EQ(grid.index(point + Eigen::Vector2d(30 * kColumnPitch, 0)), grid.index(point));
+  EXPECT_EQ(grid.index(point - Eigen::Vector2d(10 * kColumnPitch, 0)), grid.index(point));
+}
+
+TEST(Fields, WeightMeansBySites) {
+  State state = bed(6, 20);
+  state.particles = {particle_at(2, 2, 1), particle_at(2, 10)};
+  const FieldWindow window(state);
+  state.step += 2;
+  state.particles[0].row += 2;  // two sites at 1 site per step up, one at 2 down
+  state.particles[1].row -= 4;
+  const Fields fields = window.fields(state, 100);
+  ASSERT_EQ(fields.cells.size(), 1U);
+  EXPECT_EQ(fields.cells[0].particles, 2U);
+  EXPECT_NEAR(fields.cells[0].velocity.norm(), 0, 1e-12);
+  EXPECT_NEAR(fields.cells[0].fluctuation, 0.5 * (2 * 1 + 1 * 4) / 3, 1e-12);
+  EXPECT_NEAR(fields.cells[0].packing, 3.0 / 120, 1e-12);
+}
+
+TEST(Fields, BinByThePlaceAtTheBegin) {
+  State state = bed(2, 20);  // cells: rows 0 to 9, rows 10 to 19
+  state.particles = {particle_at(0, 2)};
+  const FieldWindow window(state);
+  state.step += 10;
+  state.particles[0].row = 17;
+  const Fields fields = window.fields(state, 10);
+  ASSERT_EQ(fields.columns, 1U);
+  ASSERT_EQ(fields.rows, 2U);
+  EXPECT_EQ(fields.cells[0].particles, 1U);
+  EXPECT_NEAR(fields.cells[0].velocity.y(), 1.5, 1e-12);
+  EXPECT_EQ(fields.cells[1].particles, 0U);
+  EXPECT_EQ(fields.cells[0].packing, 0);
+  EXPECT_GT(fields.cells[1].packing, 0);  // the packing is of now
+}
+
+TEST(Fields, LeaveOutWhatCameOrLeft) {
+  State state = bed(6, 20);
+  state.particles = {particle_at(2, 2), particle_at(2, 10)};
+  const FieldWindow window(state);
+  state.step += 1;
+  state.particles[0].row += 1;
+  state.particles[1].present = false;
+  state.particles.push_back(particle_at(4, 4));
+  const Fields fields = window.fields(state, 100);
+  EXPECT_EQ(fields.cells[0].particles, 1U);
+  EXPECT_NEAR(fields.cells[0].velocity.y(), 1, 1e-12);
+  EXPECT_NEAR(fields.cells[0].packing, 2.0 / 120, 1e-12);
+}
+
+TEST(Fields, ADriftOfAllHasNoFluctuationAndRunsOnAcrossASeam) {
+  State state = bed(12, 20);
+  state.lattice = lattice::Lattice(12, 20, true);
+  for (int column = 0; column < 12; ++column) {
+    state.particles.push_back(particle_at(column, 5));
+  }
+  const FieldWindow window(state);
+  state.step += 3;
+  for (grains::Particle& particle : state.particles) {
+    const lattice::Site moved = particle.site() + lattice::Axial{6, 0};
+    particle.column = moved.column;
+    particle.row = moved.row;
+  }
+  const Fields fields = window.fields(state, 4);
+  for (const FieldCell& cell : fields.cells) {
+    if (cell.particles > 0) {
+      EXPECT_TRUE(cell.velocity.isApprox(Eigen::Vector2d(2 * kColumnPitch, 1)));
+    }
+  }
+  EXPECT_NEAR(fluctuation_energy(fields), 0, 1e-20);
+}
+
+TEST(Fields, AWindowOfNoStepsHasNoVelocityAndASharedSiteCountsOnce) {
+  State state = bed(6, 20);
+  state.particles = {particle_at(2, 2, 1), particle_at(2, 3, 1)};
+  const Fields fields = FieldWindow(state).fields(state, 100);
+  EXPECT_EQ(fields.cells[0].velocity.norm(), 0);
+  EXPECT_EQ(fields.cells[0].fluctuation, 0);
+  EXPECT_NEAR(fields.cells[0].packing, 3.0 / 120, 1e-12);
+}
+
+TEST(Fields, TheEnergyIsTheMeanOverParticles) {
+  const Fields fields{.columns = 3,
+                      .rows = 1,
+                      .cells = {{.particles = 1, .fluctuation = 4},
+                                {.particles = 3, .fluctuation = 0},
+                                {.particles = 0, .fluctuation = 100}}};
+  EXPECT_DOUBLE_EQ(fluctuation_energy(fields), 1);
+  EXPECT_EQ(fluctuation_energy({}), 0);
+}
+
+TEST(Fields, ConserveParticlesAndMomentum) {
+  automaton::Automaton automaton = testing::mixed_automaton(60, 80, 40);
+  const State before = automaton.state();
+  const FieldWindow window(before);
+  for (int step = 0; step < 5; ++step) {
+    automaton.step();
+  }
+  const State& after = automaton.state();
+  Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
+  double mass = 0;
+  for (std::size_t id = 0; id < after.particles.size(); ++id) {
+    const auto sites = static_cast<double>(after.shape(after.particles[id]).size());
+    momentum +=
+        sites * lattice::position(after.particles[id].site() - before.particles[id].site()) / 5;
+    mass += sites;
+  }
+  EXPECT_LT(momentum.y(), 0);
+  EXPECT_TRUE(window.fields(after, 1000).cells[0].velocity.isApprox(momentum / mass));
+  for (const double cell : {3.0, 7.0, 1000.0}) {
+    std::size_t particles = 0;
+    const Fields fields = window.fields(after, cell);
+    for (const FieldCell& each : fields.cells) {
+      particles += each.particles;
+      EXPECT_GE(each.packing, 0);
+      EXPECT_LE(each.packing, 1);
+      EXPECT_GE(each.fluctuation, 0);
+    }
+    EXPECT_EQ(particles, grains::present_count(after));
+  }
+  EXPECT_GT(fluctuation_energy(window.fields(after, 1000)), 0);
+}
+
+}  // namespace
+}  // namespace clca::measure

@@ -1,0 +1,48 @@
+#include "clca/statistics/sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace clca::statistics {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Sample, HasMeanAndSpread) {
+  const Sample found = sample({2, 4, 4, 4, 5, 5, 7, 9});
+  EXPECT_DOUBLE_EQ(found.mean, 5);
+  EXPECT_DOUBLE_EQ(found.standard_deviation, std::sqrt(32.0 / 7));
+  EXPECT_DOUBLE_EQ(found.standard_error, std::sqrt(32.0 / 7 / 8));
+  EXPECT_EQ(found.count, 8U);
+  EXPECT_EQ(found.least, 2);
+  EXPECT_EQ(found.most, 9);
+}
+
+TEST(Sample, OfCountsWithAWholeMeanIsExact) {
+  EXPECT_EQ(sample({143, 165, 154, 121, 187}).mean, 154);
+}
+
+TEST(Sample, LeavesOutWhatIsNoNumber) {
+  const Sample found = sample({1, kNan, 3, std::numeric_limits<double>::infinity()});
+  EXPECT_EQ(found.count, 2U);
+  EXPECT_EQ(found.mean, 2);
+}
+
+TEST(Sample, OfOneOrNoValueHasNoSpread) {
+  EXPECT_EQ(sample({4}).mean, 4);
+  EXPECT_TRUE(std::isnan(sample({4}).standard_deviation));
+  EXPECT_TRUE(std::isnan(sample({4}).standard_error));
+  EXPECT_TRUE(std::isnan(sample({}).mean));
+  EXPECT_TRUE(std::isnan(sample({}).least));
+  EXPECT_EQ(sample({}).count, 0U);
+}
+
+TEST(Sample, OfEqualValuesHasASpreadOfExactlyZero) {
+  EXPECT_EQ(sample(std::vector<double>(16, 0.1)).standard_deviation, 0);
+  EXPECT_EQ(sample(std::vector<double>(16, 0.1)).mean, 0.1);
+}
+
+}  // namespace
+}  // namespace clca::statistics
