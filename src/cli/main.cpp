@@ -81,6 +81,7 @@ int run_program(int argc, char** argv) {
   clca::cli::add_check_command(app, code);
   clca::cli::add_compare_command(app, code);
   clca::cli::add_diff_command(app, code);
+  clca::cli::add_explain_command(app, code);
   clca::cli::add_export_command(app, code);
   clca::cli::add_plot_command(app, code);
   clca::cli::add_render_command(app, code);

@@ -8,18 +8,11 @@
 #include "clca/contact/contact_model.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
-#include "scene/keyed_map.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
 
 namespace {
-
-const Entry* entry_of(const Value& map, std::string_view key) {
-  const auto entry = std::find_if(map.entries.begin(), map.entries.end(),
-                                  [key](const Entry& other) { return other.key == key; });
-  return entry == map.entries.end() ? nullptr : &*entry;
-}
 
 /// The value at a path of keys; null if there is none.
 const Value* value_at(const Value& root, std::initializer_list<std::string_view> keys) {
@@ -28,14 +21,6 @@ const Value* value_at(const Value& root, std::initializer_list<std::string_view>
     value = value == nullptr ? nullptr : value->find(key);
   }
   return value;
-}
-
-void refuse_foreign(const Value& map, std::string_view path, std::string_view key, Model owner) {
-  if (const Entry* entry = entry_of(map, key)) {
-    const std::string_view model = name_of(kModelNames, owner);
-    fail(entry->location, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
-                                      join_path(path, key), model, model));
-  }
 }
 
 [[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
@@ -98,35 +83,8 @@ void check_vessels(const Scene& scene, const Value& stages) {
 
 void check_model(const Scene& scene, const Value& root) {
   if (scene.model == Model::automaton) {
-    refuse_foreign(root, "", "contact", Model::contact);
-    refuse_foreign(root, "", "units", Model::contact);
-    if (const Value* walls = root.find("walls")) {
-      for (const Entry& wall : walls->entries) {
-        const std::string path = join_path("walls", wall.key);
-        refuse_foreign(wall.value, path, "friction", Model::contact);
-        if (const Value* shake = value_at(wall.value, {"motion", "shake"})) {
-          refuse_foreign(*shake, join_path(path, "motion.shake"), "period", Model::contact);
-        }
-      }
-    }
-    if (const Value* frames = value_at(root, {"output", "frames"})) {
-      refuse_foreign(*frames, "output.frames", "upright", Model::contact);
-      refuse_foreign(*frames, "output.frames", "force_scale", Model::contact);
-    }
-    if (const Value* trajectory = value_at(root, {"output", "trajectory"})) {
-      refuse_foreign(*trajectory, "output.trajectory", "contacts", Model::contact);
-    }
-    if (const Value* stages = root.find("stages")) {
-      for (const Value& stage : stages->items) {
-        refuse_foreign(stage, "stages", "vessel", Model::contact);
-      }
-    }
-    if (const Value* contacts = value_at(root, {"output", "contacts"}); contacts != nullptr) {
-      refuse_foreign(*contacts, "output.contacts", "window", Model::contact);
-    }
     return;
   }
-  refuse_foreign(root, "", "rules", Model::automaton);
   check_able(root);
   if (scene.contact.rolling != contact::Rolling::none) {
     check_rolling(scene, *root.find("species"));

@@ -7,6 +7,7 @@
 
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
+#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

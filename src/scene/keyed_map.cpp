@@ -178,6 +178,29 @@ std::size_t read_word(const Value& value, std::string_view path,
   return static_cast<std::size_t>(match - words.begin());
 }
 
+bool is_none(const Value& value) {
+  return value.is(Value::Kind::scalar) && value.text == "none";
+}
+
+void require_map_or_none(const Value& value, std::string_view path) {
+  if (!value.is(Value::Kind::map)) {
+    unexpected(value, path, "a map or none");
+  }
+}
+
+bool is_word(const Value& value, std::string_view path, std::string_view word,
+             std::string_view phrase) {
+  if (value.is(Value::Kind::scalar) && value.text == word) {
+    return true;
+  }
+  if (value.text.empty() || !is_digit(value.text.front())) {
+    const std::array words = {word};
+    fail(value.location, fmt::format("{}: expected {} or {}, found {}{}", path, word, phrase,
+                                     found(value), text::suggestion(value.text, words)));
+  }
+  return false;
+}
+
 std::string join_path(std::string_view path, std::string_view key) {
   return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
 }
@@ -201,42 +224,26 @@ const Value& KeyedMap::at(std::string_view key) const {
   return *value;
 }
 
-std::string_view KeyedMap::only(std::initializer_list<std::string_view> keys) const {
-  const std::vector<std::string_view> all = keys;
+void KeyedMap::refuse_foreign(std::string_view key, Model owner) const {
+  for (const Entry& entry : map_.entries) {
+    if (entry.key == key) {
+      const std::string_view model = name_of(kModelNames, owner);
+      fail(entry.location, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
+                                       path(key), model, model));
+    }
+  }
+}
+
+std::string_view KeyedMap::only(std::span<const std::string_view> keys) const {
   std::vector<std::string_view> present;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(present),
+  std::copy_if(keys.begin(), keys.end(), std::back_inserter(present),
                [this](std::string_view key) { return find(key) != nullptr; });
   if (present.size() != 1) {
     fail(location(),
-         fmt::format("{}: expected exactly one of {}, found {}", path_, fmt::join(all, ", "),
+         fmt::format("{}: expected exactly one of {}, found {}", path_, fmt::join(keys, ", "),
                      present.empty() ? "none" : fmt::format("{}", fmt::join(present, " and "))));
   }
   return present.front();
-}
-
-std::uint64_t KeyedMap::count(std::string_view key, std::uint64_t low, std::uint64_t high,
-                              std::optional<std::uint64_t> otherwise) const {
-  return otherwise && find(key) == nullptr ? *otherwise : read_count(at(key), path(key), low, high);
-}
-
-int KeyedMap::integer(std::string_view key, int low, int high, std::optional<int> otherwise) const {
-  return otherwise && find(key) == nullptr ? *otherwise : read_int(at(key), path(key), low, high);
-}
-
-double KeyedMap::number(std::string_view key, double low, double high,
-                        std::optional<double> otherwise) const {
-  return otherwise && find(key) == nullptr ? *otherwise
-                                           : read_number(at(key), path(key), low, high);
-}
-
-double KeyedMap::positive(std::string_view key, double high,
-                          std::optional<double> otherwise) const {
-  return otherwise && find(key) == nullptr ? *otherwise : read_positive(at(key), path(key), high);
-}
-
-bool KeyedMap::boolean(std::string_view key, bool otherwise) const {
-  const Value* value = find(key);
-  return value == nullptr ? otherwise : read_bool(*value, path(key));
 }
 
 }  // namespace clca::scene

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,6 +58,14 @@ std::vector<std::string_view> names_of(const std::vector<Item>& things) {
   return names;
 }
 
+/// True for the scalar `none`.
+bool is_none(const Value& value);
+/// Throws SceneError unless it is a map, in whose place there may be `none`.
+void require_map_or_none(const Value& value, std::string_view path);
+/// True for the word. Throws SceneError if it is no number either, which `phrase` describes.
+bool is_word(const Value& value, std::string_view path, std::string_view word,
+             std::string_view phrase);
+
 /// `path.key`, or `key` alone at the top.
 std::string join_path(std::string_view path, std::string_view key);
 
@@ -72,24 +79,14 @@ class KeyedMap {
   /// Throws SceneError when the key is missing.
   const Value& at(std::string_view key) const;
   /// The only one of `keys` that is there. Throws SceneError unless it is exactly one.
-  std::string_view only(std::initializer_list<std::string_view> keys) const;
+  std::string_view only(std::span<const std::string_view> keys) const;
+
+  /// Refuses a key that only the other model has; does nothing if it is absent.
+  void refuse_foreign(std::string_view key, Model owner) const;
 
   const TextLocation& location() const { return map_.location; }
+  const std::string& path() const { return path_; }
   std::string path(std::string_view key) const { return join_path(path_, key); }
-
-  // The value of a key, or `otherwise` where the key may be missing.
-  std::uint64_t count(std::string_view key, std::uint64_t low, std::uint64_t high,
-                      std::optional<std::uint64_t> otherwise = {}) const;
-  int integer(std::string_view key, int low, int high, std::optional<int> otherwise = {}) const;
-  double number(std::string_view key, double low, double high,
-                std::optional<double> otherwise = {}) const;
-  double positive(std::string_view key, double high, std::optional<double> otherwise = {}) const;
-  bool boolean(std::string_view key, bool otherwise) const;
-  template <class T, std::size_t kCount>
-  T choice(std::string_view key, const std::array<Named<T>, kCount>& names, T otherwise) const {
-    const Value* value = find(key);
-    return value == nullptr ? otherwise : read_choice(*value, path(key), names);
-  }
 
  private:
   const Value& map_;

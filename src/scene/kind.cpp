@@ -6,13 +6,13 @@
 #include <array>
 
 #include "clca/text/message.hpp"
-#include "scene/names.hpp"
+#include "scene/sections.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-bool contains(std::span<const std::string_view> words, std::string_view word) {
+bool contains(const std::vector<std::string_view>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -25,11 +25,13 @@ bool stands_for_boltzmann(const Entry& entry) {
 }  // namespace
 
 Kind kind_of(const Value& root) {
+  const std::vector<std::string_view> automaton_keys = names_of(scene_map().keys);
+  const std::vector<std::string_view> boltzmann_keys = names_of(boltzmann_map().keys);
   const Entry* automaton = nullptr;
   const Entry* boltzmann = nullptr;
   for (const Entry& entry : root.entries) {
-    const bool in_automaton = contains(kSceneKeys, entry.key);
-    const bool in_boltzmann = contains(kBoltzmannSceneKeys, entry.key);
+    const bool in_automaton = contains(automaton_keys, entry.key);
+    const bool in_boltzmann = contains(boltzmann_keys, entry.key);
     if (in_automaton && !in_boltzmann && automaton == nullptr) {
       automaton = &entry;
     } else if (in_boltzmann && !in_automaton) {
@@ -40,8 +42,8 @@ Kind kind_of(const Value& root) {
       fail(entry.location,
            fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
                        "{}; one of grains has {}",
-                       entry.key, other.key, fmt::join(kBoltzmannSceneKeys, ", "),
-                       fmt::join(kSceneKeys, ", ")));
+                       entry.key, other.key, fmt::join(boltzmann_keys, ", "),
+                       fmt::join(automaton_keys, ", ")));
     }
   }
   const bool misspelt = automaton == nullptr &&

@@ -10,6 +10,7 @@ namespace clca::scene {
 inline constexpr std::uint64_t kVersion = 1;
 inline constexpr std::size_t kMaxTitleLength = 200;
 inline constexpr std::size_t kMaxNameLength = 64;
+inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
 /// Of species, walls, parts of a wall, sources, outlets and stages, each.
 inline constexpr std::size_t kMaxItems = 1000;
 

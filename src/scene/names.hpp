@@ -1,5 +1,5 @@
 #pragma once
-// The words of the format: keys of each map and names of each choice.
+// The words of the format: names of each choice.
 
 #include <array>
 #include <string_view>
@@ -8,66 +8,6 @@
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
-
-inline constexpr std::array<std::string_view, 15> kSceneKeys = {
-    "clca",  "title", "seed",    "model",   "box",    "species", "rules", "contact",
-    "units", "walls", "sources", "outlets", "stages", "measure", "output"};
-inline constexpr std::array<std::string_view, 3> kBoxKeys = {"width", "height", "periodic"};
-inline constexpr std::array<std::string_view, 3> kSpeciesKeys = {"shape", "orientations", "color"};
-inline constexpr std::array<std::string_view, 4> kShapeKeys = {"hexagon", "sites", "polygon",
-                                                               "rod"};
-inline constexpr std::array<std::string_view, 2> kRodKeys = {"radius", "length"};
-inline constexpr std::array<std::string_view, 6> kRulesKeys = {
-    "inertia", "scatter", "candidates", "gravity", "update_priority", "ties"};
-inline constexpr std::array<std::string_view, 9> kContactModelKeys = {
-    "friction", "wall_friction", "rolling",     "rolling_friction", "restitution",
-    "sweeps",   "resolution",    "fall_height", "sleeping"};
-inline constexpr std::array<std::string_view, 9> kWallKeys = {
-    "box", "line", "disc", "ring", "arc", "parts", "motion", "passive", "friction"};
-inline constexpr std::array<std::string_view, 5> kPartKeys = {"box", "line", "disc", "ring", "arc"};
-inline constexpr std::array<std::string_view, 2> kUnitsKeys = {"spacing", "gravity"};
-inline constexpr std::array<std::string_view, 3> kLineKeys = {"from", "to", "thickness"};
-inline constexpr std::array<std::string_view, 2> kDiscKeys = {"centre", "radius"};
-inline constexpr std::array<std::string_view, 3> kRingKeys = {"centre", "radius", "thickness"};
-inline constexpr std::array<std::string_view, 5> kArcKeys = {"centre", "radius", "thickness",
-                                                             "from", "to"};
-inline constexpr std::array<std::string_view, 6> kMotionKeys = {"direction", "period", "distance",
-                                                                "wave",      "shake",  "path"};
-inline constexpr std::array<std::string_view, 3> kWaveKeys = {"form", "amplitude", "period"};
-inline constexpr std::array<std::string_view, 3> kShakeKeys = {"amplitude", "wait", "period"};
-inline constexpr std::array<std::string_view, 5> kSourceKeys = {"at", "region", "species", "rate",
-                                                                "count"};
-inline constexpr std::array<std::string_view, 1> kOutletKeys = {"region"};
-inline constexpr std::array<std::string_view, 9> kStageKeys = {
-    "name", "fill", "remove", "insert", "move", "sources", "vessel", "until", "max_steps"};
-inline constexpr std::array<std::string_view, 3> kVesselKeys = {"tilt", "rotate", "shake"};
-inline constexpr std::array<std::string_view, 2> kTiltKeys = {"to", "rate"};
-inline constexpr std::array<std::string_view, 2> kRotateKeys = {"rate", "centre"};
-inline constexpr std::array<std::string_view, 3> kVesselShakeKeys = {"gamma", "amplitude",
-                                                                     "direction"};
-inline constexpr std::array<std::string_view, 3> kFillKeys = {"method", "region", "counts"};
-inline constexpr std::array<std::string_view, 4> kUntilKeys = {"steps", "discharged", "cycles",
-                                                               "time"};
-inline constexpr std::array<std::string_view, 6> kOutputKeys = {
-    "frames", "series", "fields", "contacts", "trajectory", "checkpoint"};
-inline constexpr std::array<std::string_view, 12> kFramesKeys = {
-    "every",   "width",         "height",  "color_by", "layers",      "view",
-    "drawing", "supersampling", "caption", "upright",  "force_scale", "overlay"};
-inline constexpr std::array<std::string_view, 1> kSeriesKeys = {"every"};
-inline constexpr std::array<std::string_view, 2> kFieldsKeys = {"cell", "every"};
-inline constexpr std::array<std::string_view, 2> kContactsKeys = {"every", "window"};
-inline constexpr std::array<std::string_view, 2> kTrajectoryKeys = {"every", "contacts"};
-inline constexpr std::array<std::string_view, 2> kCheckpointKeys = {"every", "seconds"};
-inline constexpr std::array<std::string_view, 1> kGasCheckpointKeys = {"seconds"};
-
-inline constexpr std::array<std::string_view, 5> kBoltzmannSceneKeys = {"clca", "title", "seed",
-                                                                        "boltzmann", "output"};
-inline constexpr std::array<std::string_view, 14> kBoltzmannKeys = {
-    "particles",    "initial", "exact_moments", "sampling", "restitution", "friction", "roughness",
-    "energy_ratio", "scheme",  "time_step",     "partners", "shear_rate",  "until",    "ensemble"};
-inline constexpr std::array<std::string_view, 4> kBoltzmannOutputKeys = {"series", "histograms",
-                                                                         "bins", "checkpoint"};
-inline constexpr std::array<std::string_view, 2> kUniformBinsKeys = {"width", "end"};
 
 /// A word of the format and what it stands for.
 template <class T>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "clca/text/message.hpp"
 #include "clca/text/name.hpp"
@@ -20,15 +19,6 @@ namespace clca::scene {
 
 namespace {
 
-void check_version(const KeyedMap& fields) {
-  const Value& version = fields.at("clca");
-  if (!version.is(Value::Kind::scalar) || version.quoted ||
-      version.text != std::to_string(kVersion)) {
-    fail(version.location, fmt::format("clca: expected version {} of the format, found {}",
-                                       kVersion, found(version)));
-  }
-}
-
 /// What the run is called, and its files.
 std::string name_of_file(const std::string& file, const TextLocation& location) {
   std::string name = text::printable(std::filesystem::path(file).stem().string());
@@ -44,72 +34,31 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
   return name;
 }
 
-std::vector<Measure> all_measures() {
-  std::vector<Measure> measures;
-  for (const auto& named : kMeasureNames) {
-    measures.push_back(named.value);
-  }
-  return measures;
-}
-
-/// Reads what is there under `key`; leaves the default where nothing is.
-template <class T, class Read, class... More>
-void read_into(T& target, const KeyedMap& fields, std::string_view key, Read read,
-               const More&... more) {
-  if (const Value* value = fields.find(key)) {
-    target = read(*value, more...);
-  }
-}
-
-/// What both kinds of scenes begin with.
-template <class AScene>
-AScene read_head(const KeyedMap& fields, const std::string& file) {
-  check_version(fields);
-  AScene scene;
-  scene.name = name_of_file(file, {fields.location().origin, 1, 1});
-  scene.title = scene.name;
-  read_into(scene.title, fields, "title", read_title);
-  scene.seed = fields.count("seed", 0, std::numeric_limits<std::uint64_t>::max(), 1);
-  return scene;
-}
-
 Scene read_scene(const Value& root, const std::string& file) {
-  const KeyedMap fields(root, "", kSceneKeys);
-  auto scene = read_head<Scene>(fields, file);
-  scene.model = fields.choice("model", kModelNames, scene.model);
-  scene.measures = all_measures();
-  scene.box = read_box(fields.at("box"));
-  scene.species = read_species(fields.at("species"), scene.box);
-  read_into(scene.rules, fields, "rules", read_rules);
-  read_into(scene.contact, fields, "contact", read_contact);
-  read_into(scene.units, fields, "units", read_units);
-  read_into(scene.walls, fields, "walls", read_walls, scene);
+  const Map<Scene>& map = scene_map();
+  const std::vector<std::string_view> names = names_of(map.keys);
+  Scene scene = map.start;
+  scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
+  read_fields(KeyedMap(root, "", names), map, scene, scene);
   check_model(scene, root);
-  read_into(scene.sources, fields, "sources", read_sources, scene);
-  read_into(scene.outlets, fields, "outlets", read_outlets, scene);
-  scene.stages = read_stages(fields.at("stages"), scene);
-  check_history(scene, fields.at("stages"));
+  check_history(scene, *root.find("stages"));
   check_time_step(scene, root);
-  count_steps(scene, fields.at("stages"));
-  if (scene.contact.sleeping) {
-    std::erase(scene.measures, Measure::force);
-  }
-  read_into(scene.measures, fields, "measure", read_measures);
-  scene.output.checkpoint = kDefaultCheckpoints;
-  read_into(scene.output, fields, "output", read_output, scene);
+  count_steps(scene, *root.find("stages"));
   check_use(scene, root);
   check_sleeping(scene, root);
   return scene;
 }
 
 BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) {
-  const KeyedMap fields(root, "", kBoltzmannSceneKeys);
-  auto scene = read_head<BoltzmannScene>(fields, file);
+  const Map<BoltzmannScene>& map = boltzmann_map();
+  const std::vector<std::string_view> names = names_of(map.keys);
+  BoltzmannScene scene = map.start;
+  scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
+  read_fields(KeyedMap(root, "", names), map, scene, Scene());
+  check_rows(root, scene);
   const auto block = std::find_if(root.entries.begin(), root.entries.end(),
                                   [](const Entry& entry) { return entry.key == "boltzmann"; });
   scene.location = to_string(block->location);
-  read_boltzmann(block->value, scene);
-  read_boltzmann_output(fields.find("output"), fields.at("boltzmann"), scene);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "clca/contact/force.hpp"
 #include "clca/scene/resolve.hpp"
 #include "grains/internal/occupancy_table.hpp"
+#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 #include "scene/swept_sites.hpp"
 

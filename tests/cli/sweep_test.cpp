@@ -88,6 +88,16 @@ TEST_F(SweepCommandTest, WritesTablesAndAnOverviewIntoRendersByDefault) {
   }
 }
 
+TEST_F(SweepCommandTest, ItsMeasuresCanBePlotted) {
+  sweep({"small.yaml", "--vary", "rules.inertia=0,0.9", "--vary", "rules.scatter=0,1", "--seeds",
+         "1..2", "--set", "output.frames=none", "-o", "out"});
+  const auto result = testing::run_program({"plot", "out", "--only", "sweep-packing-height_mean"},
+                                           {.folder = folder_.path().string()});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "out/plots/sweep-packing-height_mean.png\n");
+  EXPECT_GT(fs::file_size(folder_.path() / "out/plots/sweep-packing-height_mean.png"), 1000U);
+}
+
 TEST_F(SweepCommandTest, TakesEightSeedsByDefault) {
   EXPECT_THAT(sweep({"small.yaml", "--set", "output.frames=none"}).out, StartsWith("8 runs: "));
   EXPECT_FALSE(fs::exists(folder_.path() / "renders/small-sweep/overview.png"));

@@ -31,8 +31,8 @@ using BinsSpec = std::variant<QuantileBins, UniformBins>;
 inline constexpr double kSameTime = 1e-9;
 
 struct BoltzmannScene {
-  std::string name;   ///< of the file, without folder and ending
-  std::string title;  ///< the name where the file gives none
+  FileReference name;  ///< of the file, without folder and ending
+  std::string title;   ///< the name where the file gives none
   std::uint64_t seed = 1;
   std::uint64_t particles = 10'000;
   boltzmann::Initial initial = boltzmann::Initial::gaussian;
@@ -52,10 +52,9 @@ struct BoltzmannScene {
   std::vector<double> histograms;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
   std::optional<Checkpoints> checkpoint;
-  std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
+  FileReference location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 
-  /// Compares all but file name and location.
-  bool operator==(const BoltzmannScene& other) const;
+  bool operator==(const BoltzmannScene&) const = default;
 };
 
 }  // namespace clca::scene

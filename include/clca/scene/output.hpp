@@ -4,10 +4,24 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "clca/lattice/region.hpp"
 
 namespace clca::scene {
+
+/// The name of a file, or a place in it (FILE:LINE:COLUMN), for messages. Comparison ignores it.
+struct FileReference : std::string {
+  FileReference() = default;
+  explicit FileReference(std::string text) : std::string(std::move(text)) {}
+  FileReference& operator=(std::string text) {
+    std::string::operator=(std::move(text));
+    return *this;
+  }
+  friend bool operator==(const FileReference& /*one*/, const FileReference& /*other*/) {
+    return true;
+  }
+};
 
 enum class Measure : std::uint8_t {
   profile,
@@ -40,9 +54,9 @@ struct Frames {
   /// Contact model: force of the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};
   Overlay overlay = Overlay::none;  ///< drawn over the particles
-  std::string location;             ///< FILE:LINE:COLUMN, for messages
+  FileReference location;           ///< FILE:LINE:COLUMN, for messages
 
-  bool operator==(const Frames& other) const;
+  bool operator==(const Frames&) const = default;
 };
 
 struct Series {

@@ -32,9 +32,9 @@ struct Box {
   double width = 0;
   double height = 0;
   bool periodic = false;
-  std::string location;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
+  FileReference location;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
 
-  bool operator==(const Box& other) const;
+  bool operator==(const Box&) const = default;
 };
 
 struct HexagonSpec {
@@ -91,9 +91,9 @@ struct Wall {
   std::optional<grains::WallMotion> motion = {};
   grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
   std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
-  std::string location = {};
+  FileReference location = {};
 
-  bool operator==(const Wall& other) const;
+  bool operator==(const Wall&) const = default;
 };
 
 struct Source {
@@ -109,9 +109,9 @@ struct Source {
 struct Outlet {
   std::string name;
   lattice::Rectangle region;
-  std::string location = {};
+  FileReference location = {};
 
-  bool operator==(const Outlet& other) const;
+  bool operator==(const Outlet&) const = default;
 };
 
 /// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
@@ -122,9 +122,9 @@ struct Fill {
   FillMethod method = FillMethod::random;
   lattice::Rectangle region;
   std::vector<std::size_t> counts;  ///< per species
-  std::string location;
+  FileReference location;
 
-  bool operator==(const Fill& other) const;
+  bool operator==(const Fill&) const = default;
 };
 
 struct UntilSettled {
@@ -195,18 +195,18 @@ struct Stage {
   std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
   Until until;
   std::uint64_t max_steps = 1'000'000;
-  std::string insert_location;  ///< of the list `insert`
+  FileReference insert_location;  ///< of the list `insert`
 
-  bool operator==(const Stage& other) const;
+  bool operator==(const Stage&) const = default;
 };
 
 /// Whether the vessel rotates or is shaken in the stage, and so has cycles.
 bool vessel_has_cycles(const Stage& stage);
 
 struct Scene {
-  std::string name;   ///< of the file, without folder and ending
-  std::string title;  ///< the name where the file gives none
-  std::uint64_t seed = 0;
+  FileReference name;  ///< of the file, without folder and ending
+  std::string title;   ///< the name where the file gives none
+  std::uint64_t seed = 1;
   Model model = Model::automaton;
   Box box;
   std::vector<Species> species;  ///< in the order of the file, as all lists here
@@ -220,7 +220,7 @@ struct Scene {
   std::vector<Measure> measures;
   Output output;
 
-  bool operator==(const Scene& other) const;
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace clca::scene

@@ -202,6 +202,52 @@ TEST_F(FiguresTest, ATemplateThatDoesNotSayWhatItNeedsIsNamed) {
   EXPECT_THAT([&] { found(); }, ThrowsMessage<PlotError>(HasSubstr("t.gp: one figure for each: ")));
 }
 
+class SweepFiguresTest : public FiguresTest {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(templates());
+    std::filesystem::create_directories(run());
+    write("sweep.json", "{}");
+    write_template("sweep",
+                   "# A sweep.\n#\n# needs: measures.csv: mean\n"
+                   "# one figure for each: measure\n");
+  }
+};
+
+constexpr const char* kSweepColumns =
+    "stage,measure,mean,standard_deviation,standard_error,runs,min,max\n";
+
+TEST_F(SweepFiguresTest, ThereIsOneForEachStageAndMeasureWithAMean) {
+  write("measures.csv", std::string("rules.inertia,") + kSweepColumns +
+                            "0,flow,slope,40,1,0.5,4,39,41\n0,flow,mixed,,,,0,,\n"
+                            "0.9,flow,slope,30,1,0.25,4,29,31\n0,end,slope,50,,,1,50,50\n");
+  EXPECT_THAT(names(), ElementsAre("sweep-flow-slope", "sweep-end-slope"));
+  const std::string setting = found().front().setting;
+  EXPECT_THAT(setting, HasSubstr("varied = 'rules.inertia';"));
+  EXPECT_THAT(setting, HasSubstr("array xs[2] = [0, 0.9];"));
+  EXPECT_THAT(setting, HasSubstr("array means[2] = [40, 30];"));
+  EXPECT_THAT(setting, HasSubstr("array errors[2] = [0.5, 0.25];"));
+  EXPECT_THAT(found().back().setting, HasSubstr("array errors[1] = [0];"));
+}
+
+TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
+  write("measures.csv", std::string("model,a,b,") + kSweepColumns +
+                            "automaton,1,x,flow,slope,40,1,1,4,39,41\n"
+                            "automaton,2,x,flow,slope,41,1,1,4,39,41\n"
+                            "contact,1,x,flow,slope,20,1,1,4,19,21\n");
+  const std::string setting = found().front().setting;
+  EXPECT_THAT(setting, HasSubstr("has_words = 1;"));
+  EXPECT_THAT(setting, HasSubstr("array words[2] = ['automaton', 'contact'];"));
+  EXPECT_THAT(setting, HasSubstr("array xs[3] = [1, 1, 2];"));
+  EXPECT_THAT(setting, HasSubstr("array lines[2] = ['a=1, b=x', 'a=2, b=x'];"));
+  EXPECT_THAT(setting, HasSubstr("array of_lines[3] = [1, 2, 1];"));
+}
+
+TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {
+  write("measures.csv", std::string(kSweepColumns) + "flow,slope,40,1,0.5,4,39,41\n");
+  EXPECT_THAT([&] { names(); }, ThrowsMessage<InputError>(HasSubstr("no tables")));
+}
+
 TEST(Templates, AreFoundAndSayWhatTheyNeed) {
   const testing::ScratchFolder empty;
   store::RunSummary summary;

@@ -107,8 +107,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "mean 'gravity'?"},
     {"a time of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], until: {time: 1}}]",
-     "scene.yaml:10:49: error: stages.first.until.time: only model contact has times; give steps, "
-     "or say 'model: contact'",
+     "scene.yaml:10:50: error: stages.first.until.time: only model contact has it; remove it, or "
+     "say 'model: contact'",
      Judge::parser},
     {"a time of nothing", "stages: [{name: first, sources: [spout], until: {time: 0}}]",
      "scene.yaml:10:56: error: stages.first.until.time: expected a number above 0 and up to "
@@ -144,7 +144,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      Judge::parser},
     {"a vessel of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], vessel: {tilt: 5}}]",
-     "scene.yaml:10:42: error: stages.vessel: only model contact has it; remove it, or say 'model: "
+     "scene.yaml:10:42: error: stages.first.vessel: only model contact has it; remove it, or say 'model: "
      "contact'",
      Judge::parser},
     {"contacts in a trajectory of the automaton",

@@ -25,7 +25,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a species as wide as a periodic box",
      "box: {width: 30, height: 100, periodic: true}\n"
      "species: {small: {shape: {hexagon: 20}}}",
-     "scene.yaml:5:11: error: species.small: 41 columns wide at 0 degrees, too wide for a periodic "
+     "scene.yaml:5:18: error: species.small: 41 columns wide at 0 degrees, too wide for a periodic "
      "box of 36 columns",
      Judge::parser},
     {"an unknown key of a species", R"(species: {small: {shape: {hexagon: 1}, colour: "#ffffff"}})",

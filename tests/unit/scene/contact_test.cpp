@@ -150,7 +150,7 @@ TEST(ParseContact, ToYamlAndBackIsTheSameScene) {
 
 TEST(ParseContact, ToYamlShowsEveryDefaultAndNoRules) {
   const std::string text = to_yaml(contact_with(""));
-  EXPECT_THAT(text, HasSubstr("seed: 1\nmodel: contact\n\nbox:"));
+  EXPECT_THAT(text, HasSubstr("seed: 1\nmodel: contact\nbox:"));
   EXPECT_THAT(text, HasSubstr("\n\n"
                               "contact:\n"
                               "  friction: 0.4\n"

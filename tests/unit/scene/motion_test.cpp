@@ -149,8 +149,9 @@ TEST(ParseMotion, ToYamlAndBackIsTheSameScene) {
 TEST(ParseMotion, ToYamlShowsEveryDefaultOfWallsThatMove) {
   const std::string text = to_yaml(scene_with(kTray));
   for (const std::string_view line :
-       {"  tray: {parts: [{box: [0, 0, 100, 2]}, {line: {from: [0, 2], to: [0, 60], thickness: "
-        "1}}], motion: {direction: up, shake: {amplitude: 2, wait: settled}}, passive: overlap}\n",
+       {"  tray:\n    parts: [{box: [0, 0, 100, 2]}, {line: {from: [0, 2], to: [0, 60], thickness: "
+        "1}}]\n    motion: {direction: up, shake: {amplitude: 2, wait: settled}}\n    passive: "
+        "overlap\n",
         "  lid: {box: [10, 80, 20, 90], motion: {direction: down, period: 4, distance: 40}, "
         "passive: rigid}\n",
         "  gate: {box: [50, 30, 51, 40]}\n",

@@ -73,7 +73,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
 
 TEST(Override, ReplacesAValue) {
   EXPECT_EQ(overridden({"rules.inertia=0.5"}).rules.inertia, 0.5);
-  EXPECT_EQ(overridden({"box={width: 99, height: 60}"}).box, (Box{99, 60, false, ""}));
+  EXPECT_EQ(overridden({"box={width: 99, height: 60}"}).box, (Box{99, 60, false, {}}));
 }
 
 TEST(Override, AddsAKey) {

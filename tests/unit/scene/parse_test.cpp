@@ -61,7 +61,7 @@ TEST(Parse, ReadsTitleSeedAndBox) {
       "box: {width: 99.5, height: 50, periodic: true}");
   EXPECT_EQ(scene.title, "Körner: 50 % \"small\"");
   EXPECT_EQ(scene.seed, 18446744073709551615U);
-  EXPECT_EQ(scene.box, (Box{99.5, 50, true, ""}));
+  EXPECT_EQ(scene.box, (Box{99.5, 50, true, {}}));
 }
 
 TEST(Parse, TakesANumberForATitle) {
@@ -213,7 +213,7 @@ TEST(Parse, ReadsMeasuresAndOutput) {
                                          false,
                                          {},
                                          Overlay::none,
-                                         ""}));
+                                         {}}));
   EXPECT_EQ(scene.output.series, Series{3});
   EXPECT_EQ(scene.output.trajectory, TrajectoryOutput{7});
 }

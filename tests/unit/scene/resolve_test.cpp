@@ -64,7 +64,7 @@ TEST(ToYaml, ShowsEveryDefault) {
   EXPECT_EQ(to_yaml(scene_with("")), R"(clca: 1
 title: "Test"
 seed: 1
-
+model: automaton
 box: {width: 100, height: 50, periodic: false}
 
 species:
@@ -97,6 +97,7 @@ stages:
     max_steps: 1000000
 
 measure: [profile]
+
 output:
   frames:
     every: 10

@@ -69,7 +69,7 @@ TEST(Units, ToYamlAndBackAreTheSame) {
     EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
   }
   EXPECT_THAT(to_yaml(contact_with("units: {spacing: 1 mm}")),
-              HasSubstr("\n\nunits: {spacing: 0.001 m, gravity: 9.81}\n\nwalls:"));
+              HasSubstr("\nunits: {spacing: 0.001 m, gravity: 9.81}\n\nwalls:"));
   EXPECT_THAT(to_yaml(contact_with("")), Not(HasSubstr("units")));
 }
 

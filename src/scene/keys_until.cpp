@@ -6,9 +6,8 @@
 
 #include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
-#include "scene/keyed_map.hpp"
-#include "scene/limits.hpp"
 #include "scene/sections.hpp"
+#include "scene/types.hpp"
 
 namespace clca::scene {
 
@@ -116,67 +115,89 @@ void refuse_max_steps(const TextLocation& location, const std::string& path, std
   fail(location, fmt::format("{}: {} is less than the {} steps {}", path, most, least, reason));
 }
 
-}  // namespace
-
-Until read_until(const Value& value, const std::string& path, const Stage& stage,
-                 const Scene& scene) {
-  if (!value.is(Value::Kind::map)) {
-    constexpr std::array<std::string_view, 1> kSettled = {"settled"};
-    if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
-      fail(
-          value.location,
-          fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
-                      "{{time: T}}, found {}{}",
-                      path, found(value), text::suggestion(value.text, kSettled)));
-    }
-    return UntilSettled{};
+/// Refuses an end that the stage cannot come to.
+void check_possible(const KeyedMap& fields, const Stage& stage, const Scene& scene) {
+  if (std::holds_alternative<UntilCycles>(stage.until) && cyclic_wall(stage, scene) == nullptr &&
+      vessel_cycle(stage).empty()) {
+    fail(fields.at("until").location,
+         fmt::format(
+             "{}: no wall of this stage goes to and fro{}; name one with a wave or a shake "
+             "under move",
+             fields.path("until"),
+             scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : ""));
   }
-  const KeyedMap fields(value, path, kUntilKeys);
-  const std::string_view key = fields.only({"steps", "discharged", "cycles", "time"});
-  if (key == "steps") {
-    return UntilSteps{fields.count(key, 1, kMaxSteps)};
+  if (std::holds_alternative<UntilDischarged>(stage.until) && scene.outlets.empty()) {
+    fail(fields.at("until").location,
+         fmt::format("{}: nothing can be discharged, the scene has no outlets",
+                     fields.path("until")));
   }
-  if (key == "cycles") {
-    if (cyclic_wall(stage, scene) == nullptr && vessel_cycle(stage).empty()) {
-      fail(
-          value.location,
-          fmt::format(
-              "{}: no wall of this stage goes to and fro{}; name one with a "
-              "wave or a shake under move",
-              path,
-              scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : ""));
-    }
-    return UntilCycles{fields.count(key, 1, kMaxSteps)};
-  }
-  if (key == "time") {
-    if (scene.model != Model::contact) {
-      fail(value.location,
-           fmt::format("{}: only model contact has times; give steps, or say 'model: "
-                       "contact'",
-                       fields.path(key)));
-    }
-    return UntilTime{.time = fields.positive(key, kMaxTime)};
-  }
-  const UntilDischarged discharged = {fields.positive(key, 1)};
-  if (scene.outlets.empty()) {
-    fail(value.location,
-         fmt::format("{}: nothing can be discharged, the scene has no outlets", path));
-  }
-  return discharged;
 }
 
-std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const Scene& scene) {
+/// An end other than settled.
+Type<Until> end_type() {
+  const auto end = [](std::string name, const auto& type, std::string about) {
+    return alternative<Until>(std::move(name), type, std::move(about));
+  };
+  return one_of<Until>(
+      {end("steps", as(&UntilSteps::steps, count(1, kMaxSteps)), "after N steps, at rest or not"),
+       end("discharged", as(&UntilDischarged::share, above_zero(1)),
+           "when this share of the particles has left through the outlets"),
+       end("cycles", as(&UntilCycles::cycles, count(1, kMaxSteps)),
+           "after so many cycles of each wall with a wave or a shake, and of a vessel that turns "
+           "or "
+           "is shaken"),
+       end("time", as(&UntilTime::time, above_zero(kMaxTime)),
+           "after this time: in seconds where the scene has [`units`](#units), else in "
+           "√(spacing/gravity)")
+           .of(Model::contact)});
+}
+
+Until read_until(const Value& value, const std::string& path, const Type<Until>& end,
+                 const Scene& scene) {
+  if (value.is(Value::Kind::map)) {
+    return end.read(value, path, scene);
+  }
+  constexpr std::array<std::string_view, 1> kSettled = {"settled"};
+  if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
+    fail(value.location,
+         fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
+                     "{{time: T}}, found {}{}",
+                     path, found(value), text::suggestion(value.text, kSettled)));
+  }
+  return UntilSettled{};
+}
+
+}  // namespace
+
+Type<Until> until_type() {
+  const Type<Until> end = end_type();
+  return {.allowed = "`settled`, or map",
+          .schema =
+              [=] {
+                return Json{{"anyOf", {{{"const", "settled"}}, end.schema()}}};
+              },
+          .read = [=](const Value& value, const std::string& path,
+                      const Scene& scene) { return read_until(value, path, end, scene); },
+          .text =
+              [=](const Until& until, const Scene& scene) {
+                return std::holds_alternative<UntilSettled>(until) ? Yaml::scalar("settled")
+                                                                   : end.text(until, scene);
+              },
+          .keys = end.keys};
+}
+
+void check_until(const KeyedMap& fields, Stage& stage, const Scene& scene) {
+  check_possible(fields, stage, scene);
   const Value* until = fields.find("until");
   const TextLocation& location = until == nullptr ? fields.location() : until->location;
   const std::uint64_t least = min_steps(stage, scene);
   const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
   if (const Value* value = fields.find("max_steps")) {
-    const std::uint64_t most = fields.count("max_steps", 1, kMaxSteps);
-    if (most < least) {
-      refuse_max_steps(value->location, fields.path("max_steps"), most, least,
+    if (stage.max_steps < least) {
+      refuse_max_steps(value->location, fields.path("max_steps"), stage.max_steps, least,
                        cycles ? "that the cycles of until take" : "of until");
     }
-    return most;
+    return;
   }
   if (least > kMaxSteps) {
     fail(location, fmt::format("{}: the cycles take {} steps; expected at most {}",
@@ -190,7 +211,7 @@ std::uint64_t read_max_steps(const KeyedMap& fields, const Stage& stage, const S
   if (cycles) {
     check_waits(stage, scene, location, fields.path("until"));
   }
-  return std::max(stage.max_steps, least);
+  stage.max_steps = std::max(stage.max_steps, least);
 }
 
 void count_steps(Scene& scene, const Value& list) {

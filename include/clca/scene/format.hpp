@@ -1,0 +1,29 @@
+#pragma once
+// The scene format as users read it, from the same declarations as the parser.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clca::scene {
+
+/// A key that the format does not have; what() names the nearest one.
+class UnknownKeyError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a key means, its values and default, and the keys in it. `path` is as for `--set`
+/// (`rules.inertia`, `walls.motion`, `stages.flow.until`); empty: the top of a scene. Throws
+/// UnknownKeyError.
+std::string explain(std::string_view path);
+
+/// A Markdown table of the keys of these maps; those of the second and further ones have their path
+/// from the first in front. Throws UnknownKeyError.
+std::string markdown_table(const std::vector<std::string>& paths);
+
+/// JSON Schema, draft 07, of both kinds of scenes.
+std::string json_schema();
+
+}  // namespace clca::scene

@@ -1,0 +1,63 @@
+// clca explain: the keys of the scene format.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clca/scene/format.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/terminal.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct ExplainOptions {
+  std::vector<std::string> keys;
+  std::string format = "text";
+};
+
+std::string text_of(const ExplainOptions& options) {
+  if (options.format == "schema") {
+    return scene::json_schema();
+  }
+  const std::vector<std::string> keys =
+      options.keys.empty() ? std::vector<std::string>{""} : options.keys;
+  if (options.format == "markdown") {
+    return scene::markdown_table(keys);
+  }
+  std::string text;
+  for (const std::string& key : keys) {
+    text += (text.empty() ? "" : "\n") + scene::explain(key);
+  }
+  return text;
+}
+
+int explain(const ExplainOptions& options) {
+  try {
+    print_out("{}", text_of(options));
+    return static_cast<int>(ExitCode::done);
+  } catch (const scene::UnknownKeyError& error) {
+    report_error(error);
+    return static_cast<int>(ExitCode::wrong_input);
+  }
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand("explain", "Explain the keys of a scene");
+  auto options = std::make_shared<ExplainOptions>();
+  command->add_option("KEY", options->keys,
+                      "Keys as for --set, such as rules.inertia or walls.motion [the top]");
+  command
+      ->add_option("--format", options->format, "text, markdown (a table) or schema (JSON Schema)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "markdown", "schema"}))
+      ->capture_default_str();
+  command->callback([options, &code] { code = explain(*options); });
+}
+
+}  // namespace clca::cli

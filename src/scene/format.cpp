@@ -1,0 +1,174 @@
+#include "clca/scene/format.hpp"
+
+#include <algorithm>
+
+#include "clca/text/message.hpp"
+#include "scene/sections.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using Descriptions = std::vector<KeyDescription>;
+
+const Descriptions& grains() {
+  static const Descriptions kKeys = descriptions(scene_map().keys);
+  return kKeys;
+}
+
+const Descriptions& gas() {
+  static const Descriptions kKeys = descriptions(boltzmann_map().keys);
+  return kKeys;
+}
+
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start < path.size();) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.emplace_back(path.substr(start, dot - start));
+    start = dot + 1;
+  }
+  return parts;
+}
+
+/// What is at a path of keys below these, and the name of each key on the way.
+struct Place {
+  const KeyDescription* key = nullptr;  ///< none at the top
+  const Descriptions* keys = nullptr;
+  std::string path;
+};
+
+/// The key at the path below these; null if there is none. After a key whose value has names, such
+/// as `walls`, a name may stand.
+Place find(const Descriptions& top, const std::vector<std::string>& parts) {
+  Place place = {.key = nullptr, .keys = &top, .path = ""};
+  bool name_allowed = false;
+  for (const std::string& part : parts) {
+    const auto next = std::find_if(place.keys->begin(), place.keys->end(),
+                                   [&](const KeyDescription& key) { return key.name == part; });
+    if (next != place.keys->end()) {
+      place = {.key = &*next, .keys = &next->keys, .path = join_path(place.path, part)};
+      name_allowed = next->is_collection;
+      place.path += name_allowed ? ".NAME" : "";
+    } else if (!std::exchange(name_allowed, false)) {
+      return {};
+    }
+  }
+  return place;
+}
+
+/// In scenes of grains and of the Boltzmann equation, where they differ; `boltzmann:PATH` in the
+/// latter only.
+std::vector<Place> places(std::string_view path) {
+  constexpr std::string_view kGasOnly = "boltzmann:";
+  const bool gas_only = path.starts_with(kGasOnly);
+  const std::vector<std::string> parts = parts_of(path.substr(gas_only ? kGasOnly.size() : 0));
+  const std::vector<const Descriptions*> tops =
+      gas_only ? std::vector{&gas()} : std::vector{&grains(), &gas()};
+  std::vector<Place> found;
+  for (const Descriptions* top : tops) {
+    const Place place = find(*top, parts);
+    if (place.keys != nullptr && (found.empty() || place.key == nullptr ||
+                                  place.key->schema() != found.front().key->schema())) {
+      found.push_back(place);
+    }
+  }
+  if (!found.empty()) {
+    return found;
+  }
+  std::vector<std::string_view> names;
+  const std::vector<std::string> parents(parts.begin(), parts.end() - (parts.empty() ? 0 : 1));
+  for (const Descriptions* top : tops) {
+    if (const Descriptions* keys = find(*top, parents).keys) {
+      const auto more = names_of(*keys);
+      names.insert(names.end(), more.begin(), more.end());
+    }
+  }
+  throw UnknownKeyError(fmt::format("the scene format has no key {}{}", text::shown(path),
+                                    text::suggestion(parts.empty() ? "" : parts.back(), names)));
+}
+
+std::string values_text(const KeyDescription& key) {
+  const std::string otherwise = key.required            ? "required"
+                                : key.otherwise.empty() ? ""
+                                                        : "default: " + key.otherwise;
+  return without_markup(key.allowed + (otherwise.empty() ? "" : "; " + otherwise));
+}
+
+std::string explained(const Place& place) {
+  std::string text;
+  if (place.key != nullptr) {
+    text = fmt::format("{}: {}\n  {}\n", place.path, meaning(*place.key), values_text(*place.key));
+  }
+  for (const KeyDescription& key : *place.keys) {
+    text += fmt::format("\n  {}: {}\n    {}\n", key.name, meaning(key), values_text(key));
+  }
+  return text;
+}
+
+std::string cell(std::string text) {
+  for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {
+    text.insert(bar, "\\");
+  }
+  return text;
+}
+
+std::string row(const std::string& prefix, const KeyDescription& key) {
+  const std::string model =
+      key.model ? fmt::format("with `model: {}`: ", name_of(kModelNames, *key.model)) : "";
+  return fmt::format("| `{}{}` | {} | {} | {}{} |\n", prefix, key.name, cell(key.allowed),
+                     key.required ? "required" : cell(key.otherwise), model, cell(key.about));
+}
+
+}  // namespace
+
+std::string explain(std::string_view path) {
+  const std::vector<Place> found = places(path);
+  std::string text = explained(found.front());
+  if (found.size() > 1) {
+    text = fmt::format("In a scene of grains:\n\n{}\nIn a scene of the Boltzmann equation:\n\n{}",
+                       text, explained(found.back()));
+  }
+  return text;
+}
+
+std::string markdown_table(const std::vector<std::string>& paths) {
+  std::string table = "| key | values | default | what |\n|---|---|---|---|\n";
+  for (const std::string& path : paths) {
+    const std::string prefix =
+        path == paths.front() ? "" : path.substr(paths.front().size() + 1) + ".";
+    for (const KeyDescription& key : *places(path).front().keys) {
+      table += row(prefix, key);
+    }
+  }
+  return table;
+}
+
+std::string json_schema() {
+  const auto definition = [](const auto& map, std::string_view about) {
+    Json schema = {{"description", about}};
+    schema.update(map_schema(descriptions(map.keys), map.conditions));
+    return schema;
+  };
+  const Json schema = {
+      {"$schema", "http://json-schema.org/draft-07/schema#"},
+      {"title", "Scene of clca"},
+      {"description",
+       "Everything about a run: of grains, or of the Boltzmann equation. Written by clca explain "
+       "--format schema."},
+      {"type", "object"},
+      {"oneOf", {{{"$ref", "#/definitions/grains"}}, {{"$ref", "#/definitions/boltzmann"}}}},
+      {"definitions",
+       {{"grains",
+         definition(scene_map(),
+                    "A scene of grains on the lattice. Lengths in lattice spacings from the lower "
+                    "left site, time in steps, angles in degrees.")},
+        {"boltzmann",
+         definition(boltzmann_map(),
+                    "A scene of the Boltzmann equation: a homogeneous gas of inelastic, rough "
+                    "spheres. Velocities in v0, the root of a third of the mean square at time 0; "
+                    "time in 1 / (pi N (2 a)^2 v0).")}}}};
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,26 @@
+#pragma once
+// Points and rectangles in the box.
+
+#include <string>
+
+#include "clca/lattice/lattice.hpp"
+#include "clca/scene/scene.hpp"
+#include "scene/value.hpp"
+
+namespace clca::scene {
+
+lattice::Lattice lattice_of(const Box& box);
+
+/// [x, y]. Throws SceneError, as all here.
+Eigen::Vector2d read_point(const Value& value, const std::string& path);
+/// [left, bottom, right, top], not empty.
+lattice::Rectangle read_rectangle(const Value& value, const std::string& path);
+/// `[left, bottom, right, top]`
+std::string shown(const lattice::Rectangle& edges);
+/// True when no site of the lattice lies in the rectangle; costs nothing.
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
+/// Refuses a rectangle, read from `value`, that holds no site of the box.
+void require_site(const lattice::Rectangle& region, const Value& value, const std::string& path,
+                  const Box& box);
+
+}  // namespace clca::scene

@@ -1,0 +1,118 @@
+// Title, box and rules of the automaton.
+
+#include <algorithm>
+
+#include "clca/text/message.hpp"
+#include "clca/text/utf8.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using Priority = std::array<automaton::UpdateClass, 3>;
+
+Priority read_priority(const Value& value, const std::string& path) {
+  const std::vector<Value>& items = read_list(value, path, 3, 3);
+  Priority order = {};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = read_choice(items[i], path, kUpdateClassNames);
+    if (std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), order[i]) !=
+        order.begin() + static_cast<std::ptrdiff_t>(i)) {
+      fail(items[i].location,
+           fmt::format("{}: {} is named twice; name each class once", path, found(items[i])));
+    }
+  }
+  return order;
+}
+
+Type<Priority> priority_type() {
+  return {.allowed = "`rest`, `inertia`, `gravity`, each once",
+          .schema =
+              [=] {
+                return Json{{"type", "array"},
+                            {"items", choice(kUpdateClassNames).schema()},
+                            {"minItems", 3},
+                            {"maxItems", 3},
+                            {"uniqueItems", true}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_priority(value, path); },
+          .text =
+              [](const Priority& order, const Scene& scene) {
+                Yaml list = Yaml::list({});
+                for (const automaton::UpdateClass one : order) {
+                  list.items.push_back(choice(kUpdateClassNames).text(one, scene));
+                }
+                return list;
+              }};
+}
+
+std::string read_title(const Value& value, const std::string& path) {
+  const std::string& title = read_text(value, path);
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < title.size(); ++characters) {
+    const std::size_t length = text::character_length(title, i);
+    if (length == 0 || text::is_control(text::character_at(title, i))) {
+      fail(value.location,
+           fmt::format("{}: expected one line of text, found {}", path, text::shown(title)));
+    }
+    i += length;
+  }
+  if (characters == 0 || characters > kMaxTitleLength) {
+    fail(value.location, fmt::format("{}: expected 1 to {} characters, found {}", path,
+                                     kMaxTitleLength, characters));
+  }
+  return title;
+}
+
+}  // namespace
+
+Type<std::string> title_type() {
+  return {
+      .allowed = fmt::format("1 to {} characters", kMaxTitleLength),
+      .schema =
+          [=] {
+            return Json{{"type", {"string", "number", "boolean"}},
+                        {"minLength", 1},
+                        {"maxLength", kMaxTitleLength}};
+          },
+      .read = [](const Value& value, const std::string& path,
+                 const Scene& /*scene*/) { return read_title(value, path); },
+      .text = [](const std::string& title, const Scene& /*scene*/) { return quoted_text(title); }};
+}
+
+Type<Box> box_type() {
+  return type_of<Box>(
+      {.keys =
+           {required("width", &Box::width, number(1, kMaxBoxWidth),
+                     "width; columns stand 0.866 apart"),
+            required("height", &Box::height, number(1, kMaxBoxHeight), "height"),
+            key("periodic", &Box::periodic, yes_or_no(),
+                "what leaves on the right comes back on the left; the number of columns is made "
+                "even")},
+       .check = [](const KeyedMap& fields, Box& box, const Scene& /*scene*/) {
+         box.location = FileReference(to_string(fields.location()));
+       }});
+}
+
+Type<automaton::Rules> rules_type() {
+  using automaton::Rules;
+  return type_of<Rules>(
+      {.keys = {
+           key("inertia", &Rules::inertia, number(0, 1),
+               "probability to keep the direction of the last step, if free"),
+           key("scatter", &Rules::scatter, number(0, 1),
+               "probability to take any free candidate, all alike, instead"),
+           key("candidates", &Rules::candidates, choice(kCandidateNames),
+               "directions a particle may take by itself: gravity and its neighbours, or all six"),
+           key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
+           key("update_priority", &Rules::update_priority, priority_type(),
+               "who moves first: those at rest, those that keep their direction, those that fall "
+               "straight"),
+           key("ties", &Rules::ties, choice(kTiesNames),
+               "order within a class: by a draw for each particle, or for each direction")}});
+}
+
+}  // namespace clca::scene

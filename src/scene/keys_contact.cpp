@@ -1,0 +1,115 @@
+// The contact model and its units.
+
+#include <algorithm>
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+/// `1 mm` in metres.
+double read_length(const Value& value, const std::string& path) {
+  const std::size_t end = value.text.find_last_of("0123456789.") + 1;
+  const std::size_t unit_begin =
+      std::min(value.text.find_first_not_of(' ', end), value.text.size());
+  const std::string_view text = value.text;
+  const auto number = to_number(text.substr(0, end));
+  for (const Named<double>& unit : kLengthUnits) {
+    const double length = number.value_or(0) / unit.value;
+    if (text.substr(unit_begin) == unit.name && length >= kMinSpacing && length <= kMaxSpacing) {
+      return length;
+    }
+  }
+  fail(value.location,
+       fmt::format("{}: expected a length from {} m to {} m, a number with one of the units {}, as "
+                   "in 1 mm, found {}",
+                   path, kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "),
+                   found(value)));
+}
+
+Type<double> length() {
+  return {.allowed = fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing,
+                                 kMaxSpacing),
+          .schema =
+              [=] {
+                return Json{{"type", "string"}, {"pattern", "^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_length(value, path); },
+          .text = [](double metres,
+                     const Scene& /*scene*/) { return Yaml::scalar(fmt::format("{} m", metres)); }};
+}
+
+Type<int> sweeps() {
+  Type<int> type = integer(kMinSweeps, kMaxSweeps);
+  type.allowed += ", even";
+  type.schema = [schema = type.schema] {
+    Json result = schema();
+    result["multipleOf"] = 2;
+    return result;
+  };
+  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
+    const int sweeps = read(value, path, scene);
+    if (sweeps % 2 != 0) {
+      fail(value.location,
+           fmt::format("{}: expected an even number, as every second sweep goes backwards, found "
+                       "'{}'",
+                       path, sweeps));
+    }
+    return sweeps;
+  };
+  return type;
+}
+
+/// 0 for `auto`.
+Type<double> fall_height() {
+  const auto type = word_or("auto", above_zero(kMaxFallHeight),
+                            fmt::format("a number above 0 and up to {}", kMaxFallHeight));
+  return {.allowed = type.allowed,
+          .schema = type.schema,
+          .read = [=](const Value& value, const std::string& path,
+                      const Scene& scene) { return type.read(value, path, scene).value_or(0); },
+          .text =
+              [=](double height, const Scene& scene) {
+                return type.text(height > 0 ? std::optional(height) : std::nullopt, scene);
+              }};
+}
+
+}  // namespace
+
+Type<Units> units_type() {
+  return type_of<Units>(
+      {.keys = {required("spacing", &Units::spacing, length(), "length of one lattice spacing"),
+                key("gravity", &Units::gravity, number(kMinRealGravity, kMaxRealGravity),
+                    "gravity in m/s²")}});
+}
+
+Type<contact::Parameters> contact_type() {
+  using P = contact::Parameters;
+  const Type<double> friction = number(0, kMaxContactFriction);
+  return type_of<P>(
+      {.keys = {
+           key("friction", &P::friction, friction,
+               "between particles: greatest tangential force over normal force"),
+           key("wall_friction", &P::wall_friction, friction,
+               "the same at the box, and at walls without a `friction` of their own"),
+           key("rolling", &P::rolling, choice(kRollingNames),
+               "how particles turn: not at all, against a moment that resists rolling, or freely; "
+               "only hexagons turn"),
+           key("rolling_friction", &P::rolling_friction, friction,
+               "for `rolling: resistance`: greatest moment over normal force times radius"),
+           key("restitution", &P::restitution, number(0, kMaxContactRestitution),
+               "normal velocity after a collision over that before"),
+           key("sweeps", &P::sweeps, sweeps(),
+               "sweeps over all contacts in a step, forwards and backwards in turn"),
+           key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
+               "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
+           key("fall_height", &P::fall_height, fall_height(),
+               "height of that fall in lattice spacings; `auto`: from the fills"),
+           key("sleeping", &P::sleeping, yes_or_no(),
+               "whether steps leave out particles that have come to rest")}});
+}
+
+}  // namespace clca::scene

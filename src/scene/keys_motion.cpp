@@ -1,0 +1,213 @@
+// How a wall moves.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using grains::WallMotion;
+using Program = decltype(WallMotion::program);
+
+void check_wave(const KeyedMap& fields, grains::Wave& wave, const Scene& /*scene*/) {
+  const bool sine = wave.form == grains::Waveform::sine;
+  const std::uint64_t least =
+      (sine ? kSineSteps : kTriangleSteps) * static_cast<std::uint64_t>(wave.amplitude);
+  if (wave.period < least) {
+    fail(fields.at("period").location,
+         fmt::format("{}: expected at least {} steps for a {} of amplitude {}, which moves one "
+                     "site a step at most, found '{}'",
+                     fields.path("period"), least, name_of(kWaveformNames, wave.form),
+                     wave.amplitude, wave.period));
+  }
+}
+
+Type<grains::Wave> wave() {
+  using grains::Wave;
+  return type_of<Wave>(
+      {.keys = {key("form", &Wave::form, choice(kWaveformNames), "offset over time"),
+                required("amplitude", &Wave::amplitude, integer(1, kMaxWaveAmplitude),
+                         "sites to either side"),
+                required(
+                    "period", &Wave::period, count(1, kMaxWavePeriod),
+                    fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
+                                "sine, {} of a triangle",
+                                kSineSteps, kTriangleSteps))},
+       .check = check_wave});
+}
+
+Type<int> shake_amplitude() {
+  Type<int> type = integer(1, kMaxOffset);
+  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
+    if (value.is(Value::Kind::scalar) && value.text == "0") {
+      fail(value.location, fmt::format("{}: expected a whole number from 1 to {}, found '0'; a "
+                                       "shake of 0 does nothing",
+                                       path, kMaxOffset));
+    }
+    return read(value, path, scene);
+  };
+  return type;
+}
+
+Type<grains::Shake> shake() {
+  using grains::Shake;
+  const auto wait = word_or("settled", count(1, kMaxSteps),
+                            fmt::format("a whole number from 1 to {}", kMaxSteps));
+  auto period = key("period", &Shake::period, count(1, kMaxShakePeriod), "steps for each site")
+                    .of(Model::contact)
+                    .defaults_to("10");
+  return type_of<Shake>(
+      {.keys = {required("amplitude", &Shake::amplitude, shake_amplitude(), "sites"),
+                key("wait", &Shake::wait, wait, "until no particle moves, or so many steps"),
+                period}});
+}
+
+using Point = grains::Path::Point;
+
+/// Whether the way between the points is longer in sites than in steps.
+bool too_steep(const Point& from, const Point& to) {
+  const auto rise = static_cast<std::int64_t>(to.offset) - from.offset;
+  return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
+}
+
+grains::Path read_path(const Value& value, const std::string& path) {
+  grains::Path way;
+  Point before;
+  for (const Value& item : read_list(value, path, 1, kMaxPoints)) {
+    const std::vector<Value>& pair = read_list(item, path, 2, 2);
+    const Point point = {.step = read_count(pair[0], path, 1, kMaxSteps),
+                         .offset = read_int(pair[1], path, -kMaxOffset, kMaxOffset)};
+    if (point.step <= before.step) {
+      fail(pair[0].location,
+           fmt::format("{}: expected a step after {}, found '{}'", path, before.step, point.step));
+    }
+    if (too_steep(before, point)) {
+      fail(item.location,
+           fmt::format("{}: from [{}, {}] to [{}, {}] is steeper than one site a step", path,
+                       before.step, before.offset, point.step, point.offset));
+    }
+    way.points.push_back(point);
+    before = point;
+  }
+  return way;
+}
+
+Type<grains::Path> path_type() {
+  return {
+      .allowed = fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
+      .schema =
+          [=] {
+            return Json{
+                {"type", "array"},
+                {"items",
+                 {{"type", "array"},
+                  {"items",
+                   {count(1, kMaxSteps).schema(), integer(-kMaxOffset, kMaxOffset).schema()}},
+                  {"minItems", 2},
+                  {"maxItems", 2}}},
+                {"minItems", 1},
+                {"maxItems", kMaxPoints}};
+          },
+      .read = [](const Value& value, const std::string& path,
+                 const Scene& /*scene*/) { return read_path(value, path); },
+      .text =
+          [](const grains::Path& path, const Scene& /*scene*/) {
+            Yaml list = Yaml::list({});
+            for (const Point& point : path.points) {
+              list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", point.step, point.offset)));
+            }
+            return list;
+          }};
+}
+
+/// The key of the program; empty for a drive.
+std::string_view program_key(const KeyedMap& fields) {
+  constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
+  std::vector<std::string_view> given;
+  std::copy_if(kKeys.begin(), kKeys.end(), std::back_inserter(given),
+               [&](std::string_view key) { return fields.find(key) != nullptr; });
+  const bool drive = std::all_of(given.begin(), given.end(), [](std::string_view key) {
+    return key == "period" || key == "distance";
+  });
+  if (!drive && given.size() > 1) {
+    fail(fields.location(),
+         fmt::format("{}: expected either distance and period, or one of wave, shake, path, found "
+                     "{}",
+                     fields.path(), fmt::join(given, " and ")));
+  }
+  return drive ? "" : given.front();
+}
+
+/// A member of grains::Drive, the program unless another is given.
+template <class T>
+Key<WallMotion> drive_key(const std::string& name, T grains::Drive::*member, const Type<T>& type,
+                          std::string about) {
+  auto key = described<WallMotion>(name, type, std::move(about));
+  key.read = [=](const KeyedMap& fields, WallMotion& motion, const Scene& scene) {
+    auto* drive = std::get_if<grains::Drive>(&motion.program);
+    if (const Value* value = fields.find(name); value != nullptr && drive != nullptr) {
+      drive->*member = type.read(*value, fields.path(name), scene);
+    }
+  };
+  key.text = [=](const WallMotion& motion, const Scene& scene) {
+    const auto* drive = std::get_if<grains::Drive>(&motion.program);
+    return drive != nullptr ? std::optional(type.text(drive->*member, scene)) : std::nullopt;
+  };
+  return key;
+}
+
+void check_program(const KeyedMap& fields, WallMotion& /*motion*/, const Scene& /*scene*/) {
+  if (!program_key(fields).empty()) {
+    return;
+  }
+  if (fields.find("distance") == nullptr) {
+    fail(fields.location(),
+         fmt::format("{}: motion without bound; give distance, or one of wave, shake, path",
+                     fields.path()));
+  }
+  fields.at("direction");
+}
+
+template <class T>
+Key<WallMotion> program(std::string name, const Type<T>& type, std::string about) {
+  return inlined(&WallMotion::program,
+                 alternative<Program>(std::move(name), type, std::move(about)));
+}
+
+}  // namespace
+
+Type<WallMotion> motion_type() {
+  auto period = drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
+                          "steps for each site of the distance");
+  period.otherwise = "1";
+  return type_of<WallMotion>(
+      {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
+                    "where to; required with `distance`"),
+                period,
+                drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
+                          "sites in all, then it stands"),
+                program("wave", wave(), "to and fro about home"),
+                program("shake", shake(),
+                        "lifted, dropped back home, then a wait; again and again"),
+                program(
+                    "path", path_type(),
+                    "from point to point, straight between them: steps increase, and nowhere is "
+                    "it steeper than one site a step, counted from `[0, 0]`")},
+       .start = {.direction = lattice::Direction::up, .program = {}},
+       .check = check_program,
+       .conditions = [] {
+         Json one_program = Json::array();
+         for (const char* name : {"distance", "wave", "shake", "path"}) {
+           one_program.push_back({{"required", {name}}});
+         }
+         return Json{{"oneOf", one_program},
+                     {"dependencies", {{"distance", {"direction"}}, {"period", {"distance"}}}}};
+       }});
+}
+
+}  // namespace clca::scene

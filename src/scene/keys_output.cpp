@@ -1,0 +1,224 @@
+// What is measured and what is written.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+bool lets_overlap(const Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(),
+                     [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
+}
+
+bool moves_in_cycles(const Scene& scene) {
+  return std::any_of(
+             scene.walls.begin(), scene.walls.end(),
+             [](const Wall& wall) { return wall.motion && grains::is_cyclic(*wall.motion); }) ||
+         std::any_of(scene.stages.begin(), scene.stages.end(), vessel_has_cycles);
+}
+
+/// In the automaton there are forces only where walls enter particles.
+void require_overlap(const TextLocation& location, const std::string& path, std::string_view what,
+                     const Scene& scene) {
+  if (!lets_overlap(scene)) {
+    fail(location,
+         fmt::format("{}: no {} without a wall that moves with passive: overlap", path, what));
+  }
+}
+
+/// What can be drawn depends on how walls move.
+void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
+  frames.location = FileReference(to_string(fields.location()));
+  if (frames.color_by == ColorBy::force && scene.model == Model::automaton) {
+    require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
+  }
+  if (frames.overlay == Overlay::forces && scene.model == Model::automaton) {
+    require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
+  }
+  if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
+    fail(fields.at("overlay").location,
+         fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake, or "
+                     "that turns or shakes the vessel",
+                     fields.path("overlay")));
+  }
+}
+
+Type<Frames> frames_type() {
+  const Type<int> pixels = integer(kMinPixels, kMaxPixels);
+  return type_of<Frames>(
+      {.keys =
+           {key("every", &Frames::every, count(1, kMaxSteps), "steps from one picture to the next"),
+            key("width", &Frames::width, pixels, "pixels"),
+            key("height", &Frames::height, pixels, "pixels"),
+            key("color_by", &Frames::color_by, choice(kColorByNames),
+                "what the colour of a particle means"),
+            key("layers", &Frames::layers, integer(1, kMaxLayers),
+                "number of layers for `stage_layer`"),
+            key("view", &Frames::view, rectangle(), "the part of the plane to show")
+                .defaults_to("the whole box"),
+            key("drawing", &Frames::drawing, choice(kDrawingNames),
+                "as polygons, or by looking up the site of each pixel, for very many; for speed "
+                "only"),
+            key("supersampling", &Frames::supersampling, integer(1, kMaxSupersampling),
+                "samples per pixel along each side"),
+            key("caption", &Frames::caption, yes_or_no(),
+                "title, stage, step or time, legend, scale bar"),
+            key("upright", &Frames::upright, yes_or_no(),
+                "turned as the vessel is, so that gravity points down; corners of the view may "
+                "go out of the picture")
+                .of(Model::contact),
+            key("force_scale", &Frames::force_scale, above_zero(kMaxForceScale),
+                "the force drawn as the widest line, in grain weights; the colours by force end "
+                "at twice it")
+                .of(Model::contact)
+                .defaults_to("from the fall height"),
+            key("overlay", &Frames::overlay, choice(kOverlayNames),
+                "what is drawn over the particles: forces between them, or arrows from cycle to "
+                "cycle")},
+       .check = check_frames});
+}
+
+Type<Series> series_type() {
+  return type_of<Series>(
+      {.keys = {key("every", &Series::every, count(1, kMaxSteps),
+                    "a row at each step *of the whole run* that this divides")}});
+}
+
+Type<Fields> fields_type() {
+  return type_of<Fields>(
+      {.keys = {key("cell", &Fields::cell, number(1, kMaxCellSide),
+                    "side of a cell in lattice spacings"),
+                key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
+}
+
+void check_contacts(const KeyedMap& fields, Contacts& contacts, const Scene& scene) {
+  if (scene.model == Model::automaton) {
+    require_overlap(fields.location(), fields.path(), "contacts", scene);
+    return;
+  }
+  if (contacts.every > contacts.window) {
+    fail(fields.at("every").location,
+         fmt::format("{}: expected 1 to {}, the steps of {}, found {}", fields.path("every"),
+                     contacts.window, fields.path("window"), contacts.every));
+  }
+}
+
+Type<Contacts> contacts_type() {
+  return type_of<Contacts>(
+      {.keys = {key("every", &Contacts::every, count(1, kMaxSteps),
+                    "steps from one sample to the next; with `model: contact` at most `window`"),
+                key("window", &Contacts::window, count(1, kMaxSteps),
+                    "steps of a mean of the forces, at the end of a stage and before each picture")
+                    .of(Model::contact)},
+       .check = check_contacts});
+}
+
+Type<TrajectoryOutput> trajectory_type() {
+  return type_of<TrajectoryOutput>(
+      {.keys = {key("every", &TrajectoryOutput::every, count(1, kMaxSteps),
+                    "steps from one frame to the next, counted from the start of each stage"),
+                key("contacts", &TrajectoryOutput::contacts, yes_or_no(),
+                    "contacts and their forces, too, for `clca render` and `clca export`; about 50 "
+                    "bytes a contact and frame")
+                    .of(Model::contact)}});
+}
+
+Key<Checkpoints> seconds_key() {
+  return key("seconds", &Checkpoints::seconds, above_zero(kMaxWait),
+             "seconds by the clock from one checkpoint to the next; nothing of the result depends "
+             "on it");
+}
+
+std::vector<Measure> read_measures(const Value& value, const std::string& path) {
+  std::vector<Measure> measures;
+  for (const Value& item : read_list(value, path, 0, kMeasureNames.size())) {
+    const Measure measure = read_choice(item, path, kMeasureNames);
+    if (std::find(measures.begin(), measures.end(), measure) != measures.end()) {
+      fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
+    }
+    measures.push_back(measure);
+  }
+  return measures;
+}
+
+}  // namespace
+
+Type<std::vector<Measure>> measures_type() {
+  const Type<Measure> word = choice(kMeasureNames);
+  return {.allowed = "list of " + word.allowed,
+          .schema =
+              [=] {
+                return Json{{"type", "array"}, {"items", word.schema()}, {"uniqueItems", true}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_measures(value, path); },
+          .text =
+              [=](const std::vector<Measure>& measures, const Scene& scene) {
+                Yaml list = Yaml::list({});
+                for (const Measure measure : measures) {
+                  list.items.push_back(word.text(measure, scene));
+                }
+                return list;
+              }};
+}
+
+Type<Checkpoints> checkpoint_type() {
+  return type_of<Checkpoints>(
+      {.keys = {key("every", &Checkpoints::every, count(1, kMaxSteps),
+                    "steps from one checkpoint to the next"),
+                seconds_key()},
+       .check =
+           [](const KeyedMap& fields, Checkpoints& checkpoints, const Scene& /*scene*/) {
+             if (!checkpoints.every && !checkpoints.seconds) {
+               fail(fields.location(),
+                    fmt::format("{}: expected every (steps), seconds or both", fields.path()));
+             }
+           },
+       .conditions =
+           [=] {
+             return Json{{"minProperties", 1}};
+           }});
+}
+
+Type<Checkpoints> gas_checkpoint_type() {
+  auto seconds = seconds_key();
+  seconds.required = true;
+  return type_of<Checkpoints>({.keys = {seconds},
+                               .check = [](const KeyedMap& fields, Checkpoints& /*checkpoints*/,
+                                           const Scene& /*scene*/) { fields.at("seconds"); }});
+}
+
+Type<Output> output_type() {
+  return type_of<Output>(
+      {.keys = {key("frames", &Output::frames, or_none(frames_type()),
+                    "pictures: [output.frames](#outputframes)"),
+                key("series", &Output::series, or_none(series_type()),
+                    "table of what changes over time: [output.series](#outputseries)"),
+                key("fields", &Output::fields, or_none(fields_type()),
+                    "means over the cells of a grid: [output.fields](#outputfields)"),
+                key("contacts", &Output::contacts, or_none(contacts_type()),
+                    "contacts between particles, for means over time; with `model: automaton` it "
+                    "needs a wall that moves with `passive: overlap`: "
+                    "[output.contacts](#outputcontacts)"),
+                key("trajectory", &Output::trajectory, or_none(trajectory_type()),
+                    "places of all particles and walls, frame by frame, as HDF5: "
+                    "[output.trajectory](#outputtrajectory)"),
+                key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
+                    "when the run saves a checkpoint, besides at its end and when it is stopped: "
+                    "[output.checkpoint](#outputcheckpoint)",
+                    std::optional(kDefaultCheckpoints))},
+       .start = {.frames = {},
+                 .series = {},
+                 .fields = {},
+                 .contacts = {},
+                 .trajectory = {},
+                 .checkpoint = kDefaultCheckpoints}});
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,97 @@
+// Sources and outlets.
+
+#include <algorithm>
+
+#include "scene/geometry.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using Place = decltype(Source::place);
+
+void check_point(const Eigen::Vector2d& point, const Value& value, const std::string& path,
+                 const Box& box) {
+  if (!lattice_of(box).contains(lattice::nearest_site(point))) {
+    fail(value.location, fmt::format("{}: expected a point in the box, {} wide and {} high, found "
+                                     "[{}, {}]",
+                                     path, box.width, box.height, point.x(), point.y()));
+  }
+}
+
+void check_region(const lattice::Rectangle& region, const Value& value, const std::string& path,
+                  const Box& box) {
+  if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
+    fail(value.location,
+         fmt::format("{}: expected a region in the box, {} wide and {} high, found {}", path,
+                     box.width, box.height, shown(region)));
+  }
+}
+
+void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
+  constexpr std::array<std::string_view, 2> kPlaces = {"at", "region"};
+  const std::string_view key = fields.only(kPlaces);
+  if (const auto* at = std::get_if<Eigen::Vector2d>(&source.place)) {
+    check_point(*at, fields.at(key), fields.path(key), scene.box);
+  } else {
+    check_region(std::get<lattice::Rectangle>(source.place), fields.at(key), fields.path(key),
+                 scene.box);
+  }
+  if (source.weights.empty()) {
+    source.weights.assign(scene.species.size(), 1);
+  }
+}
+
+Type<std::vector<std::uint32_t>> weights() {
+  auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
+  type.schema = [schema = type.schema] {
+    Json result = schema();
+    result["minProperties"] = 1;
+    return result;
+  };
+  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
+    auto weights = read(value, path, scene);
+    if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
+      fail(value.location, fmt::format("{}: expected a weight above 0", path));
+    }
+    return weights;
+  };
+  return type;
+}
+
+}  // namespace
+
+Type<std::vector<Source>> sources_type() {
+  const auto place = [](std::string name, const auto& type, std::string about) {
+    return inlined(&Source::place, alternative<Place>(std::move(name), type, std::move(about)));
+  };
+  return by_name<Source>(
+      "sources",
+      {.keys = {place("at", point(), "emits at the site nearest to this point")
+                    .defaults_to("this or `region`"),
+                place("region", region(), "emits at any site of this region of the box")
+                    .defaults_to("this or `at`"),
+                key("species", &Source::weights, weights(), "weights of what is emitted", {})
+                    .defaults_to("all alike"),
+                required("rate", &Source::rate, number(kMinRate, kMaxRate), "particles per step"),
+                key("count", &Source::count, count(1, kMaxParticles),
+                    "closes for good after so many")
+                    .defaults_to("no end")},
+       .check = check_source,
+       .conditions = [=] {
+         return Json{{"oneOf", {{{"required", {"at"}}}, {{"required", {"region"}}}}}};
+       }});
+}
+
+Type<std::vector<Outlet>> outlets_type() {
+  return by_name<Outlet>(
+      "outlets", {.keys = {required("region", &Outlet::region, region(),
+                                    "where particles are removed that lie wholly inside")},
+                  .check = [](const KeyedMap& fields, Outlet& outlet, const Scene& /*scene*/) {
+                    outlet.location = FileReference(to_string(fields.at("region").location));
+                  }});
+}
+
+}  // namespace clca::scene

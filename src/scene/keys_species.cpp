@@ -1,0 +1,233 @@
+// Species: shapes, orientations, colours.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "scene/geometry.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr int kSixth = 60;
+
+std::vector<lattice::Axial> read_sites(const Value& value, const std::string& path,
+                                       std::size_t least, std::size_t most) {
+  std::vector<lattice::Axial> sites;
+  std::map<lattice::Axial, bool> known;
+  for (const Value& item : read_list(value, path, least, most)) {
+    const std::vector<Value>& pair = read_list(item, path, 2, 2);
+    sites.push_back({read_int(pair[0], path, -kMaxSiteCoordinate, kMaxSiteCoordinate),
+                     read_int(pair[1], path, -kMaxSiteCoordinate, kMaxSiteCoordinate)});
+    if (!known.emplace(sites.back(), true).second) {
+      fail(item.location,
+           fmt::format("{}: [{}, {}] is named twice", path, sites.back().x, sites.back().q));
+    }
+  }
+  return sites;
+}
+
+Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
+  const Type<int> coordinate = integer(-kMaxSiteCoordinate, kMaxSiteCoordinate);
+  return {.allowed = fmt::format("{} to {} `[x, q]`", least, most),
+          .schema =
+              [=] {
+                return Json{{"type", "array"},
+                            {"items",
+                             {{"type", "array"},
+                              {"items", coordinate.schema()},
+                              {"minItems", 2},
+                              {"maxItems", 2}}},
+                            {"minItems", least},
+                            {"maxItems", most},
+                            {"uniqueItems", true}};
+              },
+          .read = [=](const Value& value, const std::string& path,
+                      const Scene& /*scene*/) { return read_sites(value, path, least, most); },
+          .text =
+              [](const std::vector<lattice::Axial>& sites, const Scene& /*scene*/) {
+                Yaml list = Yaml::list({});
+                for (const lattice::Axial site : sites) {
+                  list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", site.x, site.q)));
+                }
+                return list;
+              }};
+}
+
+Type<RodSpec> rod() {
+  return type_of<RodSpec>({.keys = {required("radius", &RodSpec::radius, integer(0, kMaxRadius),
+                                             "radius of the hexagons"),
+                                    required("length", &RodSpec::length, integer(1, kMaxRodLength),
+                                             "number of sites on the line")}});
+}
+
+Type<ShapeSpec> shape() {
+  return one_of<ShapeSpec>(
+      {alternative<ShapeSpec>(
+           "hexagon", as(&HexagonSpec::radius, integer(0, kMaxRadius)),
+           "all sites within that many steps of the centre: 0 is a single site, 1 "
+           "has 7, 2 has 19"),
+       alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
+       alternative<ShapeSpec>("polygon", as(&PolygonSpec::corners, sites(3, kMaxCorners)),
+                              "all sites on and inside the outline with these corners"),
+       alternative<ShapeSpec>("rod", rod(), "hexagons on an upright line of sites")});
+}
+
+lattice::Shape build(const HexagonSpec& spec) {
+  return lattice::Shape::hexagon(spec.radius);
+}
+lattice::Shape build(const SitesSpec& spec) {
+  return lattice::Shape(spec.sites);
+}
+lattice::Shape build(const PolygonSpec& spec) {
+  return lattice::Shape::polygon(spec.corners);
+}
+lattice::Shape build(const RodSpec& spec) {
+  return lattice::Shape::rod(spec.radius, spec.length);
+}
+
+/// Twice the area in axial units. Pick: a polygon that does not cross itself has more sites than
+/// its area.
+double doubled_area(const PolygonSpec& spec) {
+  double sum = 0;
+  for (std::size_t i = 0; i < spec.corners.size(); ++i) {
+    const lattice::Axial from = spec.corners[i];
+    const lattice::Axial to = spec.corners[(i + 1) % spec.corners.size()];
+    sum += static_cast<double>(from.x) * to.q - static_cast<double>(to.x) * from.q;
+  }
+  return std::abs(sum);
+}
+
+lattice::Shape build_checked(const ShapeSpec& spec) {
+  const std::string message = fmt::format("expected a shape of at most {} sites", kMaxSites);
+  const auto* polygon = std::get_if<PolygonSpec>(&spec);
+  if (polygon != nullptr && doubled_area(*polygon) > 2.0 * kMaxSites) {
+    throw std::invalid_argument(message);  // before the sites are listed, which takes long
+  }
+  lattice::Shape shape = std::visit([](const auto& one) { return build(one); }, spec);
+  if (shape.size() > kMaxSites) {
+    throw std::invalid_argument(message);
+  }
+  return shape;
+}
+
+const std::vector<int> kAllOrientations = {0, 60, 120, 180, 240, 300};
+std::vector<int> read_orientations(const Value& value, const std::string& path) {
+  if (value.is(Value::Kind::scalar) && value.text == "any") {
+    return kAllOrientations;
+  }
+  if (!value.is(Value::Kind::list)) {
+    fail(value.location,
+         fmt::format("{}: expected any or a list of angles, found {}", path, found(value)));
+  }
+  std::vector<int> angles;
+  for (const Value& item : read_list(value, path, 1, lattice::kDirectionCount)) {
+    const int angle = read_int(item, path, 0, 360 - kSixth);
+    if (angle % kSixth != 0) {
+      fail(item.location, fmt::format("{}: expected a multiple of 60, found {}", path, angle));
+    }
+    if (std::find(angles.begin(), angles.end(), angle) != angles.end()) {
+      fail(item.location, fmt::format("{}: {} is named twice", path, angle));
+    }
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
+Color read_color(const Value& value, const std::string& path) {
+  const std::string& text = value.text;
+  const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
+                           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!value.is(Value::Kind::scalar) || !hexadecimal) {
+    fail(value.location, fmt::format("{}: expected a colour like \"#3a6ea5\", in quotes, found {}",
+                                     path, found(value)));
+  }
+  const auto part = [&](std::size_t start) {
+    return static_cast<std::uint8_t>(std::stoi(text.substr(start, 2), nullptr, 16));
+  };
+  return {part(1), part(3), part(5)};
+}
+
+Type<std::vector<int>> orientations() {
+  return {.allowed = "list of 0, 60, 120, 180, 240, 300, or `any`",
+          .schema =
+              [=] {
+                return Json{{"anyOf",
+                             {{{"const", "any"}},
+                              {{"type", "array"},
+                               {"items", {{"enum", kAllOrientations}}},
+                               {"minItems", 1},
+                               {"maxItems", lattice::kDirectionCount},
+                               {"uniqueItems", true}}}}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_orientations(value, path); },
+          .text =
+              [](const std::vector<int>& angles, const Scene& /*scene*/) {
+                return Yaml::scalar(angles == kAllOrientations
+                                        ? std::string("any")
+                                        : fmt::format("[{}]", fmt::join(angles, ", ")));
+              }};
+}
+
+Type<Color> color() {
+  return {.allowed = "`\"#rrggbb\"`, in quotes",
+          .schema =
+              [=] {
+                return Json{{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_color(value, path); },
+          .text =
+              [](const Color& color, const Scene& /*scene*/) {
+                return quoted_text(
+                    fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
+              }};
+}
+
+/// A particle that met itself across a periodic boundary would block itself.
+void check_width(const Species& species, const Box& box, const KeyedMap& fields) {
+  if (!box.periodic) {
+    return;
+  }
+  const int columns = lattice_of(box).columns();
+  for (const int degrees : species.orientations) {
+    const std::vector<lattice::Axial> sites = species.shape.rotated(degrees / kSixth).sites();
+    const int width = sites.back().x - sites.front().x + 1;
+    if (width >= columns) {
+      fail(fields.location(),
+           fmt::format(
+               "{}: {} columns wide at {} degrees, too wide for a periodic box of {} columns",
+               fields.path(), width, degrees, columns));
+    }
+  }
+}
+
+}  // namespace
+
+Type<std::vector<Species>> species_type() {
+  Map<Species> map = {
+      .keys = {required("shape", &Species::shape_spec, shape(), "the sites of a particle"),
+               key("orientations", &Species::orientations, orientations(),
+                   "angles it may start with, clockwise; one of them at random", {0}),
+               key("color", &Species::color, color(), "colour for `color_by: species`")
+                   .defaults_to("palette")},
+      .start = {{}, {}, lattice::Shape::hexagon(0), {0}, {}}};
+  map.check = [](const KeyedMap& fields, Species& species, const Scene& scene) {
+    try {
+      species.shape = build_checked(species.shape_spec);
+    } catch (const std::invalid_argument& error) {
+      fail(fields.at("shape").location, fmt::format("{}: {}", fields.path("shape"), error.what()));
+    }
+    check_width(species, scene.box, fields);
+  };
+  return by_name("species", std::move(map), 1);
+}
+
+}  // namespace clca::scene

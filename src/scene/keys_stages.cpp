@@ -1,0 +1,102 @@
+// Stages: what happens one after the other.
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+Type<Fill> fill_type() {
+  return type_of<Fill>(
+      {.keys = {key("method", &Fill::method, choice(kFillMethodNames),
+                    "a rain that falls in the steps that follow, or a packing at rest"),
+                required("region", &Fill::region, region(), "where: no particle sticks out of it"),
+                required("counts", &Fill::counts, by_species<std::size_t>(kMaxParticles),
+                         "number of particles; 0 for species that are not named")},
+       .check = [](const KeyedMap& fields, Fill& fill, const Scene& scene) {
+         fill.location = FileReference(to_string(fields.location()));
+         if (fill.method == FillMethod::deposition &&
+             scene.rules.gravity != lattice::Direction::down) {
+           fail(fields.at("method").location,
+                fmt::format("{}: deposition needs rules.gravity: down", fields.path("method")));
+         }
+       }});
+}
+
+/// `stages.flow`, or the number where there is no name to go by.
+std::string stage_path(const Value& value, std::size_t number) {
+  const Value* name = value.find("name");
+  return name != nullptr && name->is(Value::Kind::scalar)
+             ? join_path("stages", name->text.substr(0, kMaxNameLength))
+             : fmt::format("stages.{}", number);
+}
+
+void check_stage(const KeyedMap& fields, Stage& stage, const Scene& scene) {
+  if (const Value* insert = fields.find("insert")) {
+    stage.insert_location = FileReference(to_string(insert->location));
+  }
+  check_until(fields, stage, scene);
+}
+
+Map<Stage> stage_map() {
+  const auto walls = references("wall", [](const Scene& scene) { return names_of(scene.walls); });
+  const auto sources =
+      references("source", [](const Scene& scene) { return names_of(scene.sources); });
+  return {
+      .keys = {required("name", &Stage::name, name_type(), "unique; part of the names of files"),
+               key("fill", &Stage::fill, fill_type(),
+                   "particles placed at the start: [fill](#fill)")
+                   .defaults_to("none"),
+               list_key("remove", &Stage::remove, walls, "walls to take away at the start"),
+               list_key("insert", &Stage::insert, walls,
+                        "walls to put in at the start; they are absent until then"),
+               list_key("move", &Stage::move, walls,
+                        "walls in motion during this stage; all others stand"),
+               list_key("sources", &Stage::sources, sources,
+                        "sources that are open during this stage; all others are closed"),
+               key("vessel", &Stage::vessel, vessel_type(),
+                   "how the [vessel](#vessel) stands and moves")
+                   .of(Model::contact)
+                   .defaults_to("none: it rests as it stands"),
+               key("until", &Stage::until, until_type(), "when the stage ends: see below"),
+               key("max_steps", &Stage::max_steps, count(1, kMaxSteps),
+                   "ends the stage in any case")},
+      .check = check_stage};
+}
+
+}  // namespace
+
+Type<std::vector<Stage>> stages_type() {
+  const Map<Stage> map = stage_map();
+  const auto keys = descriptions(map.keys);
+  return {.allowed = fmt::format("list of 1 to {} maps", kMaxItems),
+          .schema =
+              [=] {
+                return Json{{"type", "array"},
+                            {"items", map_schema(keys, map.conditions)},
+                            {"minItems", 1},
+                            {"maxItems", kMaxItems}};
+              },
+          .read =
+              [=](const Value& value, const std::string& path, const Scene& scene) {
+                std::vector<Stage> stages;
+                for (const Value& item : read_list(value, path, 1, kMaxItems)) {
+                  stages.push_back(read_fields(item, stage_path(item, stages.size()), map, scene));
+                }
+                return stages;
+              },
+          .text =
+              [=](const std::vector<Stage>& stages, const Scene& scene) {
+                Yaml list = Yaml::list({});
+                list.in_lines = true;
+                for (const Stage& stage : stages) {
+                  list.items.push_back(text_of(map.keys, stage, scene));
+                }
+                return list;
+              },
+          .keys = keys,
+          .is_collection = true};
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,104 @@
+// What users read of the format comes from the declarations of its keys.
+
+#include "clca/scene/format.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace clca::scene {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// What stands between the first `begin` and the `end` after it; moves `place` behind.
+std::string between(const std::string& text, const std::string& begin, const std::string& end,
+                    std::size_t& place) {
+  const std::size_t start = text.find(begin, place);
+  if (start == std::string::npos) {
+    place = start;
+    return {};
+  }
+  const std::size_t stop = text.find(end, start);
+  place = stop;
+  return text.substr(start + begin.size(), stop - start - begin.size());
+}
+
+TEST(Format, TheTablesOfTheDocumentationAreThoseOfTheDeclarations) {
+  const std::string page =
+      text_of(std::filesystem::path(CLCA_SOURCE_DIR) / "docs" / "scene-format.md");
+  int tables = 0;
+  for (std::size_t place = 0; place != std::string::npos;) {
+    const std::string keys = between(page, "<!-- keys:", "-->\n", place);
+    if (place == std::string::npos) {
+      break;
+    }
+    std::istringstream words(keys);
+    std::vector<std::string> paths{std::istream_iterator<std::string>(words), {}};
+    if (paths.empty()) {
+      paths.emplace_back("");
+    }
+    EXPECT_EQ(between(page, "-->\n", "<!-- end of keys -->", place), markdown_table(paths))
+        << "call scripts/update-format";
+    ++tables;
+  }
+  EXPECT_GE(tables, 20);
+}
+
+TEST(Format, ExplainsAKey) {
+  EXPECT_EQ(explain("rules.inertia"),
+            "rules.inertia: probability to keep the direction of the last step, if free\n"
+            "  0 to 1; default: 0.9\n");
+  EXPECT_EQ(explain("box.width"),
+            "box.width: width; columns stand 0.866 apart\n  1 to 866025; required\n");
+  EXPECT_THAT(explain("contact.rolling"),
+              EndsWith("none, resistance, free; default: resistance\n"));
+}
+
+TEST(Format, ExplainsTheKeysOfAMap) {
+  EXPECT_THAT(explain("output.fields"),
+              EndsWith("  cell: side of a cell in lattice spacings\n    1 to 1000; default: 8\n\n"
+                       "  every: steps of a window\n    1 to 10^12; default: 100\n"));
+}
+
+TEST(Format, TakesThePathsOfSet) {
+  EXPECT_THAT(explain("walls.gate.motion.wave.period"), HasSubstr("walls.NAME.motion.wave.period"));
+  EXPECT_EQ(explain("stages.flow.until.steps"), explain("stages.until.steps"));
+  EXPECT_EQ(explain("walls.tray.parts.0.disc.radius"), explain("walls.parts.disc.radius"));
+}
+
+TEST(Format, SaysWhatBothKindsOfScenesHave) {
+  EXPECT_THAT(explain("output"), HasSubstr("In a scene of the Boltzmann equation:\n\noutput"));
+  EXPECT_THAT(explain("boltzmann:output.bins"), HasSubstr("q2 to q1000"));
+}
+
+TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
+  const auto refusal = [](const std::string& path) -> std::string {
+    try {
+      return explain(path);
+    } catch (const UnknownKeyError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal("rules.inerta"),
+            "the scene format has no key 'rules.inerta'; did you mean 'inertia'?");
+  EXPECT_EQ(refusal("boltzman"),
+            "the scene format has no key 'boltzman'; did you mean 'boltzmann'?");
+  EXPECT_EQ(refusal("walls.gate.motion.wave.x.y"),
+            "the scene format has no key 'walls.gate.motion.wave.x.y'");
+}
+
+}  // namespace
+}  // namespace clca::scene
