@@ -9,8 +9,6 @@ namespace clca::scene {
 
 namespace {
 
-using Descriptions = std::vector<KeyDescription>;
-
 const Descriptions& grains() {
   static const Descriptions kKeys = descriptions(scene_map().keys);
   return kKeys;
@@ -34,20 +32,23 @@ std::vector<std::string> parts_of(std::string_view path) {
 /// What is at a path of keys below these, and the name of each key on the way.
 struct Place {
   const KeyDescription* key = nullptr;  ///< none at the top
-  const Descriptions* keys = nullptr;
+  Descriptions keys;                    ///< below it; null if there is no such place
   std::string path;
 };
 
 /// The key at the path below these; null if there is none. After a key whose value has names, such
 /// as `walls`, a name may stand.
 Place find(const Descriptions& top, const std::vector<std::string>& parts) {
-  Place place = {.key = nullptr, .keys = &top, .path = ""};
+  Place place = {.key = nullptr, .keys = top, .path = ""};
+  static const Descriptions kNone = std::make_shared<const std::vector<KeyDescription>>();
   bool name_allowed = false;
   for (const std::string& part : parts) {
     const auto next = std::find_if(place.keys->begin(), place.keys->end(),
                                    [&](const KeyDescription& key) { return key.name == part; });
     if (next != place.keys->end()) {
-      place = {.key = &*next, .keys = &next->keys, .path = join_path(place.path, part)};
+      place = {.key = &*next,
+               .keys = next->keys ? next->keys : kNone,
+               .path = join_path(place.path, part)};
       name_allowed = next->is_collection;
       place.path += name_allowed ? ".NAME" : "";
     } else if (!std::exchange(name_allowed, false)) {
@@ -63,11 +64,11 @@ std::vector<Place> places(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
   const std::vector<std::string> parts = parts_of(path.substr(gas_only ? kGasOnly.size() : 0));
-  const std::vector<const Descriptions*> tops =
-      gas_only ? std::vector{&gas()} : std::vector{&grains(), &gas()};
+  const std::vector<Descriptions> tops =
+      gas_only ? std::vector{gas()} : std::vector{grains(), gas()};
   std::vector<Place> found;
-  for (const Descriptions* top : tops) {
-    const Place place = find(*top, parts);
+  for (const Descriptions& top : tops) {
+    const Place place = find(top, parts);
     if (place.keys != nullptr && (found.empty() || place.key == nullptr ||
                                   place.key->schema() != found.front().key->schema())) {
       found.push_back(place);
@@ -78,8 +79,8 @@ std::vector<Place> places(std::string_view path) {
   }
   std::vector<std::string_view> names;
   const std::vector<std::string> parents(parts.begin(), parts.end() - (parts.empty() ? 0 : 1));
-  for (const Descriptions* top : tops) {
-    if (const Descriptions* keys = find(*top, parents).keys) {
+  for (const Descriptions& top : tops) {
+    if (const Descriptions keys = find(top, parents).keys) {
       const auto more = names_of(*keys);
       names.insert(names.end(), more.begin(), more.end());
     }

@@ -2,10 +2,10 @@
 
 namespace clca::scene {
 
-Json map_schema(const std::vector<KeyDescription>& keys, const Schema& conditions) {
+Json map_schema(const Descriptions& keys, const Schema& conditions) {
   Json schema = {{"type", "object"}, {"properties", Json::object()}};
   Json required = Json::array();
-  for (const KeyDescription& key : keys) {
+  for (const KeyDescription& key : *keys) {
     Json& property = schema["properties"][key.name];
     const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
     property = {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -21,6 +22,10 @@ namespace clca::scene {
 /// Built on demand: only `clca explain` needs it.
 using Schema = std::function<Json()>;
 
+struct KeyDescription;
+/// Shared, since types and keys are copied into each other.
+using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
+
 /// A key as users see it. Texts are Markdown.
 struct KeyDescription {
   std::string name;
@@ -29,10 +34,10 @@ struct KeyDescription {
   std::string otherwise = {};              ///< what holds if it is left out
   std::optional<Yaml> default_value = {};  ///< the same, if it is a value
   bool required = false;
-  std::optional<Model> model = {};        ///< the only one that has it
-  bool is_collection = false;             ///< its value has names or numbers above the keys
-  Schema schema = {};                     ///< of the value alone
-  std::vector<KeyDescription> keys = {};  ///< of the map that the value is
+  std::optional<Model> model = {};  ///< the only one that has it
+  bool is_collection = false;       ///< its value has names or numbers above the keys
+  Schema schema = {};               ///< of the value alone
+  Descriptions keys = {};           ///< of the map that the value is; null: none
 };
 
 /// A kind of values: how they are read, written and described.
@@ -43,7 +48,7 @@ struct Type {
   /// `scene` as far as it has been read. Throws SceneError.
   std::function<T(const Value& value, const std::string& path, const Scene& scene)> read;
   std::function<Yaml(const T& value, const Scene& scene)> text;
-  std::vector<KeyDescription> keys = {};
+  Descriptions keys = {};
   bool is_collection = false;
 };
 
@@ -88,11 +93,11 @@ std::string without_markup(std::string text);
 /// What the key is for, without markup.
 std::string meaning(const KeyDescription& key);
 /// Of a map with these keys.
-Json map_schema(const std::vector<KeyDescription>& keys, const Schema& conditions);
+Json map_schema(const Descriptions& keys, const Schema& conditions);
 
 template <class Owner>
-std::vector<KeyDescription> descriptions(const Keys<Owner>& keys) {
-  return {keys.begin(), keys.end()};
+Descriptions descriptions(const Keys<Owner>& keys) {
+  return std::make_shared<const std::vector<KeyDescription>>(keys.begin(), keys.end());
 }
 
 template <class Owner, class T>
@@ -242,29 +247,31 @@ Yaml text_of(const Keys<Owner>& keys, const Owner& owner, const Scene& scene) {
 
 /// A map as the value of a key.
 template <class Owner>
-Type<Owner> type_of(Map<Owner> map) {
-  const auto keys = descriptions(map.keys);
+Type<Owner> type_of(Map<Owner> of) {
+  const auto map = std::make_shared<const Map<Owner>>(std::move(of));
+  const Descriptions keys = descriptions(map->keys);
   return {.allowed = "map",
-          .schema = [=] { return map_schema(keys, map.conditions); },
-          .read = [map](const Value& value, const std::string& path,
-                        const Scene& scene) { return read_fields(value, path, map, scene); },
-          .text = [map](const Owner& owner,
-                        const Scene& scene) { return text_of(map.keys, owner, scene); },
+          .schema = [=] { return map_schema(keys, map->conditions); },
+          .read = [=](const Value& value, const std::string& path,
+                      const Scene& scene) { return read_fields(value, path, *map, scene); },
+          .text = [=](const Owner& owner,
+                      const Scene& scene) { return text_of(map->keys, owner, scene); },
           .keys = keys};
 }
 
 /// A map that is read into the same Owner.
 template <class Owner>
-Key<Owner> section(std::string name, const Map<Owner>& map, std::string about) {
-  auto key = described<Owner>(std::move(name), type_of(map), std::move(about));
+Key<Owner> section(std::string name, Map<Owner> of, std::string about) {
+  const auto map = std::make_shared<const Map<Owner>>(std::move(of));
+  auto key = described<Owner>(std::move(name), type_of(*map), std::move(about));
   key.read = [=, name = key.name](const KeyedMap& fields, Owner& owner, const Scene& scene) {
     if (const Value* value = fields.find(name)) {
-      const std::vector<std::string_view> names = names_of(map.keys);
-      read_fields(KeyedMap(*value, fields.path(name), names), map, owner, scene);
+      const std::vector<std::string_view> names = names_of(map->keys);
+      read_fields(KeyedMap(*value, fields.path(name), names), *map, owner, scene);
     }
   };
   key.text = [=](const Owner& owner, const Scene& scene) {
-    return std::optional(text_of(map.keys, owner, scene));
+    return std::optional(text_of(map->keys, owner, scene));
   };
   return key;
 }
@@ -291,7 +298,7 @@ Type<Variant> one_of(Keys<Variant> keys) {
   Map<Variant> map = {.keys = std::move(keys)};
   map.check = [names = descriptions(map.keys)](const KeyedMap& fields, Variant& /*owner*/,
                                                const Scene& /*scene*/) {
-    fields.only(names_of(names));
+    fields.only(names_of(*names));
   };
   map.conditions = [] { return Json{{"minProperties", 1}, {"maxProperties", 1}}; };
   return type_of(std::move(map));

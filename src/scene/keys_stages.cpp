@@ -68,13 +68,13 @@ Map<Stage> stage_map() {
 }  // namespace
 
 Type<std::vector<Stage>> stages_type() {
-  const Map<Stage> map = stage_map();
-  const auto keys = descriptions(map.keys);
+  const auto map = std::make_shared<const Map<Stage>>(stage_map());
+  const Descriptions keys = descriptions(map->keys);
   return {.allowed = fmt::format("list of 1 to {} maps", kMaxItems),
           .schema =
               [=] {
                 return Json{{"type", "array"},
-                            {"items", map_schema(keys, map.conditions)},
+                            {"items", map_schema(keys, map->conditions)},
                             {"minItems", 1},
                             {"maxItems", kMaxItems}};
               },
@@ -82,7 +82,7 @@ Type<std::vector<Stage>> stages_type() {
               [=](const Value& value, const std::string& path, const Scene& scene) {
                 std::vector<Stage> stages;
                 for (const Value& item : read_list(value, path, 1, kMaxItems)) {
-                  stages.push_back(read_fields(item, stage_path(item, stages.size()), map, scene));
+                  stages.push_back(read_fields(item, stage_path(item, stages.size()), *map, scene));
                 }
                 return stages;
               },
@@ -91,7 +91,7 @@ Type<std::vector<Stage>> stages_type() {
                 Yaml list = Yaml::list({});
                 list.in_lines = true;
                 for (const Stage& stage : stages) {
-                  list.items.push_back(text_of(map.keys, stage, scene));
+                  list.items.push_back(text_of(map->keys, stage, scene));
                 }
                 return list;
               },

@@ -107,45 +107,46 @@ Type<T> choice(const std::array<Named<T>, kCount>& names) {
 
 /// Things by the names that the scene gives them; `name` is a member of each.
 template <class Owner>
-Type<std::vector<Owner>> by_name(std::string section, Map<Owner> map, std::size_t least = 0) {
-  const auto keys = descriptions(map.keys);
+Type<std::vector<Owner>> by_name(std::string section, Map<Owner> of, std::size_t least = 0) {
+  const auto map = std::make_shared<const Map<Owner>>(std::move(of));
+  const Descriptions keys = descriptions(map->keys);
   const auto schema = [=] {
     Json result = {{"type", "object"},
                    {"propertyNames", {{"pattern", kNamePattern}}},
-                   {"additionalProperties", map_schema(keys, map.conditions)},
+                   {"additionalProperties", map_schema(keys, map->conditions)},
                    {"maxProperties", kMaxItems}};
     if (least > 0) {
       result["minProperties"] = least;
     }
     return result;
   };
-  return {
-      .allowed = "map of names",
-      .schema = schema,
-      .read =
-          [=](const Value& value, const std::string& path, const Scene& scene) {
-            std::vector<Owner> things;
-            for (const Entry& entry : read_named(value, path)) {
-              things.push_back(read_fields(entry.value, join_path(section, entry.key), map, scene));
-              things.back().name = entry.key;
-            }
-            if (things.size() < least) {
-              fail(value.location, fmt::format("{}: expected at least one", path));
-            }
-            return things;
-          },
-      .text =
-          [=](const std::vector<Owner>& things, const Scene& scene) {
-            Yaml result = Yaml::map({});
-            result.in_lines = true;
-            for (const Owner& thing : things) {
-              result.entries.emplace_back(name_text(thing.name).text,
-                                          text_of(map.keys, thing, scene));
-            }
-            return result;
-          },
-      .keys = keys,
-      .is_collection = true};
+  return {.allowed = "map of names",
+          .schema = schema,
+          .read =
+              [=](const Value& value, const std::string& path, const Scene& scene) {
+                std::vector<Owner> things;
+                for (const Entry& entry : read_named(value, path)) {
+                  things.push_back(
+                      read_fields(entry.value, join_path(section, entry.key), *map, scene));
+                  things.back().name = entry.key;
+                }
+                if (things.size() < least) {
+                  fail(value.location, fmt::format("{}: expected at least one", path));
+                }
+                return things;
+              },
+          .text =
+              [=](const std::vector<Owner>& things, const Scene& scene) {
+                Yaml result = Yaml::map({});
+                result.in_lines = true;
+                for (const Owner& thing : things) {
+                  result.entries.emplace_back(name_text(thing.name).text,
+                                              text_of(map->keys, thing, scene));
+                }
+                return result;
+              },
+          .keys = keys,
+          .is_collection = true};
 }
 
 }  // namespace clca::scene
