@@ -12,12 +12,12 @@ void add_resume_command(CLI::App& app, int& code);
 void add_boltzmann_command(CLI::App& app, int& code);
 void add_sweep_command(CLI::App& app, int& code);
 void add_check_command(CLI::App& app, int& code);
-void add_compare_command(CLI::App& app, int& code);
+void add_compare_command(CLI::App& app);
 void add_diff_command(CLI::App& app, int& code);
-void add_explain_command(CLI::App& app, int& code);
+void add_explain_command(CLI::App& app);
 void add_export_command(CLI::App& app, int& code);
-void add_plot_command(CLI::App& app, int& code);
+void add_plot_command(CLI::App& app);
 void add_render_command(CLI::App& app, int& code);
-void add_report_command(CLI::App& app, int& code);
+void add_report_command(CLI::App& app);
 
 }  // namespace clca::cli

@@ -8,7 +8,6 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/text/message.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -33,29 +32,21 @@ void draw_figure(const std::filesystem::path& folder) {
   }
 }
 
-/// Runs that cannot be compared are wrong input.
-ExitCode compare_runs(const CompareOptions& options) {
-  try {
-    const compare::Comparison comparison =
-        compare::comparison(options.automaton, options.boltzmann, options.choice);
-    compare::write(comparison, options.folder);
-    print_out("stage {} beside time {}\n", text::printable(comparison.stage), comparison.time);
-    for (const compare::Distance& distance : compare::distances(comparison)) {
-      print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance,
-                distance.floor);
-    }
-    draw_figure(options.folder);
-    print_out("{}\n", options.folder);
-  } catch (const compare::CompareError& error) {
-    report_error(error);
-    return ExitCode::wrong_input;
+void compare_runs(const CompareOptions& options) {
+  const compare::Comparison comparison =
+      compare::comparison(options.automaton, options.boltzmann, options.choice);
+  compare::write(comparison, options.folder);
+  print_out("stage {} beside time {}\n", text::printable(comparison.stage), comparison.time);
+  for (const compare::Distance& distance : compare::distances(comparison)) {
+    print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance, distance.floor);
   }
-  return ExitCode::done;
+  draw_figure(options.folder);
+  print_out("{}\n", options.folder);
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& code) {
+void add_compare_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "compare",
       "Energies of an automaton run beside those of a Boltzmann run, as tables and a figure");
@@ -73,7 +64,7 @@ void add_compare_command(CLI::App& app, int& code) {
       ->add_option("--restitution", options->choice.restitution,
                    "Restitution to choose if the Boltzmann run has several")
       ->check(finite_number());
-  command->callback([options, &code] { code = static_cast<int>(compare_runs(*options)); });
+  command->callback([options] { compare_runs(*options); });
 }
 
 }  // namespace clca::cli

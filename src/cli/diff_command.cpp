@@ -11,6 +11,7 @@
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
@@ -27,12 +28,11 @@ struct DiffOptions {
 };
 
 render::Image read_picture(const std::string& file) {
+  const auto bytes = as_input([&] { return store::read_whole(file, store::kMaxPictureBytes); });
   try {
-    return render::decode_png(store::read_whole(file, store::kMaxPictureBytes)).image;
-  } catch (const store::StoreError&) {
-    throw;
+    return render::decode_png(bytes).image;
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+    throw text::InputError(fmt::format("{}: {}", file, error.what()));
   }
 }
 
@@ -58,16 +58,6 @@ ExitCode diff(const DiffOptions& options) {
   return difference.pixels <= options.pixels ? ExitCode::done : ExitCode::failed;
 }
 
-/// As diff(), pictures that cannot be read being wrong input.
-ExitCode diff_or_complain(const DiffOptions& options) {
-  try {
-    return diff(options);
-  } catch (const std::runtime_error& error) {
-    report_error(error);
-    return ExitCode::wrong_input;
-  }
-}
-
 }  // namespace
 
 void add_diff_command(CLI::App& app, int& code) {
@@ -85,7 +75,7 @@ void add_diff_command(CLI::App& app, int& code) {
       ->check(whole_number())
       ->capture_default_str();
   command->add_option("-o,--output", options->out, "Write a picture of the differences");
-  command->callback([options, &code] { code = static_cast<int>(diff_or_complain(*options)); });
+  command->callback([options, &code] { code = static_cast<int>(diff(*options)); });
 }
 
 }  // namespace clca::cli

@@ -7,7 +7,6 @@
 
 #include "clca/scene/format.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -35,19 +34,9 @@ std::string text_of(const ExplainOptions& options) {
   return text;
 }
 
-int explain(const ExplainOptions& options) {
-  try {
-    print_out("{}", text_of(options));
-    return static_cast<int>(ExitCode::done);
-  } catch (const scene::UnknownKeyError& error) {
-    report_error(error);
-    return static_cast<int>(ExitCode::wrong_input);
-  }
-}
-
 }  // namespace
 
-void add_explain_command(CLI::App& app, int& code) {
+void add_explain_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("explain", "Explain the keys of a scene");
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("KEY", options->keys,
@@ -57,7 +46,7 @@ void add_explain_command(CLI::App& app, int& code) {
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "markdown", "schema"}))
       ->capture_default_str();
-  command->callback([options, &code] { code = explain(*options); });
+  command->callback([options] { print_out("{}", text_of(*options)); });
 }
 
 }  // namespace clca::cli

@@ -14,6 +14,7 @@
 #include "clca/store/summary.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
@@ -66,18 +67,6 @@ Source open_run(const ExportOptions& options) {
   return source;
 }
 
-/// Unreadable files are wrong input: reports them and returns none.
-std::optional<Source> open_or_complain(const ExportOptions& options) {
-  try {
-    return open_run(options);
-  } catch (const exports::ExportError& error) {
-    report_error(error);
-  } catch (const store::StoreError& error) {
-    report_error(error);
-  }
-  return std::nullopt;
-}
-
 store::OutputFile output_file(const ExportOptions& options, const std::string& scene) {
   if (options.file.empty()) {
     return {store::OutputFolder(options.run).subfolder(store::kExportFolder),
@@ -90,15 +79,12 @@ store::OutputFile output_file(const ExportOptions& options, const std::string& s
 }
 
 int export_run(const ExportOptions& options) {
-  const std::optional<Source> source = open_or_complain(options);
-  if (!source) {
-    return static_cast<int>(ExitCode::wrong_input);
-  }
+  const Source source = as_input([&] { return open_run(options); });
   const std::atomic<int>& stop = catch_stop_signals();
-  const store::OutputFile file = output_file(options, source->name);
+  const store::OutputFile file = output_file(options, source.name);
   const auto writer =
-      exports::writer(options.format, file, source->scene, run::initial_state(source->scene).kinds);
-  const std::size_t frames = exports::write(*source->trajectory, options.choice, *writer, stop);
+      exports::writer(options.format, file, source.scene, run::initial_state(source.scene).kinds);
+  const std::size_t frames = exports::write(*source.trajectory, options.choice, *writer, stop);
   print_out("{} frames\n{}\n", frames, file.path().string());
   const int signal = stop.load();
   return signal == 0 ? static_cast<int>(ExitCode::done)

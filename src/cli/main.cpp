@@ -14,6 +14,7 @@
 #include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -79,13 +80,13 @@ int run_program(int argc, char** argv) {
   clca::cli::add_boltzmann_command(app, code);
   clca::cli::add_sweep_command(app, code);
   clca::cli::add_check_command(app, code);
-  clca::cli::add_compare_command(app, code);
+  clca::cli::add_compare_command(app);
   clca::cli::add_diff_command(app, code);
-  clca::cli::add_explain_command(app, code);
+  clca::cli::add_explain_command(app);
   clca::cli::add_export_command(app, code);
-  clca::cli::add_plot_command(app, code);
+  clca::cli::add_plot_command(app);
   clca::cli::add_render_command(app, code);
-  clca::cli::add_report_command(app, code);
+  clca::cli::add_report_command(app);
   app.add_subcommand("help", "Print the help of a command: clca help run");
   const std::vector<const char*> arguments = arguments_of(argc, argv);
   try {
@@ -111,7 +112,7 @@ int run_or_complain(int argc, char** argv) {
     return run_program(argc, argv);
   } catch (const clca::scene::SceneError& error) {
     return fail(ExitCode::wrong_input, error.what());
-  } catch (const clca::run::UnfinishedRunError& error) {
+  } catch (const clca::text::InputError& error) {
     return fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
   } catch (const clca::run::SceneRunError& error) {
     return fail(ExitCode::wrong_input, error.what());

@@ -8,7 +8,6 @@
 #include "clca/plot/plot.hpp"
 #include "clca/store/run_folder.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -37,19 +36,9 @@ void draw_all(const PlotOptions& options) {
   }
 }
 
-ExitCode plot_or_complain(const PlotOptions& options) {
-  try {
-    draw_all(options);
-    return ExitCode::done;
-  } catch (const plot::InputError& error) {
-    report_error(error);
-    return ExitCode::wrong_input;
-  }
-}
-
 }  // namespace
 
-void add_plot_command(CLI::App& app, int& code) {
+void add_plot_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("plot", "Draw figures of the tables in a run folder, with gnuplot");
   auto options = std::make_shared<PlotOptions>();
@@ -72,7 +61,7 @@ void add_plot_command(CLI::App& app, int& code) {
   command->add_option("--height", options->appearance.height, "Pixels, 96 to the inch of a PDF")
       ->check(pixels)
       ->capture_default_str();
-  command->callback([options, &code] { code = static_cast<int>(plot_or_complain(*options)); });
+  command->callback([options] { draw_all(*options); });
 }
 
 }  // namespace clca::cli

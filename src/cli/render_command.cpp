@@ -14,6 +14,7 @@
 #include "clca/store/summary.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
@@ -70,21 +71,12 @@ scene::Scene scene_of(const RenderOptions& options) {
   return scene;
 }
 
-/// Checks all input. Reports errors and returns none.
-std::unique_ptr<run::Redraw> redraw_or_complain(RenderOptions& options) {
+/// Where pictures go, if they are wanted one by one.
+void set_folder(RenderOptions& options) {
   run::RedrawOptions& redraw = options.redraw;
-  try {
-    const scene::Scene scene = scene_of(options);
-    if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
-      redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
-    }
-    return std::make_unique<run::Redraw>(scene, redraw);
-  } catch (const run::RedrawError& error) {
-    report_error(error);
-  } catch (const store::StoreError& error) {
-    report_error(error);
+  if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
+    redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
   }
-  return nullptr;
 }
 
 void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
@@ -102,10 +94,9 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
-  const std::unique_ptr<run::Redraw> drawing = redraw_or_complain(options);
-  if (!drawing) {
-    return static_cast<int>(ExitCode::wrong_input);
-  }
+  const scene::Scene scene = as_input([&] { return scene_of(options); });
+  set_folder(options);
+  const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(scene, redraw); });
   ProgressLine line;
   run::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };

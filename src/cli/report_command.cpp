@@ -6,7 +6,6 @@
 #include "clca/report/report.hpp"
 #include "clca/text/message.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
@@ -20,25 +19,19 @@ struct ReportOptions {
   std::optional<std::size_t> max_frames;
 };
 
-ExitCode report_or_complain(const ReportOptions& options) {
-  try {
-    const auto file = report::write_report(options.run, {.file = options.file,
-                                                         .max_frames = options.max_frames,
-                                                         .warning = [](const std::string& text) {
-                                                           print_error("clca: warning: {}\n",
-                                                                       text::printable(text));
-                                                         }});
-    print_out("{}\n", file.string());
-    return ExitCode::done;
-  } catch (const report::InputError& error) {
-    report_error(error);
-    return ExitCode::wrong_input;
-  }
+void write_report(const ReportOptions& options) {
+  const auto file = report::write_report(options.run, {.file = options.file,
+                                                       .max_frames = options.max_frames,
+                                                       .warning = [](const std::string& text) {
+                                                         print_error("clca: warning: {}\n",
+                                                                     text::printable(text));
+                                                       }});
+  print_out("{}\n", file.string());
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& code) {
+void add_report_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Write a page about a run: measures, figures, pictures");
   auto options = std::make_shared<ReportOptions>();
@@ -48,7 +41,7 @@ void add_report_command(CLI::App& app, int& code) {
       ->add_option("--max-frames", options->max_frames,
                    "Most pictures to step through [as many as keep the page below 20 MB]")
       ->check(whole_number(0, 100'000));
-  command->callback([options, &code] { code = static_cast<int>(report_or_complain(*options)); });
+  command->callback([options] { write_report(*options); });
 }
 
 }  // namespace clca::cli

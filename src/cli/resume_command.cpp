@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/input.hpp"
 #include "cli/run_options.hpp"
 #include "cli/terminal.hpp"
 
@@ -21,7 +22,8 @@ struct ResumeOptions {
 
 int resume_run(const ResumeOptions& options) {
   const double limit = memory_limit(options.scene);
-  run::SavedRun saved = run::load_run(options.folder, limit, options.until);
+  run::SavedRun saved =
+      as_input([&] { return run::load_run(options.folder, limit, options.until); });
   if (saved.finished) {
     print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
     return static_cast<int>(ExitCode::done);

@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstring>
 
-#include "clca/text/message.hpp"
 #include "cli/exit_code.hpp"
 
 namespace clca::cli {
@@ -52,10 +51,6 @@ void write_out(std::string_view text) noexcept {
 
 void write_error(std::string_view text) noexcept {
   write_all(STDERR_FILENO, text);
-}
-
-void report_error(const std::exception& error) {
-  print_error("clca: error: {}\n", text::printable(error.what()));
 }
 
 int end_output(int code) noexcept {

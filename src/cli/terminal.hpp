@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <string_view>
 #include <utility>
 
@@ -26,9 +25,6 @@ template <class... T>
 void print_error(fmt::format_string<T...> format, T&&... values) {
   write_error(fmt::format(format, std::forward<T>(values)...));
 }
-
-/// One line on standard error: `clca: error: MESSAGE`, control characters escaped.
-void report_error(const std::exception& error);
 
 /// Call last: returns `code`, or an error code if that is 0 and standard output could not be
 /// written. Reports it, unless the reader of a pipe has closed it.

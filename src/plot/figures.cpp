@@ -6,6 +6,7 @@
 
 #include "clca/plot/plot.hpp"
 #include "clca/store/file.hpp"
+#include "clca/text/input_error.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/run_tables.hpp"
 #include "plot/sweep_figures.hpp"
@@ -240,7 +241,7 @@ std::vector<Figure> possible_figures(
     }
     return all;
   } catch (const store::StoreError& error) {
-    throw InputError(error.what());
+    throw text::InputError(error.what());
   }
 }
 
@@ -252,12 +253,13 @@ std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>&
   const std::vector<Figure> possible =
       possible_figures(run, known, [](const store::StoreError& error) { throw error; });
   if (possible.empty()) {
-    throw InputError(fmt::format("{}: no tables that a figure could be drawn from", run.string()));
+    throw text::InputError(
+        fmt::format("{}: no tables that a figure could be drawn from", run.string()));
   }
   for (const std::string& name : only) {
     if (std::none_of(possible.begin(), possible.end(),
                      [&](const Figure& figure) { return is_named(figure, name); })) {
-      throw InputError(fmt::format("{}: {}", run.string(), reason(known, possible, name)));
+      throw text::InputError(fmt::format("{}: {}", run.string(), reason(known, possible, name)));
     }
   }
   return chosen(possible, only);

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "clca/text/message.hpp"
 #include "plot/gnuplot.hpp"
 
 namespace clca::plot {
@@ -41,6 +42,18 @@ Cells lines_of_rows(const store::ReadTable& table, std::size_t keys) {
     }
   }
   return lines;
+}
+
+/// So that they stand side by side under an axis.
+Cells shortened(const Cells& words) {
+  constexpr std::size_t kAxis = 72;  // characters
+  const std::size_t most = std::max<std::size_t>(kAxis / std::max<std::size_t>(words.size(), 1), 4);
+  Cells result;
+  for (const std::string& word : words) {
+    const std::string_view beginning = text::first_characters(word, most);
+    result.push_back(std::string(beginning) + (beginning.size() < word.size() ? "…" : ""));
+  }
+  return result;
 }
 
 std::string number_array_text(const std::string& name, const Cells& numbers) {
@@ -119,7 +132,8 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
                          "stage = {}; measure = {};",
                          literal(table.names.front()), has_words ? 1 : 0, literal((*stages)[row]),
                          literal((*measures)[row])) +
-             array_text("words", words) + array_text("lines", lines) + setting_of(points)});
+             array_text("words", shortened(words)) + array_text("lines", lines) +
+             setting_of(points)});
   }
   return result;
 }

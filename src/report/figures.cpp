@@ -70,7 +70,7 @@ std::string figures_html(const fs::path& run, Warnings& warnings) {
         warnings.add(error.what());
       }
     }
-  } catch (const std::runtime_error& error) {  // PlotError, InputError
+  } catch (const std::runtime_error& error) {  // PlotError, text::InputError
     warnings.add(error.what());
   }
   return html.empty() ? html : "<div class=\"charts\">\n" + html + "</div>\n";

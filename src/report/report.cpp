@@ -7,6 +7,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/text/input_error.hpp"
 #include "report/page.hpp"
 #include "report/sections.hpp"
 
@@ -27,7 +28,7 @@ store::RunSummary summary_of(const fs::path& run) {
     }
     return summary;
   } catch (const store::StoreError& error) {
-    throw InputError(error.what());
+    throw text::InputError(error.what());
   }
 }
 

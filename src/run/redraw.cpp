@@ -114,7 +114,7 @@ class Redraw::Impl {
   store::Trajectory trajectory_;
   const std::vector<std::size_t> chosen_;  // frames
   FramePainter painter_;
-  PictureTargets targets_;
+  std::optional<PictureTargets> targets_;  // once drawing begins
   std::optional<std::size_t> stage_;
   std::uint64_t stage_start_ = 0;         // step
   std::vector<contact::Vessel> vessels_;  // by stage, at its start
@@ -127,18 +127,18 @@ Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
       trajectory_(options.run, scene_, initial_state(scene_), options.max_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
       painter_(scene_, initial_state(scene_), 1),
-      targets_(scene_, options, chosen_.size(), trajectory_.frames()[chosen_.front()].step),
       vessels_(vessels(scene_, trajectory_.frames())) {}
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
+  targets_.emplace(scene_, options_, chosen_.size(), trajectory_.frames()[chosen_.front()].step);
   IntervalTimer timer(events.progress_interval);
   TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < chosen_.size() && !stop_asked(); ++number) {
-    if (targets_.want(number)) {
+    if (targets_->want(number)) {
       draw_frame(number);
     }
     if (events.progress && timer.due()) {
@@ -147,7 +147,7 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
     }
   }
   if (number > 0) {
-    targets_.finish();
+    targets_->finish();
   }
   return number;
 }
@@ -164,7 +164,7 @@ void Redraw::Impl::draw_frame(std::size_t number) {
                      .occupancy = occupancy,
                      .forces = has_forces ? &forces : nullptr,
                      .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
-  targets_.add(painter_.rasterize(painter_.capture(view, history_)), number, state.step);
+  targets_->add(painter_.rasterize(painter_.capture(view, history_)), number, state.step);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {

@@ -29,49 +29,49 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-/// What is at a path of keys below these, and the name of each key on the way.
-struct Place {
+/// A key and how users write where it is.
+struct FoundKey {
   const KeyDescription* key = nullptr;  ///< none at the top
-  Descriptions keys;                    ///< below it; null if there is no such place
+  Descriptions keys;                    ///< below it; null if there is no such key
   std::string path;
 };
 
 /// The key at the path below these; null if there is none. After a key whose value has names, such
 /// as `walls`, a name may stand.
-Place find(const Descriptions& top, const std::vector<std::string>& parts) {
-  Place place = {.key = nullptr, .keys = top, .path = ""};
+FoundKey find(const Descriptions& top, const std::vector<std::string>& parts) {
+  FoundKey found = {.key = nullptr, .keys = top, .path = ""};
   static const Descriptions kNone = std::make_shared<const std::vector<KeyDescription>>();
   bool name_allowed = false;
   for (const std::string& part : parts) {
-    const auto next = std::find_if(place.keys->begin(), place.keys->end(),
+    const auto next = std::find_if(found.keys->begin(), found.keys->end(),
                                    [&](const KeyDescription& key) { return key.name == part; });
-    if (next != place.keys->end()) {
-      place = {.key = &*next,
+    if (next != found.keys->end()) {
+      found = {.key = &*next,
                .keys = next->keys ? next->keys : kNone,
-               .path = join_path(place.path, part)};
+               .path = join_path(found.path, part)};
       name_allowed = next->is_collection;
-      place.path += name_allowed ? ".NAME" : "";
+      found.path += name_allowed ? ".NAME" : "";
     } else if (!std::exchange(name_allowed, false)) {
       return {};
     }
   }
-  return place;
+  return found;
 }
 
 /// In scenes of grains and of the Boltzmann equation, where they differ; `boltzmann:PATH` in the
 /// latter only.
-std::vector<Place> places(std::string_view path) {
+std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
   const std::vector<std::string> parts = parts_of(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =
       gas_only ? std::vector{gas()} : std::vector{grains(), gas()};
-  std::vector<Place> found;
+  std::vector<FoundKey> found;
   for (const Descriptions& top : tops) {
-    const Place place = find(top, parts);
-    if (place.keys != nullptr && (found.empty() || place.key == nullptr ||
-                                  place.key->schema() != found.front().key->schema())) {
-      found.push_back(place);
+    const FoundKey one = find(top, parts);
+    if (one.keys != nullptr &&
+        (found.empty() || one.key == nullptr || one.key->schema() != found.front().key->schema())) {
+      found.push_back(one);
     }
   }
   if (!found.empty()) {
@@ -96,12 +96,12 @@ std::string values_text(const KeyDescription& key) {
   return without_markup(key.allowed + (otherwise.empty() ? "" : "; " + otherwise));
 }
 
-std::string explained(const Place& place) {
+std::string explained(const FoundKey& found) {
   std::string text;
-  if (place.key != nullptr) {
-    text = fmt::format("{}: {}\n  {}\n", place.path, meaning(*place.key), values_text(*place.key));
+  if (found.key != nullptr) {
+    text = fmt::format("{}: {}\n  {}\n", found.path, meaning(*found.key), values_text(*found.key));
   }
-  for (const KeyDescription& key : *place.keys) {
+  for (const KeyDescription& key : *found.keys) {
     text += fmt::format("\n  {}: {}\n    {}\n", key.name, meaning(key), values_text(key));
   }
   return text;
@@ -124,7 +124,7 @@ std::string row(const std::string& prefix, const KeyDescription& key) {
 }  // namespace
 
 std::string explain(std::string_view path) {
-  const std::vector<Place> found = places(path);
+  const std::vector<FoundKey> found = found_keys(path);
   std::string text = explained(found.front());
   if (found.size() > 1) {
     text = fmt::format("In a scene of grains:\n\n{}\nIn a scene of the Boltzmann equation:\n\n{}",
@@ -138,7 +138,7 @@ std::string markdown_table(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string prefix =
         path == paths.front() ? "" : path.substr(paths.front().size() + 1) + ".";
-    for (const KeyDescription& key : *places(path).front().keys) {
+    for (const KeyDescription& key : *found_keys(path).front().keys) {
       table += row(prefix, key);
     }
   }

@@ -60,6 +60,7 @@ struct Key : KeyDescription {
   /// Its value; none if it is left out.
   std::function<std::optional<Yaml>(const Owner& owner, const Scene& scene)> text;
 
+  void describe_as(const KeyDescription& other) { static_cast<KeyDescription&>(*this) = other; }
   /// Has an effect in one model only.
   Key of(Model only) const {
     Key result = *this;
@@ -67,9 +68,9 @@ struct Key : KeyDescription {
     return result;
   }
   /// Described by a phrase, where the default is no value or follows from other keys.
-  Key defaults_to(std::string phrase) const {
+  Key defaults_to(const std::string& phrase) const {
     Key result = *this;
-    result.otherwise = std::move(phrase);
+    result.otherwise = phrase;
     result.default_value.reset();
     return result;
   }
@@ -101,10 +102,10 @@ Descriptions descriptions(const Keys<Owner>& keys) {
 }
 
 template <class Owner, class T>
-Key<Owner> described(std::string name, const Type<T>& type, std::string about) {
+Key<Owner> described(const std::string& name, const Type<T>& type, const std::string& about) {
   Key<Owner> key;
-  key.name = std::move(name);
-  key.about = std::move(about);
+  key.name = name;
+  key.about = about;
   key.allowed = type.allowed;
   key.schema = type.schema;
   key.keys = type.keys;
@@ -114,8 +115,9 @@ Key<Owner> described(std::string name, const Type<T>& type, std::string about) {
 
 /// A member of the Owner.
 template <class Owner, class T>
-Key<Owner> required(std::string name, T Owner::*member, const Type<T>& type, std::string about) {
-  auto key = described<Owner>(name, type, std::move(about));
+Key<Owner> required(const std::string& name, T Owner::*member, const Type<T>& type,
+                    const std::string& about) {
+  auto key = described<Owner>(name, type, about);
   key.required = true;
   key.read = [=](const KeyedMap& fields, Owner& owner, const Scene& scene) {
     owner.*member = type.read(fields.at(name), fields.path(name), scene);
@@ -128,9 +130,9 @@ Key<Owner> required(std::string name, T Owner::*member, const Type<T>& type, std
 
 /// A member of the Owner that has this default.
 template <class Owner, class T>
-Key<Owner> key(std::string name, T Owner::*member, const Type<T>& type, std::string about,
-               const std::type_identity_t<T>& otherwise) {
-  auto key = required(name, member, type, std::move(about));
+Key<Owner> key(const std::string& name, T Owner::*member, const Type<T>& type,
+               const std::string& about, const std::type_identity_t<T>& otherwise) {
+  auto key = required(name, member, type, about);
   const Yaml text = type.text(otherwise, Scene());
   key.required = false;
   key.otherwise = fmt::format("`{}`", flow_text(text));
@@ -145,15 +147,16 @@ Key<Owner> key(std::string name, T Owner::*member, const Type<T>& type, std::str
 
 /// A member of the Owner, whose default is that of the struct.
 template <class Owner, class T>
-Key<Owner> key(std::string name, T Owner::*member, const Type<T>& type, std::string about) {
-  return key(std::move(name), member, type, std::move(about), Owner().*member);
+Key<Owner> key(const std::string& name, T Owner::*member, const Type<T>& type,
+               const std::string& about) {
+  return key(name, member, type, about, Owner().*member);
 }
 
 /// A member of the Owner that may have no value.
 template <class Owner, class T>
-Key<Owner> key(std::string name, std::optional<T> Owner::*member, const Type<T>& type,
-               std::string about) {
-  auto key = described<Owner>(name, type, std::move(about));
+Key<Owner> key(const std::string& name, std::optional<T> Owner::*member, const Type<T>& type,
+               const std::string& about) {
+  auto key = described<Owner>(name, type, about);
   key.read = [=](const KeyedMap& fields, Owner& owner, const Scene& scene) {
     if (const Value* value = fields.find(name)) {
       owner.*member = type.read(*value, fields.path(name), scene);
@@ -167,9 +170,9 @@ Key<Owner> key(std::string name, std::optional<T> Owner::*member, const Type<T>&
 
 /// A list that may be left out, and is where it is empty.
 template <class Owner, class T>
-Key<Owner> list_key(std::string name, std::vector<T> Owner::*member,
-                    const Type<std::vector<T>>& type, std::string about) {
-  auto result = key(std::move(name), member, type, std::move(about), {}).defaults_to("none");
+Key<Owner> list_key(const std::string& name, std::vector<T> Owner::*member,
+                    const Type<std::vector<T>>& type, const std::string& about) {
+  auto result = key(name, member, type, about, {}).defaults_to("none");
   result.text = [=](const Owner& owner, const Scene& scene) {
     return (owner.*member).empty() ? std::nullopt : std::optional(type.text(owner.*member, scene));
   };
@@ -178,8 +181,8 @@ Key<Owner> list_key(std::string name, std::vector<T> Owner::*member,
 
 /// One of several keys of which exactly one is given: `T` of the variant.
 template <class Variant, class T>
-Key<Variant> alternative(std::string name, const Type<T>& type, std::string about) {
-  auto key = described<Variant>(name, type, std::move(about));
+Key<Variant> alternative(const std::string& name, const Type<T>& type, const std::string& about) {
+  auto key = described<Variant>(name, type, about);
   key.read = [=](const KeyedMap& fields, Variant& variant, const Scene& scene) {
     if (const Value* value = fields.find(name)) {
       variant = type.read(*value, fields.path(name), scene);
@@ -196,7 +199,7 @@ Key<Variant> alternative(std::string name, const Type<T>& type, std::string abou
 template <class Owner, class Part>
 Key<Owner> inlined(Part Owner::*member, const Key<Part>& part) {
   Key<Owner> key;
-  static_cast<KeyDescription&>(key) = part;
+  key.describe_as(part);
   key.read = [=](const KeyedMap& fields, Owner& owner, const Scene& scene) {
     part.read(fields, owner.*member, scene);
   };
@@ -239,7 +242,7 @@ Yaml text_of(const Keys<Owner>& keys, const Owner& owner, const Scene& scene) {
       continue;
     }
     if (auto text = key.text(owner, scene)) {
-      map.entries.emplace_back(key.name, std::move(*text));
+      map.entries.push_back({key.name, std::move(*text)});
     }
   }
   return map;
@@ -261,10 +264,10 @@ Type<Owner> type_of(Map<Owner> of) {
 
 /// A map that is read into the same Owner.
 template <class Owner>
-Key<Owner> section(std::string name, Map<Owner> of, std::string about) {
+Key<Owner> section(const std::string& name, Map<Owner> of, const std::string& about) {
   const auto map = std::make_shared<const Map<Owner>>(std::move(of));
-  auto key = described<Owner>(std::move(name), type_of(*map), std::move(about));
-  key.read = [=, name = key.name](const KeyedMap& fields, Owner& owner, const Scene& scene) {
+  auto key = described<Owner>(name, type_of(*map), about);
+  key.read = [=](const KeyedMap& fields, Owner& owner, const Scene& scene) {
     if (const Value* value = fields.find(name)) {
       const std::vector<std::string_view> names = names_of(map->keys);
       read_fields(KeyedMap(*value, fields.path(name), names), *map, owner, scene);

@@ -100,10 +100,10 @@ void refuse_key(const KeyedMap& fields, const std::string& key, const BoltzmannS
 /// A member of OgawaKato.
 template <class T>
 Key<BoltzmannScene> ogawa_kato_key(const std::string& name, T boltzmann::OgawaKato::*member,
-                                   const Type<T>& type, std::string about) {
-  const auto part = key(name, member, type, std::move(about));
+                                   const Type<T>& type, const std::string& about) {
+  const auto part = key(name, member, type, about);
   Key<BoltzmannScene> result;
-  static_cast<KeyDescription&>(result) = part;
+  result.describe_as(part);
   result.read = [=](const KeyedMap& fields, BoltzmannScene& scene, const Scene& grains) {
     if (auto* scheme = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
       part.read(fields, *scheme, grains);

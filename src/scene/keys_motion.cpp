@@ -146,8 +146,8 @@ std::string_view program_key(const KeyedMap& fields) {
 /// A member of grains::Drive, the program unless another is given.
 template <class T>
 Key<WallMotion> drive_key(const std::string& name, T grains::Drive::*member, const Type<T>& type,
-                          std::string about) {
-  auto key = described<WallMotion>(name, type, std::move(about));
+                          const std::string& about) {
+  auto key = described<WallMotion>(name, type, about);
   key.read = [=](const KeyedMap& fields, WallMotion& motion, const Scene& scene) {
     auto* drive = std::get_if<grains::Drive>(&motion.program);
     if (const Value* value = fields.find(name); value != nullptr && drive != nullptr) {
@@ -174,9 +174,8 @@ void check_program(const KeyedMap& fields, WallMotion& /*motion*/, const Scene& 
 }
 
 template <class T>
-Key<WallMotion> program(std::string name, const Type<T>& type, std::string about) {
-  return inlined(&WallMotion::program,
-                 alternative<Program>(std::move(name), type, std::move(about)));
+Key<WallMotion> program(const std::string& name, const Type<T>& type, const std::string& about) {
+  return inlined(&WallMotion::program, alternative<Program>(name, type, about));
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ Type<std::vector<std::uint32_t>> weights() {
 }  // namespace
 
 Type<std::vector<Source>> sources_type() {
-  const auto place = [](std::string name, const auto& type, std::string about) {
-    return inlined(&Source::place, alternative<Place>(std::move(name), type, std::move(about)));
+  const auto place = [](const std::string& name, const auto& type, const std::string& about) {
+    return inlined(&Source::place, alternative<Place>(name, type, about));
   };
   return by_name<Source>(
       "sources",

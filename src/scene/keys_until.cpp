@@ -135,8 +135,8 @@ void check_possible(const KeyedMap& fields, const Stage& stage, const Scene& sce
 
 /// An end other than settled.
 Type<Until> end_type() {
-  const auto end = [](std::string name, const auto& type, std::string about) {
-    return alternative<Until>(std::move(name), type, std::move(about));
+  const auto end = [](const std::string& name, const auto& type, const std::string& about) {
+    return alternative<Until>(name, type, about);
   };
   return one_of<Until>(
       {end("steps", as(&UntilSteps::steps, count(1, kMaxSteps)), "after N steps, at rest or not"),

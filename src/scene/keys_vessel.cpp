@@ -54,7 +54,7 @@ Type<Rotate> rotate() {
        }});
 }
 
-Type<VesselShake> shake() {
+Type<VesselShake> vessel_shake() {
   return type_of<VesselShake>(
       {.keys = {required("gamma", &VesselShake::gamma, above_zero(kMaxGamma),
                          "greatest acceleration over that of gravity"),
@@ -72,7 +72,7 @@ Type<VesselMotion> vessel_type() {
                                  "stands at this angle from upright, in degrees anticlockwise: at "
                                  "once, or turned to it the shorter way"),
        alternative<VesselMotion>("rotate", rotate(), "turns without end"),
-       alternative<VesselMotion>("shake", shake(), "swings as a sine")});
+       alternative<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
 }
 
 }  // namespace clca::scene

@@ -161,7 +161,7 @@ Type<std::vector<WallPart>> parts() {
 /// A wall of a single part, which is not in a list.
 Key<Wall> single(const Key<WallPart>& form) {
   Key<Wall> key;
-  static_cast<KeyDescription&>(key) = form;
+  key.describe_as(form);
   key.read = [=](const KeyedMap& fields, Wall& wall, const Scene& scene) {
     if (fields.find(form.name) != nullptr) {
       form.read(fields, wall.parts.emplace_back(), scene);

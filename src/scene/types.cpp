@@ -12,9 +12,9 @@ namespace {
 
 /// A type without need of the scene.
 template <class T, class Read, class Text>
-Type<T> plain_type(std::string allowed, Schema schema, Read read, Text text) {
-  return {.allowed = std::move(allowed),
-          .schema = std::move(schema),
+Type<T> plain_type(const std::string& allowed, const Schema& schema, Read read, Text text) {
+  return {.allowed = allowed,
+          .schema = schema,
           .read = [read](const Value& value, const std::string& path, const Scene& /*scene*/) -> T {
             return read(value, path);
           },
@@ -23,8 +23,8 @@ Type<T> plain_type(std::string allowed, Schema schema, Read read, Text text) {
 
 /// One that fmt writes.
 template <class T, class Read>
-Type<T> scalar_type(std::string allowed, Schema schema, Read read) {
-  return plain_type<T>(std::move(allowed), std::move(schema), read,
+Type<T> scalar_type(const std::string& allowed, const Schema& schema, Read read) {
+  return plain_type<T>(allowed, schema, read,
                        [](const T& value) { return Yaml::scalar(fmt::format("{}", value)); });
 }
 
@@ -151,7 +151,8 @@ Type<std::string> name_type() {
 }
 
 Type<std::vector<std::size_t>> references(
-    std::string kind, std::function<std::vector<std::string_view>(const Scene&)> names) {
+    const std::string& kind,
+    const std::function<std::vector<std::string_view>(const Scene&)>& names) {
   return {
       .allowed = fmt::format("names of {}s", kind),
       .schema =

@@ -30,7 +30,8 @@ Type<std::string> name_type();
 /// A list of names, each at most once, as indices of the things of this `kind`: `names` of the
 /// scene.
 Type<std::vector<std::size_t>> references(
-    std::string kind, std::function<std::vector<std::string_view>(const Scene&)> names);
+    const std::string& kind,
+    const std::function<std::vector<std::string_view>(const Scene&)>& names);
 
 /// Numbers by species: each a whole number from 0 to `high`; 0 for those not named.
 template <class Number>
@@ -59,8 +60,8 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
             Yaml map = Yaml::map({});
             for (std::size_t i = 0; i < numbers.size(); ++i) {
               if (numbers[i] != 0) {
-                map.entries.emplace_back(name_text(scene.species[i].name).text,
-                                         Yaml::scalar(fmt::format("{}", numbers[i])));
+                map.entries.push_back({name_text(scene.species[i].name).text,
+                                       Yaml::scalar(fmt::format("{}", numbers[i]))});
               }
             }
             return map;
@@ -107,7 +108,7 @@ Type<T> choice(const std::array<Named<T>, kCount>& names) {
 
 /// Things by the names that the scene gives them; `name` is a member of each.
 template <class Owner>
-Type<std::vector<Owner>> by_name(std::string section, Map<Owner> of, std::size_t least = 0) {
+Type<std::vector<Owner>> by_name(const std::string& section, Map<Owner> of, std::size_t least = 0) {
   const auto map = std::make_shared<const Map<Owner>>(std::move(of));
   const Descriptions keys = descriptions(map->keys);
   const auto schema = [=] {
@@ -140,8 +141,8 @@ Type<std::vector<Owner>> by_name(std::string section, Map<Owner> of, std::size_t
                 Yaml result = Yaml::map({});
                 result.in_lines = true;
                 for (const Owner& thing : things) {
-                  result.entries.emplace_back(name_text(thing.name).text,
-                                              text_of(map->keys, thing, scene));
+                  result.entries.push_back(
+                      {name_text(thing.name).text, text_of(map->keys, thing, scene)});
                 }
                 return result;
               },

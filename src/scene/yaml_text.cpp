@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace clca::scene {
 
@@ -36,7 +37,7 @@ std::string value_text(const Yaml& value, std::size_t indent, std::size_t column
   const bool is_top = indent == kIndent;
   const bool has_maps =
       std::any_of(value.entries.begin(), value.entries.end(),
-                  [](const auto& entry) { return entry.second.kind == Yaml::Kind::map; });
+                  [](const auto& entry) { return entry.value.kind == Yaml::Kind::map; });
   const bool fits =
       !value.in_lines && !(is_top && has_maps) && column + 1 + flow.size() <= kLineWidth;
   if (value.kind == Yaml::Kind::map && !fits && !value.entries.empty()) {
@@ -54,6 +55,18 @@ std::string value_text(const Yaml& value, std::size_t indent, std::size_t column
 }
 
 }  // namespace
+
+Yaml Yaml::scalar(std::string text) {
+  return {Kind::scalar, std::move(text), {}, {}};
+}
+
+Yaml Yaml::list(std::vector<Yaml> items) {
+  return {Kind::list, {}, std::move(items), {}};
+}
+
+Yaml Yaml::map(std::vector<YamlEntry> entries) {
+  return {Kind::map, {}, {}, std::move(entries)};
+}
 
 Yaml Yaml::number(double number) {
   return scalar(fmt::format("{}", number));

@@ -4,28 +4,32 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace clca::scene {
 
 using Json = nlohmann::ordered_json;
 
+struct YamlEntry;
+
 struct Yaml {
   enum class Kind { scalar, list, map };
 
   Kind kind = Kind::scalar;
-  std::string text;                                   ///< of a scalar, as it stands in the file
-  std::vector<Yaml> items;                            ///< of a list
-  std::vector<std::pair<std::string, Yaml>> entries;  ///< of a map
-  bool in_lines = false;                              ///< each entry on a line of its own
+  std::string text;                ///< of a scalar, as it stands in the file
+  std::vector<Yaml> items;         ///< of a list
+  std::vector<YamlEntry> entries;  ///< of a map
+  bool in_lines = false;           ///< each entry on a line of its own
 
-  static Yaml scalar(std::string text) { return {Kind::scalar, std::move(text), {}, {}}; }
-  static Yaml list(std::vector<Yaml> items) { return {Kind::list, {}, std::move(items), {}}; }
-  static Yaml map(std::vector<std::pair<std::string, Yaml>> entries) {
-    return {Kind::map, {}, {}, std::move(entries)};
-  }
+  static Yaml scalar(std::string text);
+  static Yaml list(std::vector<Yaml> items);
+  static Yaml map(std::vector<YamlEntry> entries);
   static Yaml number(double number);
+};
+
+struct YamlEntry {
+  std::string key;
+  Yaml value;
 };
 
 /// A scalar in quotes: a title may hold anything that is one line.

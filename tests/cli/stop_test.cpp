@@ -39,8 +39,9 @@ class StopTest : public ::testing::Test {
   void hang(const std::string& name, const std::string& first = ":") const {
     fs::create_directories(folder_.path() / "bin");
     const fs::path file = folder_.path() / "bin" / name;
-    std::ofstream(file) << "#!/bin/sh\n" << first << "\necho $$ > "
-                        << (folder_.path() / "pid").string() << "\nexec /bin/sleep 1000\n";
+    std::ofstream(file) << "#!/bin/sh\n"
+                        << first << "\necho $$ > " << (folder_.path() / "pid").string()
+                        << "\nexec /bin/sleep 1000\n";
     fs::permissions(file, fs::perms::owner_all);
   }
   /// Sends the signal once that program runs.

@@ -123,7 +123,7 @@ TEST_F(Faults, KilledAtAnyCallInANewFolderTheRunGoesOnOrHasNotBegun) {
     const auto killed = run("out", {"--seed", "2"}, fault("kill", at));
     ASSERT_TRUE(killed.code == -SIGKILL || killed.code == 0) << killed.err;
     auto resumed = resume();
-    if (resumed.code == 1) {
+    if (resumed.code == 2) {
       EXPECT_THAT(resumed.err, ::testing::StartsWith("clca: error: cannot resume the run in"));
       resumed = run("out", {"--seed", "2"});
     }

@@ -10,12 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "clca/text/input_error.hpp"
+
 namespace clca::compare {
 
 /// The runs cannot be compared. what() is one line with the file and why.
-class CompareError : public std::runtime_error {
+class CompareError : public text::InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 struct RunChoice {

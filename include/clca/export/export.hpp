@@ -15,13 +15,14 @@
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/trajectory.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::exports {
 
 /// The requested data do not exist. what() is one line.
-class ExportError : public std::runtime_error {
+class ExportError : public text::InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 enum class Format : std::uint8_t { vtp, gsd, xyz };

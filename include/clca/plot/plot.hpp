@@ -13,13 +13,6 @@
 
 namespace clca::plot {
 
-/// The folder is no run, has unreadable tables, or does not allow the requested figures. what() is
-/// one line.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// gnuplot or the templates are missing, or gnuplot fails. what() is one line.
 class PlotError : public std::runtime_error {
  public:
@@ -52,7 +45,8 @@ std::filesystem::path template_folder();
 
 /// The figures that the tables in `run` allow, by name; if `only` is not empty, those named there
 /// by template or figure.
-/// Throws InputError, also for unknown names, and PlotError for an invalid template.
+/// Throws text::InputError if the folder is no run, has unreadable tables or does not allow a
+/// figure, also for unknown names, and PlotError for an invalid template.
 std::vector<Figure> figures(const std::filesystem::path& run, const std::vector<std::string>& only,
                             const std::filesystem::path& templates);
 

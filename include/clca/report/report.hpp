@@ -12,12 +12,6 @@
 
 namespace clca::report {
 
-/// The folder has no readable run.json. what() is one line.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct Options {
   /// Page to write; none: report.html in the run folder.
   std::filesystem::path file;
@@ -28,8 +22,8 @@ struct Options {
 };
 
 /// Writes the page and returns its path. The same folder gives the same bytes.
-/// Throws InputError and, if the page cannot be written, store::StoreError; then nothing is
-/// written.
+/// Throws text::InputError if there is no readable run.json, and, if the page cannot be written,
+/// store::StoreError; then nothing is written.
 std::filesystem::path write_report(const std::filesystem::path& run, const Options& options = {});
 
 }  // namespace clca::report

@@ -14,13 +14,14 @@
 
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::run {
 
 /// The run cannot be drawn as requested. what() is one line.
-class RedrawError : public std::runtime_error {
+class RedrawError : public text::InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 struct RedrawOptions {

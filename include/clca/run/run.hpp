@@ -13,6 +13,7 @@
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::run {
 
@@ -70,9 +71,9 @@ struct RunOptions {
 };
 
 /// The folder holds an interrupted run. what() is one line with the folder.
-class UnfinishedRunError : public std::runtime_error {
+class UnfinishedRunError : public text::InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 /// All optional; called from the thread that runs.

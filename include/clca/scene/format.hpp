@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "clca/text/input_error.hpp"
+
 namespace clca::scene {
 
 /// A key that the format does not have; what() names the nearest one.
-class UnknownKeyError : public std::runtime_error {
+class UnknownKeyError : public text::InputError {
  public:
-  using std::runtime_error::runtime_error;
+  using InputError::InputError;
 };
 
 /// What a key means, its values and default, and the keys in it. `path` is as for `--set`

@@ -9,6 +9,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/text/input_error.hpp"
 #include "plot/gnuplot.hpp"
 #include "support/runs.hpp"
 
@@ -99,7 +100,7 @@ TEST_F(FiguresTest, GroupsAreTheValuesOfAColumnAsTheyCome) {
   write("series.csv", "x\n1\n");
   EXPECT_THAT(found().at(0).setting, HasSubstr("groups[1] = [''];"));
   write("series.csv", "stage,x\n../../a,1\n");
-  EXPECT_THAT([&] { found(); }, ThrowsMessage<InputError>(
+  EXPECT_THAT([&] { found(); }, ThrowsMessage<text::InputError>(
                                     HasSubstr("series.csv: line 2: column 'stage' holds no name")));
 }
 
@@ -180,7 +181,7 @@ TEST_F(FiguresTest, TablesThatNoTemplateNamesAreNotRead) {
 TEST_F(FiguresTest, WhatCannotBeDrawnIsSaidInOneLine) {
   write_template("t", "# needs: series.csv: kind=a, x\n");
   const auto expect = [&](const std::vector<std::string>& only, const std::string& reason) {
-    EXPECT_THAT([&] { found(only); }, ThrowsMessage<InputError>(HasSubstr(reason)));
+    EXPECT_THAT([&] { found(only); }, ThrowsMessage<text::InputError>(HasSubstr(reason)));
   };
   expect({}, "no tables that a figure could be drawn from");
   write("series.csv", "kind,x\na,1\n");
@@ -245,7 +246,7 @@ TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
 
 TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {
   write("measures.csv", std::string(kSweepColumns) + "flow,slope,40,1,0.5,4,39,41\n");
-  EXPECT_THAT([&] { names(); }, ThrowsMessage<InputError>(HasSubstr("no tables")));
+  EXPECT_THAT([&] { names(); }, ThrowsMessage<text::InputError>(HasSubstr("no tables")));
 }
 
 TEST(Templates, AreFoundAndSayWhatTheyNeed) {
@@ -253,7 +254,7 @@ TEST(Templates, AreFoundAndSayWhatTheyNeed) {
   store::RunSummary summary;
   summary.scene = "empty";
   store::write_whole(empty.path() / "run.json", store::to_json(summary));
-  EXPECT_THROW(figures(empty.path(), {}, template_folder()), InputError);
+  EXPECT_THROW(figures(empty.path(), {}, template_folder()), text::InputError);
 }
 
 TEST(Literal, MeansNothingButItself) {

@@ -13,6 +13,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/text/input_error.hpp"
 #include "support/runs.hpp"
 #include "unit/report/markup.hpp"
 
@@ -171,7 +172,7 @@ TEST_F(Report, LeavesOutWhatCannotBeReadAndSaysSo) {
 
 TEST_F(Report, OfAFolderThatIsNoRunIsRefused) {
   const auto refused = [&](const char* message) {
-    EXPECT_THAT([&] { write_report(run()); }, ThrowsMessage<InputError>(HasSubstr(message)));
+    EXPECT_THAT([&] { write_report(run()); }, ThrowsMessage<text::InputError>(HasSubstr(message)));
     EXPECT_FALSE(fs::exists(run() / "report.html"));
   };
   refused("run.json: No such file");

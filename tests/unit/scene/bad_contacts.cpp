@@ -144,7 +144,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      Judge::parser},
     {"a vessel of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], vessel: {tilt: 5}}]",
-     "scene.yaml:10:42: error: stages.first.vessel: only model contact has it; remove it, or say 'model: "
+     "scene.yaml:10:42: error: stages.first.vessel: only model contact has it; remove it, or say "
+     "'model: "
      "contact'",
      Judge::parser},
     {"contacts in a trajectory of the automaton",

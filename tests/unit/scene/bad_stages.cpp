@@ -18,7 +18,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a stage without a name", "stages: [{until: settled}]",
      "scene.yaml:10:10: error: stages.0: key 'name' is missing"},
     {"a stage with a name that is no file name", "stages: [{name: a/b}]",
-     "scene.yaml:10:17: error: stages.a/b.name: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, "
+     "scene.yaml:10:17: error: stages.a/b.name: a name has 1 to 64 of the characters A-Z a-z 0-9 _ "
+     "-, "
      "found 'a/b'"},
     {"two stages of one name",
      "stages:\n"
