@@ -136,8 +136,9 @@ std::string explain(std::string_view path) {
 std::string markdown_table(const std::vector<std::string>& paths) {
   std::string table = "| key | values | default | what |\n|---|---|---|---|\n";
   for (const std::string& path : paths) {
-    const std::string prefix =
-        path == paths.front() ? "" : path.substr(paths.front().size() + 1) + ".";
+    const std::string& first = paths.front();
+    const std::string inside = path.starts_with(first + ".") ? path.substr(first.size() + 1) : path;
+    const std::string prefix = path == first ? "" : inside + ".";
     for (const KeyDescription& key : *found_keys(path).front().keys) {
       table += row(prefix, key);
     }

@@ -25,8 +25,6 @@ inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
 /// A unit of length and how many of it make a metre.
 inline constexpr std::array<Named<double>, 4> kLengthUnits = {
     {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
-/// For a height of fall that is estimated.
-inline constexpr std::string_view kAutoHeight = "auto";
 inline constexpr std::array<Named<automaton::Candidates>, 2> kCandidateNames = {
     {{"downward", automaton::Candidates::downward}, {"all", automaton::Candidates::all}}};
 inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {

@@ -80,6 +80,18 @@ class CliTest : public ::testing::Test {
   testing::ScratchFolder folder_;
 };
 
+TEST_F(CliTest, ExplainsTheKeysOfAScene) {
+  const auto known = run({"explain", "rules.inertia"});
+  EXPECT_EQ(known.code, 0) << known.err;
+  EXPECT_THAT(known.out, ::testing::StartsWith("rules.inertia: "));
+  EXPECT_EQ(run({"explain", "--format", "schema"}).code, 0);
+  EXPECT_EQ(run({"explain", "species", "box", "--format", "markdown"}).code, 0);
+  const auto unknown = run({"explain", "rules.inerta"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.err,
+            "clca: error: the scene format has no key 'rules.inerta'; did you mean 'inertia'?\n");
+}
+
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.code, 0);

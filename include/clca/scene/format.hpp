@@ -21,8 +21,8 @@ class UnknownKeyError : public text::InputError {
 /// UnknownKeyError.
 std::string explain(std::string_view path);
 
-/// A Markdown table of the keys of these maps; those of the second and further ones have their path
-/// from the first in front. Throws UnknownKeyError.
+/// A Markdown table of the keys of these maps, at least one; those of the second and further ones
+/// have their path in front, from the first map where they are inside it. Throws UnknownKeyError.
 std::string markdown_table(const std::vector<std::string>& paths);
 
 /// JSON Schema, draft 07, of both kinds of scenes.

@@ -57,6 +57,14 @@ TEST(Format, TheTablesOfTheDocumentationAreThoseOfTheDeclarations) {
   EXPECT_GE(tables, 20);
 }
 
+TEST(Format, ATableOfSeveralMapsHasTheirPaths) {
+  const std::string inside = markdown_table({"walls", "walls.disc"});
+  EXPECT_THAT(inside, HasSubstr("\n| `disc.radius` |"));
+  const std::string beside = markdown_table({"output.frames", "box"});
+  EXPECT_THAT(beside, HasSubstr("\n| `width` | 16 to 65536 |"));
+  EXPECT_THAT(beside, HasSubstr("\n| `box.width` | 1 to 866025 |"));
+}
+
 TEST(Format, ExplainsAKey) {
   EXPECT_EQ(explain("rules.inertia"),
             "rules.inertia: probability to keep the direction of the last step, if free\n"
