@@ -90,7 +90,7 @@ void expose_bed(benchmark::State& bench) {
   }
 }
 void expose_displacement(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, render::color_by_displacement(100));
+  capture(bench, render::Drawing::lookup, render::color_by_displacement({0, 100}));
 }
 void expose_layers(benchmark::State& bench) {
   const std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(1), 0},

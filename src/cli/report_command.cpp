@@ -1,4 +1,4 @@
-// clca report: a page about a run.
+// clca report: a page about a run or a sweep.
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -33,9 +33,9 @@ void write_report(const ReportOptions& options) {
 
 void add_report_command(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("report", "Write a page about a run: measures, figures, pictures");
+      app.add_subcommand("report", "Write a page about a run or a sweep: measures, figures, pictures");
   auto options = std::make_shared<ReportOptions>();
-  command->add_option("DIR", options->run, "Folder that a run has left")->required();
+  command->add_option("DIR", options->run, "Folder that a run or a sweep has left")->required();
   command->add_option("-o,--output", options->file, "Page to write [DIR/report.html]");
   command
       ->add_option("--max-frames", options->max_frames,

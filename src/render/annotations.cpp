@@ -3,16 +3,280 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
 
+#include "clca/render/coloring.hpp"
 #include "render/colors.hpp"
-#include "render/marks.hpp"
+#include "render/legend_lines.hpp"
 
 namespace clca::render {
 
 namespace {
 
-constexpr double kTitleSize = 1.2;  // in text sizes
+// In text sizes.
+constexpr double kOneLine = 1.75;  // height of text below the view
+constexpr double kTwoLines = 2.95;
+constexpr double kTitleSize = 1.2;
+constexpr double kLegendMiddle = 1.1;  // down from the lower edge of the view
+constexpr double kTickLabelBaseline = 2.55;
+constexpr double kLegendPitch = 1.3;  // from line to line
+constexpr double kHalfLetter = 0.36;  // from the middle of a line down to its baseline
+constexpr double kGap = 1.5;          // at least, between what stands on the left and on the right
+constexpr double kIconRadius = 0.52;
+constexpr double kLineLength = 2.2;  // where the length tells nothing
+constexpr double kMaxLineWidth = 0.9;
+constexpr double kBeforeLabel = 0.35;
+
+std::vector<Eigen::Vector2d> hexagon() {
+  std::vector<Eigen::Vector2d> corners;
+  for (int corner = 0; corner < 6; ++corner) {
+    const double angle = (corner + 0.5) * std::numbers::pi / 3;
+    corners.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return corners;
+}
+
+/// `outline` (y upwards) about `middle` (y downwards), as large as fits into `radius`.
+std::vector<Eigen::Vector2d> fitted(const std::vector<Eigen::Vector2d>& outline,
+                                    const Eigen::Vector2d& middle, double radius) {
+  Eigen::Vector2d low = outline.front();
+  Eigen::Vector2d high = outline.front();
+  for (const Eigen::Vector2d& corner : outline) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const double scale = 2 * radius / (high - low).maxCoeff();
+  std::vector<Eigen::Vector2d> result;
+  for (const Eigen::Vector2d& corner : outline) {
+    const Eigen::Vector2d place = scale * (corner - (low + high) / 2);
+    result.emplace_back(middle.x() + place.x(), middle.y() - place.y());
+  }
+  return result;
+}
+
+/// A legend entry: an icon or stroke, and its label.
+struct Entry {
+  Graphics::Text label;
+  double mark_width = 0;  ///< pixels
+  const Legend::Patch* patch = nullptr;
+  std::optional<Stroke> stroke = {};
+};
+
+class Annotator {
+ public:
+  Annotator(Graphics& graphics, const Layout& layout) : graphics_(graphics), layout_(layout) {}
+
+  PictureParts draw(const Caption& caption, const Legend& legend) {
+    fade_ = legend.fade;
+    draw_caption(caption);
+    const double bar_left = draw_scale_bar(caption.spacing);
+    const double right = bar_left - em(kGap);
+    double left = layout_.text_left;
+    for (const Legend::Bar& bar : legend.bars) {
+      left = draw_color_bar(bar, left, right) + em(kGap);
+    }
+    draw_entries(legend, left, right);
+    return {.view = layout_.panel,
+            .legend = below_view(layout_.text_left, kTwoLines),
+            .scale_bar = below_view(bar_left, kOneLine)};
+  }
+
+ private:
+  double em(double text_sizes) const { return text_sizes * layout_.text_size; }
+  double below_panel(double text_sizes) const {
+    return layout_.panel.y + layout_.panel.height + em(text_sizes);
+  }
+  /// A box as wide as the text from `left` on.
+  PixelBox below_view(double left, double height) const {
+    const int x = static_cast<int>(left);
+    const int y = layout_.panel.y + layout_.panel.height;
+    return {x, y, layout_.text_right - x, static_cast<int>(em(height))};
+  }
+  Graphics::Text text(const std::string& text,
+                      double room = std::numeric_limits<double>::infinity()) {
+    return graphics_.text(text, layout_.text_size, room);
+  }
+
+  void draw_caption(const Caption& caption);
+  /// Returns its left end.
+  double draw_scale_bar(double spacing);
+  /// Returns its right end.
+  double draw_color_bar(const Legend::Bar& bar, double left, double right);
+  void draw_ticks(const Legend::Bar& bar, double left, double width, double bottom);
+  Stroke key_stroke(const Legend::Line& line) const;
+  std::vector<Entry> entries_of(const Legend& legend, double room);
+  void draw_mark(const Entry& entry, double left, double middle);
+  void draw_entries(const Legend& legend, double left, double right);
+
+  Graphics& graphics_;
+  const Layout& layout_;
+  double fade_ = 0;
+};
+
+void Annotator::draw_caption(const Caption& caption) {
+  const double baseline = layout_.panel.y - em(0.8);
+  const double room = layout_.text_right - layout_.text_left;
+  // The title is shortened only as far as the detail needs, up to half the width.
+  const Graphics::Text detail =
+      text(caption.detail, caption.title.empty() ? room : std::max(room / 2, 0.0));
+  graphics_.draw_text(detail, layout_.text_right - detail.width(), baseline, kPaleInk);
+  // A title that does not fit is first made smaller, then cut.
+  const double title_room = detail.width() > 0 ? room - detail.width() - em(kGap) : room;
+  const double width = text(caption.title).width();
+  const double size = width > 0 ? std::clamp(0.99 * title_room / width, 1.0, kTitleSize) : 1;
+  graphics_.draw_text(graphics_.text(caption.title, em(size), title_room), layout_.text_left,
+                      baseline, kInk);
+}
+
+double Annotator::draw_scale_bar(double spacing) {
+  const double room = layout_.text_right - layout_.text_left;
+  const double unit = spacing > 0 ? spacing : 1;
+  const double shown =
+      round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
+  const double length = shown / unit;
+  const Graphics::Text label =
+      text(spacing > 0 ? metres_text(shown)
+                       : fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings"));
+  const double right = layout_.text_right;
+  const double left = right - length * layout_.scale;
+  const double label_left = left - em(0.7) - label.width();
+  if (label_left < layout_.text_left) {
+    return right;
+  }
+  const double thickness = std::max(1.0, std::round(em(0.12)));
+  const double top = std::round(below_panel(kLegendMiddle) - thickness / 2);
+  const double end = std::round(em(0.3));
+  graphics_.fill_box(left, top, right, top + thickness, kInk);
+  for (const double x : {left, right - thickness}) {
+    graphics_.fill_box(x, top - end, x + thickness, top + thickness + end, kInk);
+  }
+  graphics_.draw_text(label, label_left, below_panel(kLegendMiddle + kHalfLetter), kInk);
+  return label_left;
+}
+
+double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double right) {
+  const double width = std::floor(std::min(em(11), (right - left) * 0.6));
+  if (width < em(4)) {
+    return left;
+  }
+  const double top = std::round(below_panel(kLegendMiddle - 0.4));
+  const double bottom = std::round(below_panel(kLegendMiddle + 0.4));
+  const double tip = bottom - top;  // room for a mark of values beyond the end, there or not
+  const double first = left + tip;
+  const double last = left + width - tip;
+  constexpr int kColors = 16;
+  std::vector<Rgb> colors;
+  for (int i = 0; i < kColors; ++i) {
+    colors.push_back(mixed(map_color(static_cast<double>(i) / (kColors - 1)), kPaper, fade_));
+  }
+  graphics_.fill_gradient(first, top, last, bottom, colors);
+  const double middle = (top + bottom) / 2;
+  const auto draw_tip = [&](double from, double to, Rgb color) {
+    const std::array<Eigen::Vector2d, 3> corners = {
+        Eigen::Vector2d(from, top), Eigen::Vector2d(to, middle), Eigen::Vector2d(from, bottom)};
+    graphics_.fill_polygon(corners, color, 1, kInk);
+  };
+  if (bar.below) {
+    draw_tip(first, left, colors.front());
+  }
+  if (bar.above) {
+    draw_tip(last, left + width, colors.back());
+  }
+  draw_ticks(bar, first, last - first, bottom);
+  const double label_left = left + width + em(0.8);
+  const Graphics::Text label = text(bar.label, right - label_left);
+  graphics_.draw_text(label, label_left, below_panel(kLegendMiddle + kHalfLetter), kInk);
+  return label_left + label.width();
+}
+
+void Annotator::draw_ticks(const Legend::Bar& bar, double left, double width, double bottom) {
+  const double thickness = std::max(1.0, std::round(em(0.07)));
+  double label_end = -std::numeric_limits<double>::infinity();
+  for (const double value : ticks(bar.low, bar.high, 6)) {
+    const double share = bar.high > bar.low ? (value - bar.low) / (bar.high - bar.low) : 0;
+    const double x = std::round(left + share * (width - thickness));
+    graphics_.fill_box(x, bottom, x + thickness, bottom + em(0.25), kInk);
+    const Graphics::Text label = text(fmt::format("{:g}", value));
+    const double label_left = std::max<double>(layout_.text_left, x - label.width() / 2);
+    if (label_left > label_end + em(0.5)) {
+      graphics_.draw_text(label, label_left, below_panel(kTickLabelBaseline), kInk);
+      label_end = label_left + label.width();
+    }
+  }
+}
+
+Stroke Annotator::key_stroke(const Legend::Line& line) const {
+  const double length = line.length > 0 ? line.length * layout_.scale : em(kLineLength);
+  const double width = std::min(line.width * layout_.scale, em(kMaxLineWidth));
+  return {{0, 0}, {length, 0}, width, line.color, line.arrow};
+}
+
+std::vector<Entry> Annotator::entries_of(const Legend& legend, double room) {
+  std::vector<Entry> entries;
+  for (const Legend::Patch& patch : legend.patches) {
+    const double width = 2 * em(kIconRadius);
+    entries.push_back(
+        {.label = text(patch.label, room - width), .mark_width = width, .patch = &patch});
+  }
+  for (const Legend::Line& line : legend.lines) {
+    const Stroke stroke = key_stroke(line);
+    entries.push_back({.label = text(line.label, room - stroke.to.x()),
+                       .mark_width = stroke.to.x(),
+                       .stroke = stroke});
+  }
+  return entries;
+}
+
+void Annotator::draw_mark(const Entry& entry, double left, double middle) {
+  if (entry.patch != nullptr) {
+    static const std::vector<Eigen::Vector2d> kHexagon = hexagon();
+    const Legend::Patch& patch = *entry.patch;
+    const double radius = em(kIconRadius);
+    const std::vector<Eigen::Vector2d> corners =
+        fitted(patch.outline.empty() ? kHexagon : patch.outline, {left + radius, middle},
+               patch.size * radius);
+    const Rgb color = mixed(patch.color, kPaper, fade_);
+    graphics_.fill_polygon(corners, color, std::max(1.0, em(0.09)), outline_color(color, 1));
+    return;
+  }
+  Stroke stroke = *entry.stroke;
+  stroke.from = {left, middle};
+  stroke.to = {left + entry.mark_width, middle};
+  if (!stroke.arrow) {  // round ends stay within the mark
+    const double end = std::min(stroke.width, entry.mark_width) / 2;
+    stroke.from.x() += end;
+    stroke.to.x() -= end;
+  }
+  graphics_.draw_stroke(stroke);
+}
+
+void Annotator::draw_entries(const Legend& legend, double left, double right) {
+  // The scale bar shortens the first line only.
+  const std::array rooms = {right - left, layout_.text_right - left};
+  const std::vector<Entry> entries = entries_of(legend, rooms.back() - em(kBeforeLabel));
+  std::vector<double> widths;
+  for (const Entry& entry : entries) {
+    widths.push_back(entry.mark_width + em(kBeforeLabel) + entry.label.width());
+  }
+  const Graphics::Text ellipsis = text("…");
+  for (const LegendItem& item : legend_lines(widths, ellipsis.width(), em(1.0), rooms)) {
+    const double x = left + item.left;
+    const double middle = below_panel(kLegendMiddle + kLegendPitch * item.line);
+    const double baseline = middle + em(kHalfLetter);
+    if (!item.entry) {
+      graphics_.draw_text(ellipsis, x, baseline, kInk);
+      continue;
+    }
+    const Entry& entry = entries[*item.entry];
+    draw_mark(entry, x, middle);
+    graphics_.draw_text(entry.label, x + entry.mark_width + em(kBeforeLabel), baseline, kInk);
+  }
+}
 
 }  // namespace
 
@@ -41,72 +305,16 @@ std::vector<double> ticks(double low, double high, int count) {
   return result;
 }
 
-void Annotator::draw(Image& image, const Layout& layout, const Caption& caption,
-                     const Legend& legend, double fade) {
-  if (layout.text_size == 0) {
-    return;
-  }
-  image_ = &image;
-  layout_ = layout;
-  fade_ = fade;
-  draw_caption(caption);
-  font_.set_size(layout.text_size);
-  const double right = draw_scale_bar(caption.spacing) - em(kGap);
-  double left = layout.text_left;
-  for (const Legend::Bar& bar : legend.bars) {
-    left = draw_color_bar(bar, left, right) + em(kGap);
-  }
-  draw_entries(legend, left, right);
-}
-
-void Annotator::draw_caption(const Caption& caption) {
-  const double baseline = layout_.panel.y - em(0.8);
-  const double room = layout_.text_right - layout_.text_left;
-  font_.set_size(layout_.text_size);
-  // The title is shortened only as far as the detail needs, up to half the width.
-  const std::string detail =
-      font_.shortened(caption.detail, caption.title.empty() ? room : std::max(room / 2, 0.0));
-  const double detail_width = font_.width(detail);
-  font_.draw(*image_, layout_.text_right - detail_width, baseline, detail, kPaleInk);
-  // A title that does not fit is first made smaller, then cut.
-  const double title_room = detail.empty() ? room : room - detail_width - em(kGap);
-  const double title_width = font_.width(caption.title);
-  const double fitting = title_width > 0 ? 0.99 * title_room / title_width : kTitleSize;
-  font_.set_size(std::clamp(fitting, 1.0, kTitleSize) * layout_.text_size);
-  font_.draw(*image_, layout_.text_left, baseline, font_.shortened(caption.title, title_room),
-             kInk);
-}
-
 std::string metres_text(double length) {
   return length >= 1      ? fmt::format("{:g} m", length)
          : length >= 1e-3 ? fmt::format("{:g} mm", length * 1e3)
                           : fmt::format("{:g} µm", length * 1e6);
 }
 
-double Annotator::draw_scale_bar(double spacing) {
-  const double room = layout_.text_right - layout_.text_left;
-  const double unit = spacing > 0 ? spacing : 1;
-  const double shown =
-      round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
-  const double length = shown / unit;
-  const std::string label =
-      spacing > 0 ? metres_text(shown)
-                  : fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings");
-  const double right = layout_.text_right;
-  const double bar_left = right - length * layout_.scale;
-  const double label_left = bar_left - em(0.7) - font_.width(label);
-  if (label_left < layout_.text_left) {
-    return right;
-  }
-  const double middle = below_panel(kLegendMiddle);
-  const double thickness = std::max(1.0, std::round(em(0.12)));
-  const double top = std::round(middle - thickness / 2);
-  fill_box(*image_, bar_left, top, right, top + thickness, kInk);
-  for (const double x : {bar_left, right - thickness}) {
-    fill_box(*image_, x, middle - em(0.3), x + thickness, middle + em(0.3), kInk);
-  }
-  font_.draw(*image_, label_left, middle + em(kHalfLetter), label, kInk);
-  return label_left;
+PictureParts annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
+                      const Legend& legend) {
+  return layout.text_size > 0 ? Annotator(graphics, layout).draw(caption, legend)
+                              : PictureParts{.view = layout.panel};
 }
 
 }  // namespace clca::render

@@ -49,12 +49,15 @@ Rgb map_color(double share) {
   const double place = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
   const auto low = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
   const double part = place - static_cast<double>(low);
-  const auto mixed = [part](std::uint8_t from, std::uint8_t to) {
+  return mixed(kViridis[low], kViridis[low + 1], part);
+}
+
+Rgb mixed(Rgb color, Rgb other, double share) {
+  const double part = share > 0 ? std::min(share, 1.0) : 0.0;
+  const auto mix = [part](std::uint8_t from, std::uint8_t to) {
     return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
   };
-  const Rgb a = kViridis[low];
-  const Rgb b = kViridis[low + 1];
-  return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
+  return {mix(color.red, other.red), mix(color.green, other.green), mix(color.blue, other.blue)};
 }
 
 Rgb outline_color(Rgb fill, double strength) {

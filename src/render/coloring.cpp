@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/render/body.hpp"
+#include "render/colors.hpp"
 #include "render/shade.hpp"
 
 namespace clca::render {
@@ -15,13 +17,6 @@ namespace clca::render {
 namespace {
 
 using grains::State;
-
-Rgb mixed(Rgb color, Rgb other, double share) {
-  const auto mix = [share](std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
-  };
-  return {mix(color.red, other.red), mix(color.green, other.green), mix(color.blue, other.blue)};
-}
 
 /// Alternately dark and light along a colour map: adjacent layers differ in lightness, and every
 /// layer has its own colour.
@@ -55,12 +50,43 @@ Rgb id_color(std::size_t id) {
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 
-std::vector<Rgb> whole_map() {
-  std::vector<Rgb> palette;
-  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
-    palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
+Coloring by_map(ShadeRule rule, std::string label, const ColorRange& range) {
+  if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
+    throw std::invalid_argument("a colour bar goes from a lower to a higher value");
   }
-  return palette;
+  Coloring result = {.rule = std::move(rule), .palette = {}, .legend = {}};
+  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
+    result.palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
+  }
+  result.legend.bars.push_back({.label = std::move(label), .low = range.low, .high = range.high});
+  return result;
+}
+
+/// Icons of all species: their first shapes, the smaller ones smaller.
+std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
+                                         std::span<const NamedColor> species) {
+  constexpr double kSmallest = 0.6;
+  std::vector<Legend::Patch> icons;
+  double largest = 0;
+  for (std::size_t number = 0; number < species.size(); ++number) {
+    Legend::Patch icon = {.label = species[number].name, .color = species[number].color};
+    const auto first = std::find_if(kinds.begin(), kinds.end(), [&](const grains::Kind& kind) {
+      return kind.species == number;
+    });
+    if (first != kinds.end()) {
+      const std::vector<Outline> bodies = outlines(first->shape);
+      for (const GridPoint corner : bodies.front()) {
+        icon.outline.push_back(position(corner));
+      }
+      icon.size = first->shape.diameter();
+      largest = std::max(largest, icon.size);
+    }
+    icons.push_back(std::move(icon));
+  }
+  for (Legend::Patch& icon : icons) {
+    icon.size = icon.outline.empty() ? 1 : std::max(kSmallest, icon.size / largest);
+  }
+  return icons;
 }
 
 }  // namespace
@@ -73,13 +99,31 @@ Rgb color(const Coloring& coloring, const State& state, const grains::Occupancy&
   return coloring.palette[in_palette(shade, coloring.palette.size())];
 }
 
+void mark_beyond(Coloring& coloring, const State& state, const grains::Occupancy& occupancy) {
+  const Shading shading = {state, occupancy};
+  std::visit(
+      [&](const auto& rule) {
+        if constexpr (requires { rule.range.low < shading.value(rule, 0); }) {
+          Legend::Bar& bar = coloring.legend.bars.front();
+          for (std::size_t id = 0; id < state.particles.size(); ++id) {
+            if (state.particles[id].present) {
+              const double value = shading.value(rule, id);
+              bar.below = bar.below || value < rule.range.low;
+              bar.above = bar.above || value > rule.range.high;
+            }
+          }
+        }
+      },
+      coloring.rule);
+}
+
 Coloring color_by_species(std::span<const grains::Kind> kinds,
                           std::span<const NamedColor> species) {
   Coloring result = {.rule = BySpecies{}, .palette = {}, .legend = {}};
   for (const NamedColor& named : species) {
     result.palette.push_back(named.color);
-    result.legend.patches.push_back({named.name, named.color});
   }
+  result.legend.patches = species_icons(kinds, species);
   for (const grains::Kind& kind : kinds) {
     while (result.palette.size() <= kind.species) {
       result.palette.push_back(palette_color(result.palette.size()));
@@ -127,37 +171,20 @@ Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const L
   return result;
 }
 
-Coloring color_by_displacement(double high) {
-  if (!(high > 0)) {
-    throw std::invalid_argument("the displacement at the end of the colour bar is positive");
-  }
-  Coloring result = {.rule = ByDisplacement{high}, .palette = whole_map(), .legend = {}};
-  result.legend.bars.push_back({"displacement (spacings)", 0, high});
+Coloring color_by_displacement(const ColorRange& range) {
+  return by_map(ByDisplacement{range}, "displacement (spacings)", range);
+}
+
+Coloring color_by_force(const ColorRange& range) {
+  constexpr Rgb kNone = {228, 230, 233};
+  Coloring result = by_map(ByForce{range}, "overlapped sites", range);
+  result.palette.insert(result.palette.begin(), kNone);
+  result.legend.patches.push_back({"none", kNone});
   return result;
 }
 
-Coloring color_by_force(int high) {
-  constexpr Rgb kFree = {228, 230, 233};
-  constexpr int kMaxForceIndex = 1000;
-  if (high < 1 || high > kMaxForceIndex) {
-    throw std::invalid_argument("the force at the end of the colour bar is 1 to 1000 sites");
-  }
-  Coloring result = {.rule = ByForce{}, .palette = {kFree}, .legend = {}};
-  for (int sites = 1; sites <= high; ++sites) {
-    result.palette.push_back(map_color(static_cast<double>(sites) / high));
-  }
-  result.legend.bars.push_back({"overlapped sites", 0, static_cast<double>(high)});
-  result.legend.patches.push_back({"none", kFree});
-  return result;
-}
-
-Coloring color_by_load(std::vector<double> loads, double high) {
-  if (!(high > 0)) {
-    throw std::invalid_argument("the load at the end of the colour bar is positive");
-  }
-  Coloring result = {.rule = ByLoad{std::move(loads), high}, .palette = whole_map(), .legend = {}};
-  result.legend.bars.push_back({"load (grain weights)", 0, high});
-  return result;
+Coloring color_by_load(std::vector<double> loads, const ColorRange& range) {
+  return by_map(ByLoad{std::move(loads), range}, "load (grain weights)", range);
 }
 
 Coloring color_by_speed() {

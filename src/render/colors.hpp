@@ -23,4 +23,7 @@ vec3 outline_color(vec3 fill, float strength) {
 /// The same of a colour with channels from 0 to 255.
 Rgb outline_color(Rgb fill, double strength);
 
+/// `color` with this share of `other`, from 0 to 1; NaN counts as 0.
+Rgb mixed(Rgb color, Rgb other, double share);
+
 }  // namespace clca::render

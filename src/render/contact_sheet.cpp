@@ -6,12 +6,11 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include "clca/render/area_filter.hpp"
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
-#include "render/font.hpp"
-#include "render/marks.hpp"
+#include "render/graphics.hpp"
 
 namespace clca::render {
 
@@ -19,134 +18,184 @@ namespace {
 
 constexpr Rgb kMissing = {236, 238, 240};
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28U;
+constexpr double kTallest = 1.4;  // height of a view in widths of its cell
 
 // In text sizes.
 constexpr double kGap = 1.2;
 constexpr double kLabelStrip = 1.7;
 constexpr double kTitleStrip = 2.6;
-constexpr double kSheetTitleSize = 1.4;  // in text sizes
+constexpr double kSheetTitleSize = 1.4;
 
 bool missing(const Image& image) {
   return image.width < 1 || image.height < 1;
 }
 
-int scaled_height(const Image& image, int cell_width) {
-  return std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * cell_width /
-                                                  image.width)));
+/// Without white rows and columns at its sides; of width 0 if there is nothing else.
+Image trimmed(const Image& image) {
+  PixelBox box = {image.width, image.height, 0, 0};
+  int right = 0;
+  int bottom = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (image.at(x, y) != kPaper) {
+        box.x = std::min(box.x, x);
+        box.y = std::min(box.y, y);
+        right = std::max(right, x + 1);
+        bottom = y + 1;
+      }
+    }
+  }
+  box.width = right - box.x;
+  box.height = bottom - box.y;
+  return box.width > 0 ? cropped(image, box) : Image();
 }
 
 /// Layout of the sheet, in pixels.
 class Sheet {
  public:
-  Sheet(const std::vector<LabelledImage>& images, int columns, int cell_width, bool titled)
-      : columns_(std::min(columns, std::max(1, static_cast<int>(images.size())))),
+  Sheet(const std::vector<Tile>& tiles, int columns, int cell_width, bool titled)
+      : tiles_(tiles),
+        columns_(static_cast<std::size_t>(
+            std::min(columns, std::max(1, static_cast<int>(tiles.size()))))),
         cell_width_(cell_width),
-        text_size_(std::clamp(static_cast<int>(std::lround(cell_width / 20.0)), 9, 24)) {
-    std::int64_t top = titled ? em(kTitleStrip) : em(kGap);
-    // Height of a row without pictures: nine sixteenths of the width.
-    int usual = std::max(1, cell_width / 16 * 9 + cell_width % 16 * 9 / 16);
-    for (std::size_t first = 0; first < images.size();
-         first += static_cast<std::size_t>(columns_)) {
-      usual = row_height(images, first).value_or(usual);
-      tops_.push_back(static_cast<int>(top));
+        text_size_(std::clamp(std::round(cell_width / 20.0), 9.0, 24.0)),
+        common_legend_(legend_of_all()) {
+    double top = titled ? em(kTitleStrip) : em(kGap);
+    double usual = cell_width * 9.0 / 16;  // of a row without pictures
+    for (std::size_t first = 0; first < tiles.size(); first += columns_) {
+      usual = row_height(first).value_or(usual);
+      tops_.push_back(top);
       heights_.push_back(usual);
       top += usual + em(kLabelStrip) + em(kGap);
-      require(width(), top);
     }
-    require(width(), top);
-    height_ = static_cast<int>(top);
+    legend_top_ = top;
+    height_ = common_legend_ == nullptr
+                  ? top
+                  : top +
+                        scale_of(*common_legend_, width() - 2 * em(kGap)) * common_legend_->height +
+                        em(kGap);
+    if (!(width() * height_ <= static_cast<double>(kMaxPixels))) {
+      throw RenderError(
+          fmt::format("a contact sheet of {:.0f} x {:.0f} pixels is too large", width(), height_));
+    }
   }
 
-  std::int64_t width() const {
-    return std::int64_t{columns_} * (cell_width_ + em(kGap)) + em(kGap);
+  Image drawn(const std::string& title) const {
+    Graphics graphics(static_cast<int>(width()), static_cast<int>(height_));
+    const bool letters = font_problem().empty();
+    if (letters) {
+      graphics.draw_text(graphics.text(title, kSheetTitleSize * text_size_, width() - 2 * em(kGap)),
+                         em(kGap), em(1.75), kInk);
+    }
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+      const double left = em(kGap) + static_cast<double>(i % columns_) * (cell_width_ + em(kGap));
+      draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_], letters);
+    }
+    if (common_legend_ != nullptr) {
+      draw_legend(graphics, *common_legend_, em(kGap), legend_top_, width() - 2 * em(kGap));
+    }
+    return graphics.image();
   }
-  int height() const { return height_; }
-  int text_size() const { return text_size_; }
-  int em(double text_sizes) const { return static_cast<int>(std::lround(text_sizes * text_size_)); }
-
-  int left(std::size_t number) const {
-    const auto column = static_cast<int>(number % static_cast<std::size_t>(columns_));
-    return em(kGap) + column * (cell_width_ + em(kGap));
-  }
-  int top(std::size_t number) const { return tops_[row(number)]; }
-  int row_height(std::size_t number) const { return heights_[row(number)]; }
 
  private:
-  std::size_t row(std::size_t number) const { return number / static_cast<std::size_t>(columns_); }
+  double em(double text_sizes) const { return std::round(text_sizes * text_size_); }
+  double width() const {
+    return static_cast<double>(columns_) * (cell_width_ + em(kGap)) + em(kGap);
+  }
 
-  /// Height of the tallest picture of the row that starts with this one.
-  std::optional<int> row_height(const std::vector<LabelledImage>& images, std::size_t first) const {
-    std::optional<int> highest;
-    const std::size_t end = std::min(first + static_cast<std::size_t>(columns_), images.size());
-    for (std::size_t i = first; i < end; ++i) {
-      if (!missing(images[i].image)) {
-        highest = std::max(highest.value_or(1), scaled_height(images[i].image, cell_width_));
+  /// Where all pictures have the same legend.
+  const Image* legend_of_all() const {
+    const Image* legend = nullptr;
+    for (const Tile& tile : tiles_) {
+      if (!missing(tile.view) && legend != nullptr && tile.legend != *legend) {
+        return nullptr;
+      }
+      legend = missing(tile.view) ? legend : &tile.legend;
+    }
+    return legend == nullptr || missing(*legend) ? nullptr : legend;
+  }
+  static double scale_of(const Image& legend, double room) {
+    return std::min(1.0, room / legend.width);
+  }
+  bool has_own_legend(const Tile& tile) const {
+    return common_legend_ == nullptr && !missing(tile.legend);
+  }
+  double tile_height(const Tile& tile) const {
+    return tile.view.height +
+           (has_own_legend(tile)
+                ? std::ceil(scale_of(tile.legend, cell_width_) * tile.legend.height) + em(0.5)
+                : 0);
+  }
+  /// Height of the tallest tile of the row that starts with this one.
+  std::optional<double> row_height(std::size_t first) const {
+    std::optional<double> highest;
+    for (std::size_t i = first; i < std::min(first + columns_, tiles_.size()); ++i) {
+      if (!missing(tiles_[i].view)) {
+        highest = std::max(highest.value_or(1), tile_height(tiles_[i]));
       }
     }
     return highest;
   }
 
-  static void require(std::int64_t width, std::int64_t height) {
-    if (height > kMaxPixels / width) {
-      throw RenderError(
-          fmt::format("a contact sheet of {} x {} pixels is too large", width, height));
+  static void draw_legend(Graphics& graphics, const Image& legend, double left, double top,
+                          double room) {
+    const double scale = scale_of(legend, room);
+    graphics.draw_image(legend, left, top, scale * legend.width, scale * legend.height);
+  }
+
+  void draw_tile(Graphics& graphics, const Tile& tile, double left, double top, double height,
+                 bool letters) const {
+    double bottom = top + height;
+    if (missing(tile.view)) {
+      graphics.fill_box(left, top, left + cell_width_, bottom, kMissing);
+    } else {
+      bottom = top + tile_height(tile);
+      const double inset = std::floor((cell_width_ - tile.view.width) / 2.0);
+      graphics.draw_image(tile.view, left + inset, top, tile.view.width, tile.view.height);
+      if (has_own_legend(tile)) {
+        draw_legend(graphics, tile.legend, left, top + tile.view.height + em(0.5), cell_width_);
+      }
+    }
+    if (letters) {
+      graphics.draw_text(graphics.text(tile.label, text_size_, cell_width_), left, bottom + em(1.2),
+                         kInk);
     }
   }
 
-  int columns_;
+  const std::vector<Tile>& tiles_;
+  std::size_t columns_;
   int cell_width_;
-  int text_size_;
-  int height_ = 0;
-  std::vector<int> tops_;
-  std::vector<int> heights_;
+  double text_size_;
+  const Image* common_legend_;
+  double legend_top_ = 0;
+  double height_ = 0;
+  std::vector<double> tops_;
+  std::vector<double> heights_;
 };
-
-void paste(const Image& image, int left, int top, Image& sheet) {
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      sheet.at(left + x, top + y) = image.at(x, y);
-    }
-  }
-}
-
-void draw_text(const std::vector<LabelledImage>& images, const Sheet& place, int cell_width,
-               const std::string& title, Image& sheet) {
-  Font font;
-  font.set_size(kSheetTitleSize * place.text_size());
-  const int left = place.em(kGap);
-  font.draw(sheet, left, place.em(1.75), font.shortened(title, sheet.width - 2.0 * left), kInk);
-  font.set_size(place.text_size());
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const Image& image = images[i].image;
-    const int height = missing(image) ? place.row_height(i) : scaled_height(image, cell_width);
-    const int baseline = place.top(i) + height + place.em(1.2);
-    font.draw(sheet, place.left(i), baseline, font.shortened(images[i].label, cell_width), kInk);
-  }
-}
 
 }  // namespace
 
-Image contact_sheet(const std::vector<LabelledImage>& images, int columns, int cell_width,
+Tile tile(const Image& picture, const PictureParts& parts, int width, std::string label) {
+  if (missing(picture)) {
+    return {{}, {}, std::move(label)};
+  }
+  const PixelBox view =
+      parts.view.width > 0 ? parts.view : PixelBox{0, 0, picture.width, picture.height};
+  const double scale = std::min(static_cast<double>(width) / view.width,
+                                kTallest * static_cast<double>(width) / view.height);
+  const auto resized = [scale](int length) {
+    return std::max(1, static_cast<int>(std::lround(scale * length)));
+  };
+  return {scaled(cropped(picture, view), resized(view.width), resized(view.height)),
+          trimmed(legend_of(picture, parts)), std::move(label)};
+}
+
+Image contact_sheet(const std::vector<Tile>& tiles, int columns, int cell_width,
                     const std::string& title) {
   if (columns < 1 || cell_width < 1) {
     throw std::invalid_argument("a contact sheet has columns at least one pixel wide");
   }
-  const Sheet place(images, columns, cell_width, !title.empty());
-  Image sheet(static_cast<int>(place.width()), place.height(), kPaper);
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const Image& image = images[i].image;
-    if (missing(image)) {
-      fill_box(sheet, place.left(i), place.top(i), place.left(i) + cell_width,
-               place.top(i) + place.row_height(i), kMissing);
-    } else {
-      paste(scaled(image, cell_width, scaled_height(image, cell_width)), place.left(i),
-            place.top(i), sheet);
-    }
-  }
-  if (font_problem().empty()) {
-    draw_text(images, place, cell_width, title, sheet);
-  }
-  return sheet;
+  return Sheet(tiles, columns, cell_width, !title.empty()).drawn(title);
 }
 
 }  // namespace clca::render

@@ -1,9 +1,6 @@
 #include "render/context.hpp"
 
 #include <GL/osmesa.h>
-#include <sys/mman.h>
-
-#include <new>
 
 #include "clca/render/painter.hpp"
 #include "render/environment.hpp"
@@ -11,17 +8,6 @@
 namespace clca::render {
 
 namespace {
-
-/// The driver crashes when it runs out of memory, so some address space must be free before each
-/// use.
-void require_memory() {
-  constexpr std::size_t kBytes = std::size_t{128} << 20U;
-  void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (room == MAP_FAILED) {
-    throw std::bad_alloc();
-  }
-  ::munmap(room, kBytes);
-}
 
 OSMesaContext create() {
   prepare_environment();

@@ -1,9 +1,11 @@
 #include "render/environment.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <cstdlib>
 #include <mutex>
+#include <new>
 #include <string_view>
 
 #include "clca/render/painter.hpp"
@@ -21,6 +23,15 @@ std::string environment_problem(const char* driver, const char* vector_width) {
     return fmt::format("LP_NATIVE_VECTOR_WIDTH is \"{}\"; 128 and 256 work: unset it", width);
   }
   return {};
+}
+
+void require_memory() {
+  constexpr std::size_t kBytes = std::size_t{128} << 20U;
+  void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) {
+    throw std::bad_alloc();
+  }
+  ::munmap(room, kBytes);
 }
 
 void prepare_environment() {

@@ -1,5 +1,5 @@
 #pragma once
-// Driver settings in the environment.
+// What the drivers need: settings in the environment, and memory.
 
 #include <string>
 
@@ -8,5 +8,9 @@ namespace clca::render {
 /// The problem with these values of GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH (null: unset), if
 /// any. Mesa crashes on unknown values, so they are checked first.
 std::string environment_problem(const char* driver, const char* vector_width);
+
+/// Throws std::bad_alloc unless 128 MiB of address space are free: OSMesa, GLib and fontconfig end
+/// the program where they get no memory.
+void require_memory();
 
 }  // namespace clca::render

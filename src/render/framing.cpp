@@ -30,8 +30,8 @@ void set_outline(Projection& projection, double pixels_per_spacing, int picture_
 
 }  // namespace
 
-lattice::Rectangle checked_view(const Style& style, const lattice::Lattice& lattice) {
-  if (style.width < 1 || style.height < 1) {
+Style completed(Style style, const lattice::Lattice& lattice) {
+  if (style.width < 0 || style.height < 0) {
     throw RenderError(
         fmt::format("a picture of {} x {} pixels: at least 1 x 1", style.width, style.height));
   }
@@ -39,14 +39,19 @@ lattice::Rectangle checked_view(const Style& style, const lattice::Lattice& latt
     throw RenderError(fmt::format("supersampling is {}: 1 to {} are allowed", style.supersampling,
                                   kMaxSupersampling));
   }
-  const lattice::Rectangle view =
-      style.view == lattice::Rectangle{} ? whole_box(lattice) : style.view;
-  const double width = view.right - view.left;
-  const double height = view.top - view.bottom;
+  if (style.view == lattice::Rectangle{}) {
+    style.view = whole_box(lattice);
+  }
+  const double width = style.view.right - style.view.left;
+  const double height = style.view.top - style.view.bottom;
   if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) {
     throw RenderError("the view to draw is empty or without bounds");
   }
-  return view;
+  style.annotations = style.annotations && font_problem().empty();
+  const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
+  style.width = size.width;
+  style.height = size.height;
+  return style;
 }
 
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,

@@ -7,8 +7,9 @@
 
 namespace clca::render {
 
-/// The view of `style`, or the whole box if it has none. Throws RenderError for an invalid style.
-lattice::Rectangle checked_view(const Style& style, const lattice::Lattice& lattice);
+/// `style` with its view, or the whole box if it has none, and its size. Throws RenderError for an
+/// invalid style.
+Style completed(Style style, const lattice::Lattice& lattice);
 
 /// Projection from the plane to `samples` samples per pixel along each axis.
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,

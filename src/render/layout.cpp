@@ -46,6 +46,31 @@ Layout fit(int width, int height, const lattice::Rectangle& view, int text_size)
 
 }  // namespace
 
+PictureSize picture_size(int width, int height, const lattice::Rectangle& view, bool annotations) {
+  constexpr double kArea = 1280.0 * 720.0;
+  constexpr double kMinAspect = 0.4;  // width over height
+  constexpr double kMaxAspect = 4;
+  const double view_aspect = (view.right - view.left) / (view.top - view.bottom);
+  double aspect = view_aspect;
+  if (annotations) {  // the same as in fit(), with the text size that follows from height or width
+    const double strips = kTopStrip + kBottomStrip;
+    aspect = (1 - strips / kTextSizesInHeight) * view_aspect + 2 * kMargin / kTextSizesInHeight;
+    if (aspect < kTextSizesInWidth / kTextSizesInHeight) {
+      aspect =
+          1 / ((1 - 2 * kMargin / kTextSizesInWidth) / view_aspect + strips / kTextSizesInWidth);
+    }
+  }
+  aspect = std::clamp(aspect, kMinAspect, kMaxAspect);
+  const auto even = [](double pixels) {
+    return std::max(2, 2 * static_cast<int>(std::lround(pixels / 2)));
+  };
+  if (width > 0) {
+    return {width, height > 0 ? height : even(width / aspect)};
+  }
+  return height > 0 ? PictureSize{even(height * aspect), height}
+                    : PictureSize{even(std::sqrt(kArea * aspect)), even(std::sqrt(kArea / aspect))};
+}
+
 Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations) {
   const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
   const int text_size = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));

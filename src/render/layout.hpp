@@ -2,16 +2,9 @@
 // Layout of view and annotations in a picture.
 
 #include "clca/lattice/region.hpp"
+#include "clca/render/image.hpp"
 
 namespace clca::render {
-
-/// A rectangle of pixels, the upper left one first.
-struct PixelBox {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
 
 struct Layout {
   PixelBox panel;     ///< shows the view
@@ -20,6 +13,15 @@ struct Layout {
   int text_left = 0;  ///< bounds of captions and legends
   int text_right = 0;
 };
+
+struct PictureSize {
+  int width = 0;  ///< pixels
+  int height = 0;
+};
+
+/// A size in which the view fills the picture, with space for annotations if requested: even
+/// numbers, an area of about 1280 x 720. What is given (not 0) is kept, the other follows.
+PictureSize picture_size(int width, int height, const lattice::Rectangle& view, bool annotations);
 
 /// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
 Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "render/annotations.hpp"
-#include "render/blend.hpp"
 #include "render/colors.hpp"
 
 namespace clca::render {
@@ -30,7 +29,7 @@ double force_width(double share) {
 }
 
 Rgb arrow_color(double share) {
-  return faded(kInk, kPalest * (1 - std::min(share, 1.0)));
+  return mixed(kInk, kPaper, kPalest * (1 - std::min(share, 1.0)));
 }
 
 /// Stable sort by strength, strongest last.

@@ -4,27 +4,40 @@
 #include <optional>
 #include <utility>
 
-#include "clca/render/turned.hpp"
 #include "render/annotations.hpp"
 #include "render/canvas.hpp"
 #include "render/colors.hpp"
 #include "render/framing.hpp"
+#include "render/graphics.hpp"
 #include "render/layout.hpp"
 #include "render/polygon_painter.hpp"
 #include "render/site_lookup.hpp"
-#include "render/strokes.hpp"
 #include "render/wall_appearance.hpp"
 
 namespace clca::render {
 
 namespace {
 
-void paste(const Image& panel, const PixelBox& place, Image& picture) {
-  for (int y = 0; y < panel.height; ++y) {
-    const auto from = panel.pixels.begin() + static_cast<std::ptrdiff_t>(y) * panel.width;
-    const auto to =
-        picture.pixels.begin() + static_cast<std::ptrdiff_t>(place.y + y) * picture.width + place.x;
-    std::copy(from, from + panel.width, to);
+void draw_overlay(Graphics& graphics, const Overlay& overlay, const Projection& projection,
+                  double scale, int height) {
+  graphics.fade(overlay.fade);
+  const auto pixel = [&](const Eigen::Vector2d& place) {
+    const Eigen::Vector2d from_corner = scale * (place - projection.corner);
+    return Eigen::Vector2d(from_corner.x(), height - from_corner.y());
+  };
+  for (const Stroke& stroke : overlay.strokes) {
+    graphics.draw_stroke(
+        {pixel(stroke.from), pixel(stroke.to), stroke.width * scale, stroke.color, stroke.arrow});
+  }
+}
+
+/// Legend entries of the walls of a picture; the floor and sides of the box are walls, too.
+void add_walls(const grains::State& state, Legend& legend) {
+  const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
+  if (any_wall_moves(state)) {
+    legend.patches.push_back(
+        {.label = "moving wall", .color = kMovingWallColor, .outline = square});
   }
 }
 
@@ -37,24 +50,24 @@ struct Capture::Content {
   Legend legend;
 };
 
+const Legend& Capture::legend() const {
+  return content_->legend;
+}
+
 class Painter::Impl {
  public:
   Impl(const Style& style, const lattice::Lattice& lattice, const std::vector<grains::Kind>& kinds)
-      : style_(style),
+      : style_(completed(style, lattice)),
         lattice_(lattice),
-        view_(checked_view(style, lattice)),
-        layout_(
-            arrange(style.width, style.height, view_, style.annotations && font_problem().empty())),
-        projection_(projection_of(view_, layout_, style.supersampling, lattice, style.height)),
+        layout_(arrange(style_.width, style_.height, style_.view, style_.annotations)),
+        projection_(
+            projection_of(style_.view, layout_, style.supersampling, lattice, style_.height)),
         canvas_(layout_.panel.width, layout_.panel.height, style.supersampling),
         lookup_(lattice, projection_, style.threads),
         grids_(projection_.width, projection_.height) {
     const Canvas::Session session(canvas_);
-    canvas_.require_size(style.width, style.height, style.supersampling);
+    canvas_.require_size(style_.width, style_.height, style.supersampling);
     polygons_.emplace(canvas_.gl(), lattice, kinds);
-    if (layout_.text_size > 0) {
-      annotator_.emplace();
-    }
     kind_count_ = kinds.size();
   }
 
@@ -72,20 +85,33 @@ class Painter::Impl {
     }
     content->palette = coloring.palette;
     content->legend = coloring.legend;
+    add_walls(state, content->legend);
     return Capture(std::move(content));
   }
 
   Image rasterize(const Capture::Content& captured, const Caption& caption, const Overlay& overlay,
                   double turn) {
-    Image picture(style_.width, style_.height, kPaper);
-    Image panel = rasterized_panel(captured);
-    draw_overlay(panel, overlay, projection_.corner, layout_.scale);
-    paste(turn == 0 ? panel : turned(panel, turn, kPaper), layout_.panel, picture);
-    if (annotator_) {
-      annotator_->draw(picture, layout_, caption, captured.legend, overlay.fade);
+    Graphics graphics(style_.width, style_.height);
+    const PixelBox& panel = layout_.panel;
+    {
+      const Graphics::Panel clip(graphics, panel.x, panel.y, panel.width, panel.height, turn);
+      graphics.draw_image(rasterized_panel(captured), 0, 0, panel.width, panel.height);
+      draw_overlay(graphics, overlay, projection_, layout_.scale, panel.height);
     }
-    return picture;
+    Legend legend = captured.legend;
+    legend.fade = overlay.fade;
+    parts_ = annotate(graphics, layout_, caption, legend);
+    return graphics.image();
   }
+
+  Image legend(const Caption& caption, const Legend& legend) const {
+    Graphics graphics(style_.width, style_.height);
+    const PictureParts parts = annotate(graphics, layout_, caption, legend);
+    return legend_of(graphics.image(), parts);
+  }
+
+  const Style& style() const { return style_; }
+  const PictureParts& parts() const { return parts_; }
 
  private:
   void require_match(const grains::State& state, const Coloring& coloring) const {
@@ -163,7 +189,6 @@ class Painter::Impl {
 
   Style style_;
   lattice::Lattice lattice_;
-  lattice::Rectangle view_;
   Layout layout_;
   Projection projection_;
   std::size_t kind_count_ = 0;
@@ -172,7 +197,7 @@ class Painter::Impl {
   std::optional<WallsAppearance> backdrop_walls_;  // those of the backdrop
   // Changed by rasterize().
   Canvas canvas_;
-  std::optional<Annotator> annotator_;
+  PictureParts parts_;  // of the last picture
   // Constant.
   SiteLookup lookup_;
   std::optional<PolygonPainter> polygons_;
@@ -194,6 +219,22 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
 Image Painter::rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay,
                          double turn) {
   return impl_->rasterize(captured.content(), caption, overlay, turn);
+}
+
+Image Painter::legend(const Caption& caption, const Legend& legend) const {
+  return impl_->legend(caption, legend);
+}
+
+int Painter::width() const {
+  return impl_->style().width;
+}
+
+int Painter::height() const {
+  return impl_->style().height;
+}
+
+const PictureParts& Painter::parts() const {
+  return impl_->parts();
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

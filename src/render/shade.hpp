@@ -13,7 +13,7 @@ inline constexpr std::size_t kMapShades = 1025;
 /// golden-ratio steps, which close the circle to 1/2000.
 inline constexpr std::size_t kIdShades = std::size_t{3} * 987;
 
-/// Shade of a present particle.
+/// Shade of a present particle, and the value that a colour bar shows.
 struct Shading {
   const grains::State& state;
   const grains::Occupancy& occupancy;
@@ -25,23 +25,16 @@ struct Shading {
     return state.particles[id].previous == grains::kRest ? 1 : 0;
   }
   static std::size_t shade(const ById& /*rule*/, std::size_t id) { return id % kIdShades; }
-  std::size_t shade(const ByForce& /*rule*/, std::size_t id) const {
-    const grains::Particle& particle = state.particles[id];
-    std::size_t shared = 0;
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      const std::size_t place = state.lattice.index(particle.site() + part);
-      shared += occupancy.second_owner(place) == grains::kFree ? 0U : 1U;
-    }
-    return shared;
+  /// No colour of the map for no sites.
+  std::size_t shade(const ByForce& rule, std::size_t id) const {
+    const double sites = value(rule, id);
+    return sites > 0 ? 1 + map_shade(rule.range, sites) : 0;
   }
-  static std::size_t shade(const ByLoad& rule, std::size_t id) {
-    const double share = std::clamp(rule.loads[id] / rule.high, 0.0, 1.0);
-    return static_cast<std::size_t>(share * (kMapShades - 1));
+  std::size_t shade(const ByLoad& rule, std::size_t id) const {
+    return map_shade(rule.range, value(rule, id));
   }
   std::size_t shade(const ByDisplacement& rule, std::size_t id) const {
-    const lattice::Axial moved = state.particles[id].site() - state.origins[id];
-    const double share = std::min(1.0, lattice::position(moved).norm() / rule.high);
-    return static_cast<std::size_t>(share * (kMapShades - 1));
+    return map_shade(rule.range, value(rule, id));
   }
   std::size_t shade(const ByLayer& rule, std::size_t id) const {
     const auto [low, high] = rule.range;
@@ -50,6 +43,26 @@ struct Shading {
     const double share = high > low ? (height - low) / (high - low) : 0;
     return static_cast<std::size_t>(
         std::clamp(share * rule.layers, 0.0, static_cast<double>(rule.layers - 1)));
+  }
+
+  double value(const ByForce& /*rule*/, std::size_t id) const {
+    const grains::Particle& particle = state.particles[id];
+    int shared = 0;
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      const std::size_t place = state.lattice.index(particle.site() + part);
+      shared += occupancy.second_owner(place) == grains::kFree ? 0 : 1;
+    }
+    return shared;
+  }
+  static double value(const ByLoad& rule, std::size_t id) { return rule.loads[id]; }
+  double value(const ByDisplacement& /*rule*/, std::size_t id) const {
+    return lattice::position(state.particles[id].site() - state.origins[id]).norm();
+  }
+
+ private:
+  static std::size_t map_shade(const ColorRange& range, double value) {
+    const double share = std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
+    return static_cast<std::size_t>(share * (kMapShades - 1));
   }
 };
 

@@ -2,8 +2,12 @@
 
 #include "report/measure_names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+
+#include "report/text.hpp"
 
 namespace clca::report {
 
@@ -108,6 +112,21 @@ const MeasureName* find_measure_name(std::string_view key) {
   const auto* found = std::find_if(kMeasureNames.begin(), kMeasureNames.end(),
                                    [&](const MeasureName& one) { return one.key == key; });
   return found == kMeasureNames.end() ? nullptr : found;
+}
+
+std::string measure_heading(const std::string& key) {
+  const MeasureName* known = find_measure_name(key);
+  if (known == nullptr) {
+    return fmt::format(R"(<th scope="row">{}</th>)", escaped(key));
+  }
+  return fmt::format(
+      R"(<th scope="row">{}{}</th>)", escaped(known->name),
+      known->meaning.empty() ? "" : fmt::format("<small>{}</small>", escaped(known->meaning)));
+}
+
+std::string unit_of_measure(const std::string& key, const std::optional<scene::Conversion>& units) {
+  const MeasureName* known = find_measure_name(key);
+  return known == nullptr ? "" : shown_unit(known->unit, units);
 }
 
 }  // namespace clca::report

@@ -23,4 +23,10 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
 /// None if the name is unknown.
 const MeasureName* find_measure_name(std::string_view key);
 
+/// The heading of a row of a table: name and meaning of a measure, as HTML.
+std::string measure_heading(const std::string& key);
+
+/// The unit of a measure in a run; empty if it is unknown.
+std::string unit_of_measure(const std::string& key, const std::optional<scene::Conversion>& units);
+
 }  // namespace clca::report

@@ -40,25 +40,20 @@ std::vector<std::string> measure_keys(const std::vector<StageSummary>& stages) {
   return names;
 }
 
-/// Decimals shared by a row: two significant digits of the smallest standard error, if there are
-/// errors.
 int row_decimals(const std::vector<StageSummary>& stages, const std::string& name) {
   std::vector<double> numbers;
-  double min_error = 0;
+  std::vector<double> errors;
   for (const StageSummary& stage : stages) {
     const MeasureValue value = value_in(stage, name);
     if (const auto* number = std::get_if<double>(&value)) {
       numbers.push_back(*number);
     }
     const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
-    if (const auto* size = std::get_if<double>(&error); size != nullptr && *size > 0) {
-      min_error = min_error > 0 ? std::min(min_error, *size) : *size;
+    if (const auto* size = std::get_if<double>(&error)) {
+      errors.push_back(*size);
     }
   }
-  constexpr int kMaxDecimals = 7;
-  return min_error > 0
-             ? std::clamp(1 - static_cast<int>(std::floor(std::log10(min_error))), 0, kMaxDecimals)
-             : decimals_for(numbers);
+  return decimals_for(numbers, errors);
 }
 
 std::string value_html(const StageSummary& stage, const std::string& name, int decimals) {
@@ -70,31 +65,22 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
   if (number == nullptr) {
     return "–";
   }
-  std::string text = *number == 0 ? "0" : with_decimals(*number, decimals);
   const MeasureValue error = value_in(stage, name + std::string(kErrorEnding));
-  if (const auto* size = std::get_if<double>(&error)) {
-    text += fmt::format("<small> ± {:.{}f}</small>", *size, decimals);
-  }
-  return text;
+  const auto* size = std::get_if<double>(&error);
+  return number_html(*number, size != nullptr ? *size : std::numeric_limits<double>::quiet_NaN(),
+                     decimals);
 }
 
 std::string row_html(const std::vector<StageSummary>& stages, const std::string& key,
                      const std::optional<scene::Conversion>& units) {
-  const MeasureName* known = find_measure_name(key);
-  const MeasureName shown =
-      known != nullptr ? *known : MeasureName{.key = key, .name = key, .unit = {}, .meaning = {}};
-  std::string row = fmt::format(R"(<tr><th scope="row">{})", escaped(shown.name));
-  if (!shown.meaning.empty()) {
-    row += fmt::format("<small>{}</small>", escaped(shown.meaning));
-  }
-  row += "</th>";
+  std::string row = "<tr>" + measure_heading(key);
   const int decimals = row_decimals(stages, key);
   for (const StageSummary& stage : stages) {
     row += fmt::format("<td>{}</td>", value_html(stage, key, decimals));
   }
   return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                           escaped(shown_unit(shown.unit, units)), escaped(key));
+                           escaped(unit_of_measure(key, units)), escaped(key));
 }
 
 std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {

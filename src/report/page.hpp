@@ -1,26 +1,30 @@
 #pragma once
 // The complete page.
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "clca/store/summary.hpp"
 #include "report/folder.hpp"
 
 namespace clca::report {
 
-/// The parts of the page. Empty parts are left out.
-struct Page {
-  std::string title;       ///< of the scene
-  std::string scene_text;  ///< scene.yaml
-  std::string frames;      ///< HTML, as what follows
-  std::string measures;
-  std::string walls;
-  std::string figures;
-  std::vector<std::string> files;  ///< tables that lie beside the page
+/// A part of the page with its own heading.
+struct Section {
+  const char* id = "";
+  const char* name = "";
+  std::string content = {};  ///< HTML; left out if empty
 };
 
-std::string to_html(const Page& page, const store::RunSummary& summary, const Warnings& warnings);
+struct Page {
+  std::string title;                                            ///< of the scene
+  std::string kind;                                             ///< of run, in words
+  std::string status;                                           ///< `done` or another
+  std::string scene;                                            ///< its name
+  std::vector<std::pair<const char*, std::string>> facts = {};  ///< name and HTML
+  std::vector<Section> sections = {};
+};
+
+std::string to_html(const Page& page, const Warnings& warnings);
 
 }  // namespace clca::report

@@ -1,5 +1,5 @@
 #pragma once
-// The sections of the page as HTML; empty if there is nothing to show.
+// Pages of runs and sweeps, and their sections as HTML; empty if there is nothing to show.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,8 +8,19 @@
 
 #include "clca/store/summary.hpp"
 #include "report/folder.hpp"
+#include "report/page.hpp"
 
 namespace clca::report {
+
+/// Of a folder that a run has left. Throws text::InputError without a readable run.json.
+Page run_page(const std::filesystem::path& run, std::optional<std::size_t> max_frames,
+              Warnings& warnings);
+
+/// Of a sweep. Throws text::InputError without a readable sweep.json and runs.csv.
+Page sweep_page(const std::filesystem::path& sweep, Warnings& warnings);
+
+/// The names of the tables in a folder.
+std::string files_html(const std::filesystem::path& folder);
 
 /// A table of the measures, a row for each, a column for each stage.
 std::string measures_html(const store::RunSummary& summary);

@@ -109,6 +109,25 @@ int decimals_for(std::span<const double> numbers) {
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
 }
 
+int decimals_for(std::span<const double> numbers, std::span<const double> errors) {
+  constexpr int kMaxDecimals = 7;
+  double smallest = 0;
+  for (const double error : errors) {
+    if (error > 0) {
+      smallest = smallest > 0 ? std::min(smallest, error) : error;
+    }
+  }
+  return smallest > 0
+             ? std::clamp(1 - static_cast<int>(std::floor(std::log10(smallest))), 0, kMaxDecimals)
+             : decimals_for(numbers);
+}
+
+std::string number_html(double number, double error, int decimals) {
+  const std::string text = number == 0 ? "0" : with_decimals(number, decimals);
+  return std::isnan(error) ? text
+                           : text + fmt::format("<small> ± {:.{}f}</small>", error, decimals);
+}
+
 std::string with_decimals(double number, int decimals) {
   if (!std::isfinite(number)) {
     return std::isnan(number) ? "–" : number > 0 ? "∞" : "−∞";

@@ -22,8 +22,14 @@ std::string brief(double number);
 /// largest, none where all are whole.
 int decimals_for(std::span<const double> numbers);
 
+/// The same with two significant digits of the smallest of `errors` above 0, if there is one.
+int decimals_for(std::span<const double> numbers, std::span<const double> errors);
+
 /// With so many digits after the point; as 1.20 × 10⁻⁵ where it is too large or too small for that.
 std::string with_decimals(double number, int decimals);
+
+/// A number with its standard error (NaN: none) as HTML.
+std::string number_html(double number, double error, int decimals);
 
 /// 10⁻³.
 std::string power_of_ten(int exponent);

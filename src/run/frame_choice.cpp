@@ -26,8 +26,7 @@ bool is_among(std::size_t number, std::size_t count, std::size_t most) {
   if (count <= most) {
     return true;
   }
-  // The k-th selected item is the one nearest to k * (count - 1)
-  // (most - 1).
+  // The k-th selected item is the one nearest to k * (count - 1) / (most - 1).
   const std::size_t gaps = most - 1;
   const std::size_t k = (number * gaps + (count - 1) / 2) / (count - 1);
   return (k * (count - 1) + gaps / 2) / gaps == number;

@@ -30,8 +30,8 @@ render::Drawing drawing_of(scene::Drawing drawing) {
 
 render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads) {
   const scene::Frames& frames = *scene.output.frames;
-  const render::Style style = {.width = frames.width,
-                               .height = frames.height,
+  const render::Style style = {.width = frames.width.value_or(0),
+                               .height = frames.height.value_or(0),
                                .supersampling = frames.supersampling,
                                .drawing = drawing_of(frames.drawing),
                                .view = frames.view.value_or(render::whole_box(state.lattice)),
@@ -54,6 +54,16 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
     colors.push_back({species.name, color});
   }
   return colors;
+}
+
+/// Left and upper edge, width and height, in pixels.
+std::string box_text(const render::PixelBox& box) {
+  return fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
+}
+
+/// Of the lattice, in metres; 0 where the scene has no units.
+double spacing_of(const scene::Scene& scene) {
+  return scene.units ? scene.units->spacing : 0;
 }
 
 }  // namespace
@@ -87,6 +97,7 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
+  render::mark_beyond(colors, view.state, view.occupancy);
   DrawnOverlay drawn = overlay_of(frames_.overlay, view, strongest_force_);
   colors.legend.lines = std::move(drawn.keys);
   render::PngText text = scene_text(scene_);
@@ -100,24 +111,41 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
   return {.capture = painter_.capture(view.state, view.occupancy, colors),
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
-                      .spacing = scene_.units ? scene_.units->spacing : 0},
+                      .spacing = spacing_of(scene_)},
           .overlay = std::move(drawn.overlay),
           .turn = frames_.upright ? contact::degrees(view.angle) : 0,
           .text = std::move(text)};
 }
 
 Picture FramePainter::rasterize(const CapturedFrame& frame) {
-  return {painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
-          frame.caption.detail, frame.text};
+  Picture picture;
+  picture.image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn);
+  picture.moment = frame.caption.detail;
+  picture.parts = painter_.parts();
+  picture.legend = frame.capture.legend();
+  picture.legend.fade = frame.overlay.fade;
+  picture.text = frame.text;
+  picture.text["View"] = box_text(picture.parts.view);
+  picture.text["Legend"] = box_text(picture.parts.legend);
+  picture.text["Scale bar"] = box_text(picture.parts.scale_bar);
+  return picture;
+}
+
+render::Image FramePainter::legend(const render::Legend& legend) const {
+  return painter_.legend({.title = "", .detail = "", .spacing = spacing_of(scene_)}, legend);
 }
 
 render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
   const grains::State& state = view.state;
+  const auto range = [this](double high) {
+    return frames_.range ? render::ColorRange{frames_.range->low, frames_.range->high}
+                         : render::ColorRange{0, high};
+  };
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
       return render::color_by_layer(state.kinds, frames_.layers, history.layers);
     case scene::ColorBy::displacement:
-      return render::color_by_displacement(history.displacement_scale);
+      return render::color_by_displacement(range(history.displacement_scale));
     case scene::ColorBy::speed:
       return render::color_by_speed();
     case scene::ColorBy::id:
@@ -125,8 +153,8 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
     case scene::ColorBy::force:
       return view.forces != nullptr
                  ? render::color_by_load(contact::loads(state.particles.size(), *view.forces),
-                                         kLoad * strongest_force_)
-                 : render::color_by_force(kMaxForceIndex);
+                                         range(kLoad * strongest_force_))
+                 : render::color_by_force(range(kMaxForceIndex));
     case scene::ColorBy::species:
       break;
   }

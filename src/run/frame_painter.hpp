@@ -11,6 +11,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
+#include "clca/render/contact_sheet.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/render/png.hpp"
 #include "clca/scene/scene.hpp"
@@ -60,6 +61,8 @@ struct CapturedFrame {
 struct Picture {
   render::Image image;
   std::string moment;  ///< stage and step, or time
+  render::PictureParts parts;
+  render::Legend legend;
   render::PngText text;
 };
 
@@ -76,6 +79,12 @@ class FramePainter {
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
   Picture rasterize(const CapturedFrame& frame);
+
+  /// A picture of a legend alone.
+  render::Image legend(const render::Legend& legend) const;
+
+  int width() const { return painter_.width(); }  ///< pixels of a picture
+  int height() const { return painter_.height(); }
 
  private:
   render::Coloring coloring(const View& view, const PictureHistory& history) const;

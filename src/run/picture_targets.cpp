@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "clca/render/area_filter.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "run/frame_choice.hpp"
@@ -46,11 +45,11 @@ void FilesTarget::add(Picture picture, std::uint64_t step) {
                 [picture = std::move(picture)] { return picture; });
 }
 
-MovieTarget::MovieTarget(const scene::Frames& frames, const std::filesystem::path& file,
+MovieTarget::MovieTarget(const FramePainter& painter, const std::filesystem::path& file,
                          int frames_per_second, const std::atomic<int>* stop)
     : path_(file),
       file_(store::named_file(file).create()),
-      movie_(file_.temporary_path(), format_of(file), frames.width, frames.height,
+      movie_(file_.temporary_path(), format_of(file), painter.width(), painter.height(),
              frames_per_second, stop) {}
 
 void MovieTarget::add(const render::Image& image) {
@@ -72,9 +71,13 @@ void MovieTarget::finish() {
   file_.finish();
 }
 
-SheetTarget::SheetTarget(const scene::Scene& scene, std::filesystem::path file, int columns,
-                         std::size_t pictures)
-    : scene_(scene), file_(std::move(file)), columns_(columns), pictures_(pictures) {
+SheetTarget::SheetTarget(const scene::Scene& scene, const FramePainter& painter,
+                         std::filesystem::path file, int columns, std::size_t pictures)
+    : scene_(scene),
+      painter_(painter),
+      file_(std::move(file)),
+      columns_(columns),
+      pictures_(pictures) {
   if (file_.extension() != ".png") {
     throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
   }
@@ -86,25 +89,34 @@ bool SheetTarget::shows(std::size_t number) const {
 }
 
 void SheetTarget::add(const Picture& picture) {
-  const render::Image& image = picture.image;
-  const int width = cell_width(columns_);
-  const int height = std::max(1, width * image.height / image.width);
-  images_.push_back({render::scaled(image, width, height), picture.moment});
+  if (tiles_.empty()) {
+    legend_ = picture.legend;
+  } else if (legend_) {
+    legend_ = render::common_legend(*legend_, picture.legend);
+  }
+  tiles_.push_back(
+      render::tile(picture.image, picture.parts, cell_width(columns_), picture.moment));
 }
 
 void SheetTarget::finish() {
+  if (legend_) {
+    for (render::Tile& tile : tiles_) {
+      tile.legend = painter_.legend(*legend_);
+    }
+  }
   const render::Image sheet =
-      render::contact_sheet(images_, columns_, cell_width(columns_), scene_.title);
+      render::contact_sheet(tiles_, columns_, cell_width(columns_), scene_.title);
   store::write_whole(file_, render::encode_png(sheet, scene_text(scene_)));
 }
 
-PictureTargets::PictureTargets(const scene::Scene& scene, const RedrawOptions& options,
-                               std::size_t pictures, std::uint64_t step) {
+PictureTargets::PictureTargets(const scene::Scene& scene, const FramePainter& painter,
+                               const RedrawOptions& options, std::size_t pictures,
+                               std::uint64_t step) {
   if (!options.movie.empty()) {
-    movie_.emplace(*scene.output.frames, options.movie, options.frames_per_second, options.stop);
+    movie_.emplace(painter, options.movie, options.frames_per_second, options.stop);
   }
   if (!options.sheet.empty()) {
-    sheet_.emplace(scene, options.sheet, options.columns, pictures);
+    sheet_.emplace(scene, painter, options.sheet, options.columns, pictures);
   }
   if (options.folder) {
     files_.emplace(scene, *options.folder, step);

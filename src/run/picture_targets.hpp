@@ -33,7 +33,7 @@ class MovieTarget {
  public:
   /// Throws RedrawError for a file ending that is no movie format, render::MovieError,
   /// store::StoreError.
-  MovieTarget(const scene::Frames& frames, const std::filesystem::path& file, int frames_per_second,
+  MovieTarget(const FramePainter& painter, const std::filesystem::path& file, int frames_per_second,
               const std::atomic<int>* stop);
   void add(const render::Image& image);
   void finish();
@@ -52,8 +52,8 @@ class SheetTarget {
  public:
   /// `pictures`: their total number. Throws RedrawError for an ending other than .png,
   /// store::StoreError.
-  SheetTarget(const scene::Scene& scene, std::filesystem::path file, int columns,
-              std::size_t pictures);
+  SheetTarget(const scene::Scene& scene, const FramePainter& painter, std::filesystem::path file,
+              int columns, std::size_t pictures);
   /// Whether this picture (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const;
   void add(const Picture& picture);
@@ -61,18 +61,19 @@ class SheetTarget {
 
  private:
   const scene::Scene& scene_;
+  const FramePainter& painter_;
   std::filesystem::path file_;
   int columns_;
   std::size_t pictures_;
-  std::vector<render::LabelledImage> images_;
-  render::PngText text_;
+  std::vector<render::Tile> tiles_;
+  std::optional<render::Legend> legend_;  ///< of all, if they have one
 };
 
 class PictureTargets {
  public:
   /// `step`: of the first picture; `pictures`: their number. Throws as the targets.
-  PictureTargets(const scene::Scene& scene, const RedrawOptions& options, std::size_t pictures,
-                 std::uint64_t step);
+  PictureTargets(const scene::Scene& scene, const FramePainter& painter,
+                 const RedrawOptions& options, std::size_t pictures, std::uint64_t step);
 
   /// Whether any target uses this picture (numbered from 0).
   bool want(std::size_t number) const;

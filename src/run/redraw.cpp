@@ -133,7 +133,8 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
-  targets_.emplace(scene_, options_, chosen_.size(), trajectory_.frames()[chosen_.front()].step);
+  targets_.emplace(scene_, painter_, options_, chosen_.size(),
+                   trajectory_.frames()[chosen_.front()].step);
   IntervalTimer timer(events.progress_interval);
   TimeEstimate estimate;
   std::size_t number = 0;

@@ -38,6 +38,12 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   if (frames.color_by == ColorBy::force && scene.model == Model::automaton) {
     require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
   }
+  if (frames.range && frames.color_by != ColorBy::force &&
+      frames.color_by != ColorBy::displacement) {
+    fail(fields.at("range").location,
+         fmt::format("{}: only color_by force and displacement have a colour bar",
+                     fields.path("range")));
+  }
   if (frames.overlay == Overlay::forces && scene.model == Model::automaton) {
     require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
   }
@@ -54,10 +60,15 @@ Type<Frames> frames_type() {
   return type_of<Frames>(
       {.keys =
            {key("every", &Frames::every, count(1, kMaxSteps), "steps from one picture to the next"),
-            key("width", &Frames::width, pixels, "pixels"),
-            key("height", &Frames::height, pixels, "pixels"),
+            key("width", &Frames::width, pixels, "pixels").defaults_to("follows the view"),
+            key("height", &Frames::height, pixels, "pixels").defaults_to("follows the view"),
             key("color_by", &Frames::color_by, choice(kColorByNames),
                 "what the colour of a particle means"),
+            key("range", &Frames::range, color_range(),
+                "values at the ends of the colour bar of `displacement` (lattice spacings) or "
+                "`force` (overlapped sites, or with `model: contact` grain weights); a mark at an "
+                "end says that values lie beyond")
+                .defaults_to("`[0, high]`, `high` from the scene"),
             key("layers", &Frames::layers, integer(1, kMaxLayers),
                 "number of layers for `stage_layer`"),
             key("view", &Frames::view, rectangle(), "the part of the plane to show")

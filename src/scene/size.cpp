@@ -140,7 +140,11 @@ double picture_bytes(const Output& output) {
     return 0;
   }
   const Frames& frames = *output.frames;
-  return kSampleBytes * frames.width * frames.height * frames.supersampling * frames.supersampling;
+  // Where the scene gives no size, about 1280 x 720; where it gives one side, the other is at most
+  // four times as long.
+  const double width = frames.width.value_or(frames.height ? 4 * *frames.height : 1280);
+  const double height = frames.height.value_or(frames.width ? 2.5 * *frames.width : 720);
+  return kSampleBytes * width * height * frames.supersampling * frames.supersampling;
 }
 
 /// A part is written once it is large enough: it has one frame too many at the most.

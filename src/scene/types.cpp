@@ -117,6 +117,26 @@ Type<Eigen::Vector2d> point() {
       });
 }
 
+Type<ColorRange> color_range() {
+  return plain_type<ColorRange>(
+      "`[low, high]`", [] { return numbers_schema(2); },
+      [](const Value& value, const std::string& path) {
+        constexpr double kMost = 1e9;
+        const std::vector<Value>& ends = read_list(value, path, 2, 2);
+        const ColorRange range = {read_number(ends[0], path, 0, kMost),
+                                  read_number(ends[1], path, 0, kMost)};
+        if (range.low >= range.high) {
+          fail(value.location,
+               fmt::format("{}: expected [low, high] with low < high, found [{}, {}]", path,
+                           range.low, range.high));
+        }
+        return range;
+      },
+      [](const ColorRange& range) {
+        return Yaml::list({Yaml::number(range.low), Yaml::number(range.high)});
+      });
+}
+
 Type<lattice::Rectangle> rectangle() {
   return plain_type<lattice::Rectangle>(
       "`[left, bottom, right, top]`", [] { return numbers_schema(4); }, read_rectangle,

@@ -22,6 +22,8 @@ Type<bool> yes_or_no();
 Type<Eigen::Vector2d> point();
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
+/// The ends of a colour bar.
+Type<ColorRange> color_range();
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 

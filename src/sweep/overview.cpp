@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "clca/render/contact_sheet.hpp"
@@ -22,46 +23,58 @@ int cell_width(int columns) {
   return std::clamp(kSheet / columns, 240, 640);
 }
 
-/// Half as wide and high, each pixel the mean of four.
-render::Image halved(const render::Image& image) {
-  render::Image half(image.width / 2, image.height / 2, {});
-  for (int y = 0; y < half.height; ++y) {
-    for (int x = 0; x < half.width; ++x) {
-      const auto mean = [&](std::uint8_t render::Rgb::*channel) {
-        const int sum = image.at(2 * x, 2 * y).*channel + image.at(2 * x + 1, 2 * y).*channel +
-                        image.at(2 * x, 2 * y + 1).*channel +
-                        image.at(2 * x + 1, 2 * y + 1).*channel;
-        return static_cast<std::uint8_t>((sum + 2) / 4);
-      };
-      half.at(x, y) = {mean(&render::Rgb::red), mean(&render::Rgb::green),
-                       mean(&render::Rgb::blue)};
-    }
-  }
-  return half;
+/// The part of a picture that the run has noted in it; of width 0 if it has not, or not inside
+/// `outside`.
+render::PixelBox part(const render::PngText& texts, const std::string& name,
+                      const render::PixelBox& outside) {
+  const auto text = texts.find(name);
+  std::istringstream numbers(text == texts.end() ? "" : text->second);
+  render::PixelBox box;
+  numbers >> box.x >> box.y >> box.width >> box.height;
+  const auto fits = [](int first, int length, int outer_first, int outer_length) {
+    return length > 0 && first >= outer_first && length <= outer_length &&
+           first - outer_first <= outer_length - length;
+  };
+  const bool inside = numbers && fits(box.x, box.width, outside.x, outside.width) &&
+                      fits(box.y, box.height, outside.y, outside.height);
+  return inside ? box : render::PixelBox{};
 }
 
-/// The final picture, not much larger than it will be shown, so that all fit into memory; empty
-/// when it cannot be read.
-render::Image final_picture(const std::filesystem::path& folder, const scene::Scene& scene,
-                            std::uint64_t step, int width) {
+render::PictureParts parts_of(const render::DecodedPng& png) {
+  const render::PixelBox whole = {0, 0, png.image.width, png.image.height};
+  const render::PixelBox legend = part(png.text, "Legend", whole);
+  return {part(png.text, "View", whole), legend, part(png.text, "Scale bar", legend)};
+}
+
+/// The final picture, as large as it will be shown; empty when it cannot be read.
+render::Tile final_picture(const std::filesystem::path& folder, const scene::Scene& scene,
+                           std::uint64_t step, int width) {
   try {
-    render::Image image =
-        render::decode_png(
-            store::read_whole(store::frame_path(folder, scene.name, step), store::kMaxPictureBytes))
-            .image;
-    while (image.width >= 4 * width && image.height > 1) {
-      image = halved(image);
-    }
-    return image;
+    const render::DecodedPng png = render::decode_png(
+        store::read_whole(store::frame_path(folder, scene.name, step), store::kMaxPictureBytes));
+    return render::tile(png.image, parts_of(png), width, "");
   } catch (const std::runtime_error&) {
     return {};
   }
 }
 
+/// The last part of a key: `inertia` of `rules.inertia`; all of it where another has the same.
+std::string short_key(const std::vector<Variation>& variations, const std::string& key) {
+  const auto last_part = [](const std::string& path) {
+    return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
+  };
+  const auto same =
+      std::count_if(variations.begin(), variations.end(),
+                    [&](const Variation& other) { return last_part(other.key) == last_part(key); });
+  return same == 1 ? last_part(key) : key;
+}
+
 std::string label(const Plan& plan, std::size_t run, Status status) {
+  const std::vector<Variation>& variations = plan.request.variations;
   std::string text;
-  for (std::size_t i = 0; i < plan.request.variations.size(); ++i) {
-    text += fmt::format("{}={}, ", plan.request.variations[i].key, plan.variant(run).values[i]);
+  for (std::size_t i = 0; i < variations.size(); ++i) {
+    text += fmt::format("{}={}, ", short_key(variations, variations[i].key),
+                        plan.variant(run).values[i]);
   }
   text += fmt::format("seed {}", plan.seed(run));
   if (status == Status::done) {
@@ -97,17 +110,17 @@ std::optional<render::Image> overview(const Plan& plan, const std::vector<Result
     return std::nullopt;
   }
   const int width = cell_width(shown.columns);
-  std::vector<render::LabelledImage> images;
+  std::vector<render::Tile> tiles;
   for (const std::size_t run : shown.runs) {
     const Result& result = results[run];
     const scene::Scene& scene = plan.variant(run).scene;
     const bool drawn = result.status == Status::done && scene.output.frames;
-    images.push_back(
-        {drawn ? final_picture(folder.run(plan.name(run)), scene, result.summary.steps, width)
-               : render::Image(),
-         label(plan, run, result.status)});
+    tiles.push_back(
+        drawn ? final_picture(folder.run(plan.name(run)), scene, result.summary.steps, width)
+              : render::Tile());
+    tiles.back().label = label(plan, run, result.status);
   }
-  return render::contact_sheet(images, shown.columns, width, plan.variants.front().scene.title);
+  return render::contact_sheet(tiles, shown.columns, width, plan.variants.front().scene.title);
 }
 
 }  // namespace clca::sweep

@@ -77,6 +77,56 @@ TEST_F(ReportCommand, WritesAPageAndSaysWhere) {
   EXPECT_EQ(count_of(text("page.html"), "\"step\":"), 2U);
 }
 
+TEST_F(ReportCommand, WritesAPageAboutASweep) {
+  ASSERT_EQ(clca({"sweep", "small.yaml", "--vary", "rules.inertia=0,0.5", "--vary",
+                  "species.small.shape={hexagon: 1},nonsense", "--seeds", "1..2", "-o", "sweep",
+                  "--quiet"})
+                .code,
+            2);  // all values are checked before the first run
+  ASSERT_EQ(clca({"sweep", "small.yaml", "--vary", "rules.inertia=0,0.5", "--seeds", "1..2", "-o",
+                  "sweep", "--quiet"})
+                .code,
+            0);
+  const auto result = clca({"report", "sweep"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, "sweep/report.html\n");
+  const std::string page = text("sweep/report.html");
+  EXPECT_THAT(page, HasSubstr("A &lt;b&gt;small&lt;/b&gt; run</h1>"));
+  EXPECT_THAT(page, HasSubstr("class=\"overview\""));
+  EXPECT_THAT(page,
+              HasSubstr("<pre>clca sweep small.yaml --vary &#39;rules.inertia=0,0.5&#39; --seeds 1..2"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"col\">rules.inertia=0.5</th>"));
+  for (const std::string stage : {"packing", "flow"}) {
+    EXPECT_EQ(count_of(page, "<h3>" + stage + "</h3>"), 1U) << stage;
+  }
+  EXPECT_EQ(count_of(page, "<td>done</td>"), 4U);
+  EXPECT_GT(count_of(page, "<figure class=\"chart\""), 3U);
+  EXPECT_EQ(clca({"report", "sweep"}).code, 0);
+  EXPECT_EQ(text("sweep/report.html"), page);
+}
+
+TEST_F(ReportCommand, RefusesASweepThatIsDamagedWithOneLine) {
+  ASSERT_EQ(clca({"sweep", "small.yaml", "--seeds", "1", "-o", "sweep", "--quiet"}).code, 0);
+  const std::string request = text("sweep/sweep.json");
+  for (const std::string& wrong :
+       {std::string("{"), std::string("[]"), request.substr(0, request.size() / 2)}) {
+    std::ofstream(folder_.path() / "sweep/sweep.json") << wrong;
+    const auto result = clca({"report", "sweep"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "clca: error: cannot read sweep/sweep.json: it is damaged\n");
+  }
+  std::ofstream(folder_.path() / "sweep/sweep.json") << request;
+  fs::remove(folder_.path() / "sweep/overview.png");
+  fs::remove(folder_.path() / "sweep/measures.csv");
+  auto result = clca({"report", "sweep"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("measures.csv"));
+  fs::remove(folder_.path() / "sweep/runs.csv");
+  result = clca({"report", "sweep"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(count_of(result.err, "\n"), 1U);
+}
+
 TEST_F(ReportCommand, WithoutGnuplotHasTheRestAndOneWarning) {
   const auto result = testing::run_program(
       {"report", "run"}, {.folder = folder_.path().string(), .environment = {{"PATH", "/none"}}});

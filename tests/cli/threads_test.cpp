@@ -20,7 +20,7 @@ constexpr const char* kFall = R"(clca: 1
 box: {width: 200, height: 300}
 species: {grain: {shape: {hexagon: 1}}}
 stages: [{name: fall, fill: {region: [0, 0, 200, 300], counts: {grain: 4500}}, until: {steps: 25}}]
-output: {frames: {every: 10, width: 128, height: 128}, series: {every: 5}, checkpoint: {every: 5}}
+output: {frames: {every: 10, width: 128, height: 128, caption: false}, series: {every: 5}, checkpoint: {every: 5}}
 )";
 
 constexpr const char* kGas = R"(clca: 1
@@ -64,6 +64,17 @@ TEST_F(FewThreads, CarryOutARunWithOneWarningAndTheSameResult) {
       EXPECT_EQ(testing::difference_of_runs(unlimited, out), "") << name << ", " << threads;
     }
   }
+}
+
+TEST_F(FewThreads, LeaveOutCaptionsWithAWarning) {
+  const std::string out = at("captions");
+  const auto result = run({"run", scene("fall"), "-o", out, "--quiet", "--threads", "1", "--set",
+                           "output.frames={every: 10, width: 400, height: 300}"},
+                          most("0"));
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err,
+            "warning: no captions and legends: their text needs two threads, and none can "
+            "be started\n");
 }
 
 TEST_F(FewThreads, GoOnWithARun) {

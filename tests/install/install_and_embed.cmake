@@ -15,7 +15,7 @@ endif()
 
 # What clca::core must not need is not to be found.
 set(disabled)
-foreach(package fmt yaml-cpp nlohmann_json PNG ZLIB Freetype PkgConfig HDF5)
+foreach(package fmt yaml-cpp nlohmann_json PNG ZLIB PkgConfig HDF5)
   list(APPEND disabled -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 set(flags)

@@ -41,17 +41,25 @@ struct LayerRange {
 /// Range over the present particles and all that the `sources` (State::sources) may emit.
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
+/// The values at the ends of a colour bar, low < high.
+struct ColorRange {
+  double low = 0;
+  double high = 1;
+};
+
 // Rules that choose the shade of a particle.
 struct BySpecies {};
 struct BySpeed {};
 struct ById {};
-struct ByForce {};
+struct ByForce {  ///< overlapped sites
+  ColorRange range;
+};
 struct ByLoad {
   std::vector<double> loads;  ///< by id, grain weights
-  double high = 1;            ///< start of the last shade
+  ColorRange range;
 };
-struct ByDisplacement {
-  double high = 1;  ///< lattice spacings, where the last shade begins
+struct ByDisplacement {  ///< lattice spacings
+  ColorRange range;
 };
 struct ByLayer {
   int layers = 1;
@@ -70,6 +78,10 @@ struct Coloring {
 
 inline constexpr std::size_t kMaxShades = 32'000;
 
+/// Marks the ends of the colour bar beyond which values of present particles lie.
+void mark_beyond(Coloring& coloring, const grains::State& state,
+                 const grains::Occupancy& occupancy);
+
 /// Colour of one particle. `occupancy` belongs to `state`.
 Rgb color(const Coloring& coloring, const grains::State& state, const grains::Occupancy& occupancy,
           std::size_t id);
@@ -78,14 +90,13 @@ Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const N
 /// Horizontal layers of equal thickness by height of the origins. Outside `range`: the colour of
 /// the lowest or highest layer.
 Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
-/// By distance from the origin; the colour bar ends at `high` lattice spacings.
-Coloring color_by_displacement(double high);
-/// By the sites shared with other particles and walls; the colour bar ends at `high`. Particles
-/// that share none are pale.
-Coloring color_by_force(int high);
-/// By the sum of normal forces on a particle, by id, in grain weights; the colour bar ends at
-/// `high`.
-Coloring color_by_load(std::vector<double> loads, double high);
+/// By distance from the origin, in lattice spacings.
+Coloring color_by_displacement(const ColorRange& range);
+/// By the number of sites shared with other particles and walls. Particles that share none are
+/// pale.
+Coloring color_by_force(const ColorRange& range);
+/// By the sum of normal forces on a particle, by id, in grain weights.
+Coloring color_by_load(std::vector<double> loads, const ColorRange& range);
 /// By whether the particle moved in the last step.
 Coloring color_by_speed();
 /// By id; neighbouring ids have distinct colours.

@@ -8,17 +8,23 @@
 
 namespace clca::render {
 
-/// An image of width 0 is a missing picture.
-struct LabelledImage {
-  Image image;
+/// A picture of a contact sheet; a view of width 0 is a missing one.
+struct Tile {
+  Image view;
+  Image legend;  ///< of width 0 where there is none
   std::string label;
 };
 
-/// The pictures in rows under a title, each scaled to `cell_width` pixels with its label below.
-/// Missing pictures are pale boxes. Without a font there is no text.
+/// The tile of a picture, its view (or all of it) resized to `width` pixels, or less where it is
+/// tall. A scale bar would not hold any more, so it is left out.
+Tile tile(const Image& picture, const PictureParts& parts, int width, std::string label);
+
+/// The tiles in rows under a title, each in a cell `cell_width` pixels wide, with its label below.
+/// A legend that all tiles have stands below them once, others below their tiles. Missing pictures
+/// are pale boxes. Without a font there is no text.
 /// Throws std::invalid_argument unless `columns` and `cell_width` are positive, RenderError if the
 /// sheet is too large.
-Image contact_sheet(const std::vector<LabelledImage>& images, int columns, int cell_width,
+Image contact_sheet(const std::vector<Tile>& tiles, int columns, int cell_width,
                     const std::string& title);
 
 }  // namespace clca::render

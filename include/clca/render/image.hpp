@@ -15,6 +15,23 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
+/// A rectangle of pixels, the upper left one first.
+struct PixelBox {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool operator==(const PixelBox&) const = default;
+};
+
+/// Where a picture has its parts. Those that it has not are of width 0.
+struct PictureParts {
+  PixelBox view;
+  PixelBox legend = {};
+  PixelBox scale_bar = {};  ///< in the box of the legend
+};
+
 /// Pixels by rows from the top left, `width * height` of them.
 struct Image {
   int width = 0;

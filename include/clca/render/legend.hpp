@@ -1,6 +1,8 @@
 #pragma once
 // The legend of a picture.
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,16 +10,24 @@
 
 namespace clca::render {
 
-/// Named colour patches, a colour bar, and lines or arrows as in the overlay.
+/// Named icons with colours, a colour bar, and lines or arrows as in the overlay.
 struct Legend {
   struct Patch {
     std::string label;
-    Rgb color;
+    Rgb color = {};
+    std::vector<Eigen::Vector2d> outline = {};  ///< of the icon, y upwards; empty: a hexagon
+    double size = 1;                            ///< of the icon, as a share of the largest
+
+    bool operator==(const Patch&) const = default;
   };
   struct Bar {
     std::string label;  ///< with the unit
     double low = 0;
     double high = 1;
+    bool below = false;  ///< some values lie below `low`: marked at the end of the bar
+    bool above = false;
+
+    bool operator==(const Bar&) const = default;
   };
   struct Line {
     std::string label;
@@ -25,10 +35,19 @@ struct Legend {
     double length = 0;   ///< lattice spacings; 0 where it tells nothing
     Rgb color = {};
     bool arrow = false;
+
+    bool operator==(const Line&) const = default;
   };
   std::vector<Patch> patches;
   std::vector<Bar> bars;  ///< none or one
   std::vector<Line> lines;
+  double fade = 0;  ///< of the colours of icons and bars, as Overlay::fade
+
+  bool operator==(const Legend&) const = default;
 };
+
+/// The legend of two pictures: what both have and what one has. None where their lines or colour
+/// bars differ by more than the marks.
+std::optional<Legend> common_legend(const Legend& first, const Legend& second);
 
 }  // namespace clca::render

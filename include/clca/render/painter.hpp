@@ -28,7 +28,7 @@ class RenderError : public std::runtime_error {
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
 struct Style {
-  int width = 1280;  ///< pixels of the finished picture
+  int width = 1280;  ///< pixels of the finished picture; 0: follows the aspect of the view
   int height = 720;
   int supersampling = 2;  ///< samples a pixel along each axis, 1 to 4
   Drawing drawing = Drawing::automatic;
@@ -48,6 +48,9 @@ struct Caption {
 /// Copies share it.
 class Capture {
  public:
+  /// With the walls of the state.
+  const Legend& legend() const;
+
   struct Content;
   explicit Capture(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
   const Content& content() const { return *content_; }
@@ -77,6 +80,14 @@ class Painter {
   /// `turn` degrees about the middle of the view.
   Image rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay = {},
                   double turn = 0);
+
+  /// A picture of the legend alone, as pictures show it beside the scale bar.
+  Image legend(const Caption& caption, const Legend& legend) const;
+
+  int width() const;  ///< pixels of a picture
+  int height() const;
+  /// Of the last picture.
+  const PictureParts& parts() const;
 
   /// capture() and rasterize().
   Image draw(const grains::State& state, const grains::Occupancy& occupancy,

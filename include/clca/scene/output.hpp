@@ -40,11 +40,20 @@ enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, i
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 enum class Overlay : std::uint8_t { none, forces, arrows };
 
+/// The values at the ends of a colour bar.
+struct ColorRange {
+  double low = 0;
+  double high = 1;
+
+  bool operator==(const ColorRange&) const = default;
+};
+
 struct Frames {
   std::uint64_t every = 10;
-  int width = 1280;
-  int height = 720;
+  std::optional<int> width = {};  ///< pixels; none: follows the aspect of the view
+  std::optional<int> height = {};
   ColorBy color_by = ColorBy::species;
+  std::optional<ColorRange> range = {};         ///< none: from the scene
   int layers = 8;                               ///< for ColorBy::stage_layer
   std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
   Drawing drawing = Drawing::automatic;

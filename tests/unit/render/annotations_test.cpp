@@ -152,49 +152,116 @@ int widest_gap(const Image& image, int bottom) {
 }
 
 TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
-  Annotator annotator;
   for (const int width : {300, 640, 1280}) {
     const Layout layout = arrange(width, 360, {0, 0, 40, 30}, true);
     for (std::size_t length = 1; length < 200; length += 3) {
-      Image image(width, 360, {255, 255, 255});
-      annotator.draw(image, layout, {std::string(length, 'H'), "HHHHHHHH"}, {});
-      EXPECT_GE(widest_gap(image, layout.panel.y), 1.4 * layout.text_size) << length;
+      Graphics graphics(width, 360);
+      annotate(graphics, layout, {std::string(length, 'H'), "HHHHHHHH"}, {});
+      EXPECT_GE(widest_gap(graphics.image(), layout.panel.y), 1.4 * layout.text_size) << length;
     }
   }
 }
 
-TEST_F(Annotations, ShortenTextWithAnEllipsis) {
-  Font font;
-  font.set_size(20);
-  const std::string text = "Granular flow of many grains";
-  EXPECT_EQ(font.shortened(text, 1000), text);
-  const std::string shorter = font.shortened(text, 120);
-  EXPECT_LE(font.width(shorter), 120);
-  EXPECT_TRUE(shorter.ends_with("…"));
-  EXPECT_GT(shorter.size(), 8U);
-  EXPECT_EQ(font.shortened(text, 1), "");
-  EXPECT_EQ(font.shortened("", 0), "");
-}
-
-TEST_F(Annotations, GrowWithTheTextSize) {
-  Font font;
-  font.set_size(10);
-  const double small = font.width("flow");
-  font.set_size(40);
-  EXPECT_NEAR(font.width("flow"), 4 * small, 1);
-}
-
 TEST_F(Annotations, FitAnyNumberOfPatches) {
-  Image image(400, 300, {255, 255, 255});
+  Graphics graphics(400, 300);
   const Layout layout = arrange(400, 300, {0, 0, 40, 20}, true);
   Legend legend;
-  Annotator annotator;
   for (std::size_t i = 0; i < 40; ++i) {
     legend.patches.push_back({"species " + std::to_string(i), palette_color(i)});
-    annotator.draw(image, layout, {"t", "d"}, legend);
+    annotate(graphics, layout, {"t", "d"}, legend);
   }
   legend.bars.push_back({"a label of some length", -1, 1e9});
-  annotator.draw(image, layout, {"t", "d"}, legend);
+  annotate(graphics, layout, {"t", "d"}, legend);
+}
+
+/// Pixels of a colour.
+std::ptrdiff_t count(const Image& image, Rgb color) {
+  return std::count(image.pixels.begin(), image.pixels.end(), color);
+}
+
+TEST_F(Annotations, ShowTheShapesOfSpecies) {
+  const Layout layout = arrange(3840, 2160, {0, 0, 40, 20}, true);
+  const auto area_of = [&](const std::vector<Eigen::Vector2d>& outline, double size) {
+    Graphics graphics(3840, 2160);
+    Legend legend;
+    legend.patches = {{.label = "", .color = {200, 0, 0}, .outline = outline, .size = size}};
+    annotate(graphics, layout, {}, legend);
+    return static_cast<double>(count(graphics.image(), {200, 0, 0}));
+  };
+  const double square = area_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}}, 1);
+  EXPECT_NEAR(area_of({{0, 0}, {3, 0}, {0, 3}}, 1), square / 2, 0.15 * square);
+  EXPECT_NEAR(area_of({{0, 0}, {8, 0}, {8, 4}, {0, 4}}, 1), square / 2, 0.15 * square);
+  EXPECT_NEAR(area_of({{0, 0}, {3, 0}, {3, 3}, {0, 3}}, 0.6), 0.36 * square, 0.15 * square);
+}
+
+TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
+  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, true);
+  const auto ends = [&](bool below, bool above) {
+    Graphics graphics(1280, 720);
+    Legend legend;
+    legend.bars = {{.label = "load", .low = 1, .high = 2, .below = below, .above = above}};
+    annotate(graphics, layout, {}, legend);
+    const Image image = graphics.image();
+    return std::pair(count(image, map_color(0)), count(image, map_color(1)));
+  };
+  const auto neither = ends(false, false);
+  const auto both = ends(true, true);
+  EXPECT_GT(both.first, neither.first + 20);
+  EXPECT_GT(both.second, neither.second + 20);
+  EXPECT_EQ(ends(true, false), std::pair(both.first, neither.second));
+}
+
+TEST_F(Annotations, TellWhereTheLegendIs) {
+  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, true);
+  Graphics graphics(1280, 720);
+  Legend legend;
+  legend.patches = {{.label = "grains", .color = {200, 0, 0}}};
+  const PictureParts parts = annotate(graphics, layout, {"title", "detail"}, legend);
+  const Image image = graphics.image();
+  EXPECT_EQ(parts.view, layout.panel);
+  EXPECT_EQ(count(cropped(image, parts.legend), {200, 0, 0}), count(image, {200, 0, 0}));
+  EXPECT_TRUE(blank(image, parts.legend.y + parts.legend.height, image.height));
+  EXPECT_FALSE(blank(cropped(image, parts.scale_bar), 0, parts.scale_bar.height));
+  Graphics alone(1280, 720);
+  const Image without = legend_of(image, annotate(alone, layout, {}, legend));
+  EXPECT_EQ(count(without, {200, 0, 0}), count(image, {200, 0, 0}));
+  EXPECT_LT(without.pixels.size() - static_cast<std::size_t>(count(without, {255, 255, 255})),
+            3000U);  // an icon and a word
+}
+
+TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
+  for (const bool annotations : {false, true}) {
+    for (const double aspect : {0.5, 0.8, 1.0, 1.5, 2.5}) {
+      const lattice::Rectangle view = {0, 0, 100 * aspect, 100};
+      const PictureSize size = picture_size(0, 0, view, annotations);
+      EXPECT_NEAR(size.width * size.height, 1280 * 720, 0.02 * 1280 * 720);
+      EXPECT_EQ(size.width % 2 + size.height % 2, 0);
+      const Layout layout = arrange(size.width, size.height, view, annotations);
+      const int margin = layout.text_size;
+      EXPECT_LE(layout.panel.x, margin + 8) << aspect;
+      EXPECT_LE(layout.panel.y, 2.4 * margin + 8) << aspect;
+    }
+  }
+  EXPECT_EQ(picture_size(300, 200, {0, 0, 1, 9}, true).height, 200);
+  EXPECT_EQ(picture_size(300, 0, {0, 0, 2, 1}, false).height, 150);
+  EXPECT_EQ(picture_size(0, 300, {0, 0, 2, 1}, false).width, 600);
+  EXPECT_EQ(picture_size(0, 300, {0, 0, 1000, 1}, false).width, 1200);
+}
+
+TEST(CommonLegend, HasWhatBothHaveAndWhatOneHas) {
+  Legend first;
+  first.bars = {{.label = "load", .low = 0, .high = 2, .above = true}};
+  first.patches = {{.label = "wall"}};
+  Legend second = first;
+  second.bars[0].above = false;
+  second.bars[0].below = true;
+  second.patches.push_back({.label = "moving wall"});
+  const auto both = common_legend(first, second);
+  ASSERT_TRUE(both);
+  EXPECT_TRUE(both->bars[0].above && both->bars[0].below);
+  EXPECT_EQ(both->patches.size(), 2U);
+  second.bars[0].high = 3;
+  EXPECT_FALSE(common_legend(first, second));
 }
 
 }  // namespace

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
-#include "clca/render/area_filter.hpp"
 #include "clca/render/painter.hpp"
 #include "support/missing.hpp"
 
@@ -15,53 +13,6 @@ namespace {
 
 constexpr Rgb kWhite = {255, 255, 255};
 constexpr Rgb kBlue = {0, 0, 200};
-
-/// Any picture with many colours.
-Image speckled(int width, int height) {
-  Image image(width, height, {});
-  std::uint32_t value = 7;
-  for (Rgb& pixel : image.pixels) {
-    value = value * 1664525U + 1013904223U;
-    pixel = {static_cast<std::uint8_t>(value >> 24U), static_cast<std::uint8_t>(value >> 16U),
-             static_cast<std::uint8_t>(value >> 8U)};
-  }
-  return image;
-}
-
-double mean_red(const Image& image) {
-  const double sum = std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0,
-                                     [](double before, Rgb pixel) { return before + pixel.red; });
-  return sum / static_cast<double>(image.pixels.size());
-}
-
-TEST(AreaFilter, KeepsTheMeanOfAPicture) {
-  const Image image = speckled(97, 61);
-  for (const auto& [width, height] : {std::pair{1, 1}, {13, 7}, {96, 60}, {97, 61}, {150, 200}}) {
-    const Image small = scaled(image, width, height);
-    EXPECT_EQ(small.width, width);
-    EXPECT_EQ(small.height, height);
-    EXPECT_NEAR(mean_red(small), mean_red(image), 0.5) << width;
-  }
-}
-
-TEST(AreaFilter, LeavesThePictureOfItsOwnSizeAlone) {
-  const Image image = speckled(20, 30);
-  EXPECT_EQ(scaled(image, 20, 30), image);
-}
-
-TEST(AreaFilter, TakesTheMeanOfWholeBlocksAndOfParts) {
-  Image image(4, 2, {0, 0, 0});
-  image.at(0, 0) = {100, 0, 8};
-  image.at(1, 1) = {100, 0, 0};
-  const Image half = scaled(image, 2, 1);
-  EXPECT_EQ(half.at(0, 0), (Rgb{50, 0, 2}));
-  EXPECT_EQ(half.at(1, 0), (Rgb{0, 0, 0}));
-  Image three(3, 1, {0, 0, 0});
-  three.at(1, 0) = {90, 0, 0};
-  const Image two = scaled(three, 2, 1);  // each has half of the pixel in the middle
-  EXPECT_EQ(two.at(0, 0), (Rgb{30, 0, 0}));
-  EXPECT_EQ(two.at(1, 0), (Rgb{30, 0, 0}));
-}
 
 struct Box {
   int left = 10000, right = -1, top = 10000, bottom = -1;
@@ -83,14 +34,15 @@ Box around(const Image& image, Rgb color) {
 }
 
 TEST(ContactSheet, SetsPicturesInRowsAndColumns) {
-  std::vector<LabelledImage> images;
+  std::vector<Tile> tiles;
   for (int i = 0; i < 5; ++i) {
-    images.push_back({Image(320, 180, {static_cast<std::uint8_t>(10 + i), 200, 0}), ""});
+    tiles.push_back(
+        tile(Image(320, 180, {static_cast<std::uint8_t>(10 + i), 200, 0}), {}, 160, ""));
   }
-  const Image sheet = contact_sheet(images, 3, 160, "");
+  const Image sheet = contact_sheet(tiles, 3, 160, "");
   std::vector<Box> boxes;
-  for (const LabelledImage& item : images) {
-    boxes.push_back(around(sheet, item.image.at(0, 0)));
+  for (const Tile& item : tiles) {
+    boxes.push_back(around(sheet, item.view.at(0, 0)));
     EXPECT_EQ(boxes.back().width(), 160);
     EXPECT_EQ(boxes.back().height(), 90);
   }
@@ -108,7 +60,7 @@ TEST(ContactSheet, SetsPicturesInRowsAndColumns) {
 }
 
 TEST(ContactSheet, DrawsAPaleBoxForAMissingPicture) {
-  const Image sheet = contact_sheet({{Image(100, 80, kBlue), ""}, {{}, ""}}, 2, 100, "");
+  const Image sheet = contact_sheet({{Image(100, 80, kBlue), {}, ""}, {}}, 2, 100, "");
   const Box there = around(sheet, kBlue);
   const Rgb pale = sheet.at(there.right + 50, there.top + 10);
   EXPECT_NE(pale, kWhite);
@@ -120,14 +72,16 @@ TEST(ContactSheet, DrawsAPaleBoxForAMissingPicture) {
 
 TEST(ContactSheet, TakesNoPicturesAndNoneThatIsThere) {
   EXPECT_GT(contact_sheet({}, 4, 100, "Nothing").width, 0);
-  const Image sheet = contact_sheet({{{}, "a"}, {{}, "b"}, {{}, "c"}}, 2, 100, "All failed");
+  const Image sheet =
+      contact_sheet({{{}, {}, "a"}, {{}, {}, "b"}, {{}, {}, "c"}}, 2, 100, "All failed");
   EXPECT_GT(sheet.height, 100);
 }
 
 TEST(ContactSheet, TakesPicturesOfSeveralSizes) {
-  const Image sheet =
-      contact_sheet({{Image(10, 40, kBlue), ""}, {Image(400, 1, {9, 9, 9}), ""}}, 2, 50, "");
-  EXPECT_EQ(around(sheet, kBlue).height(), 200);
+  const Image sheet = contact_sheet(
+      {tile(Image(10, 40, kBlue), {}, 50, ""), tile(Image(400, 1, {9, 9, 9}), {}, 50, "")}, 2, 50,
+      "");
+  EXPECT_EQ(around(sheet, kBlue).height(), 70);  // no taller than 1.4 widths
   EXPECT_EQ(around(sheet, {9, 9, 9}).height(), 1);
 }
 
@@ -136,7 +90,7 @@ TEST(ContactSheet, WritesLabelsUnderPicturesAndATitleAbove) {
     CLCA_SKIP_AS_MISSING(problem);
   }
   const auto sheet = [](const std::string& label, const std::string& title) {
-    return contact_sheet({{Image(200, 100, kBlue), label}}, 1, 200, title);
+    return contact_sheet({{Image(200, 100, kBlue), {}, label}}, 1, 200, title);
   };
   const auto ink = [](const Image& image, int top, int bottom) {
     int count = 0;
@@ -159,10 +113,39 @@ TEST(ContactSheet, WritesLabelsUnderPicturesAndATitleAbove) {
   EXPECT_EQ(around(sheet("", ""), kBlue).height(), 100);
 }
 
+/// A picture with a view, and a legend of this colour.
+Image picture_with(Rgb legend) {
+  Image image(100, 80, kWhite);
+  for (int y = 10; y < 50; ++y) {
+    std::fill(&image.at(10, y), &image.at(90, y), kBlue);
+  }
+  std::fill(&image.at(20, 60), &image.at(30, 60), legend);
+  std::fill(&image.at(70, 60), &image.at(90, 60), Rgb{1, 1, 1});  // the scale bar
+  return image;
+}
+
+TEST(ContactSheet, HasALegendOnceWhereAllHaveTheSame) {
+  const PictureParts parts = {{10, 10, 80, 40}, {10, 55, 80, 20}, {60, 55, 30, 10}};
+  const auto sheet = [&](Rgb first, Rgb second) {
+    return contact_sheet(
+        {tile(picture_with(first), parts, 80, ""), tile(picture_with(second), parts, 80, ""), {}},
+        3, 80, "");
+  };
+  constexpr Rgb kGreen = {0, 150, 0};
+  constexpr Rgb kOrange = {250, 150, 0};
+  const Image same = sheet(kGreen, kGreen);
+  EXPECT_EQ(std::count(same.pixels.begin(), same.pixels.end(), kGreen), 10);
+  EXPECT_EQ(std::count(same.pixels.begin(), same.pixels.end(), kBlue), 2 * 80 * 40);
+  EXPECT_EQ(std::count(same.pixels.begin(), same.pixels.end(), (Rgb{1, 1, 1})), 0);
+  const Image different = sheet(kGreen, kOrange);
+  EXPECT_EQ(around(different, kGreen).top, around(different, kOrange).top);
+  EXPECT_LT(around(different, kGreen).left, around(different, kOrange).left);
+}
+
 TEST(ContactSheet, RefusesSizesThatMakeNoSense) {
   EXPECT_THROW(contact_sheet({}, 0, 100, ""), std::invalid_argument);
   EXPECT_THROW(contact_sheet({}, 2, 0, ""), std::invalid_argument);
-  EXPECT_THROW(contact_sheet({{Image(1, 1000, kBlue), ""}}, 1, 100000, ""), RenderError);
+  EXPECT_THROW(contact_sheet({{Image(1, 1000, kBlue), {}, ""}}, 1, 100000, ""), RenderError);
   EXPECT_THROW(contact_sheet({}, 2, 2000000000, ""), RenderError);
 }
 

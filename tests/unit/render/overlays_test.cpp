@@ -103,10 +103,10 @@ Box around(const Image& image, const Layout& layout, Rgb color) {
   return box;
 }
 
-Image with_legend(const Layout& layout, const Legend& legend, double fade = 0) {
-  Image image(1280, 720, {255, 255, 255});
-  Annotator().draw(image, layout, {}, legend, fade);
-  return image;
+Image with_legend(const Layout& layout, const Legend& legend) {
+  Graphics graphics(1280, 720);
+  annotate(graphics, layout, {}, legend);
+  return graphics.image();
 }
 
 TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
@@ -146,8 +146,8 @@ TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
     const Image image = with_legend(layout, legend);
     const Box patch = around(image, layout, {1, 200, 3});
     const Box line = around(image, layout, legend.lines[0].color);
-    EXPECT_GT(patch.left, layout.text_left + 13 * layout.text_size);
-    EXPECT_GT(line.left, layout.text_left + 13 * layout.text_size);
+    EXPECT_GT(patch.left, layout.text_left + 11 * layout.text_size);
+    EXPECT_GT(line.left, layout.text_left + 11 * layout.text_size);
     EXPECT_GT(line.right, line.left);
     EXPECT_LT(line.right, layout.text_right);
   }
@@ -157,7 +157,8 @@ TEST_F(LegendLine, FadesPatchesAsThePictureDoes) {
   const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, true);
   Legend legend;
   legend.patches = {{"grains", {55, 55, 55}}};
-  const Image image = with_legend(layout, legend, 0.5);
+  legend.fade = 0.5;
+  const Image image = with_legend(layout, legend);
   EXPECT_EQ(around(image, layout, {55, 55, 55}).right, -1);
   EXPECT_GT(around(image, layout, {155, 155, 155}).right, 0);
 }

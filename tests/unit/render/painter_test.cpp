@@ -141,7 +141,8 @@ TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
     style.drawing = drawing;
     Painter painter(style, automaton.state().lattice, automaton.state().kinds);
     const auto exposed = [&] {
-      return painter.capture(automaton.state(), automaton.occupancy(), color_by_displacement(20));
+      return painter.capture(automaton.state(), automaton.occupancy(),
+                             color_by_displacement({0, 20}));
     };
     const Image before = painter.rasterize(exposed(), {});
     const Capture kept = exposed();
@@ -166,7 +167,7 @@ TEST(Painter, DrawsTinyPictures) {
     style.height = height;
     Painter painter(style, state.lattice, state.kinds);
     const Image image =
-        painter.draw(state, grains::Occupancy(state), color_by_displacement(5),
+        painter.draw(state, grains::Occupancy(state), color_by_displacement({0, 5}),
                      {"A title that is much too long for this", "and a detail too"});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -183,7 +184,7 @@ TEST(Painter, RefusesAPictureBeyondTheDriver) {
 
 TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
   const grains::State state = one_hexagon(1);
-  EXPECT_THROW(picture(state, Drawing::automatic, 0, 100, 1), RenderError);
+  EXPECT_THROW(picture(state, Drawing::automatic, -1, 100, 1), RenderError);
   EXPECT_THROW(picture(state, Drawing::automatic, 100, -1, 1), RenderError);
   EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 0), RenderError);
   EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 5), RenderError);

@@ -87,7 +87,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
 Projection shown(const grains::State& state, int width, int height, int samples,
                  const lattice::Rectangle& view) {
   const Style style = {.width = width, .height = height, .view = view, .annotations = false};
-  const lattice::Rectangle box = checked_view(style, state.lattice);
+  const lattice::Rectangle box = completed(style, state.lattice).view;
   return projection_of(box, arrange(width, height, box, false), samples, state.lattice, height);
 }
 
@@ -147,7 +147,7 @@ TEST(SiteLookup, TellsShadesByEveryRule) {
   grains::State state = packed(60, 40, true).state();
   const Projection projection = shown(state, 150, 100, 1, {});
   const std::vector<ShadeRule> rules = {
-      BySpecies{}, BySpeed{}, ByForce{}, ByDisplacement{15},
+      BySpecies{}, BySpeed{}, ByForce{}, ByDisplacement{{0, 15}},
       ByLayer{7, {2, 30}, std::vector<double>(state.kinds.size(), 0.25)}};
   for (const ShadeRule& rule : rules) {
     expect_as_defined(state, distinct(rule), projection);

@@ -141,7 +141,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "displacement, speed, id, force, found 'specis'; did you mean 'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
-     "width, height, color_by, layers, view, drawing, supersampling, caption, upright, "
+     "width, height, color_by, range, layers, view, drawing, supersampling, caption, upright, "
      "force_scale, overlay); "
      "did you "
      "mean "
@@ -168,6 +168,14 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"arrows without cycles", "output: {frames: {overlay: arrows}}",
      "scene.yaml:12:28: error: output.frames.overlay: no arrows without a stage that moves a wall "
      "with a wave or a shake, or that turns or shakes the vessel",
+     Judge::parser},
+    {"a colour bar that falls", "output: {frames: {color_by: displacement, range: [20, 10]}}",
+     "scene.yaml:12:50: error: output.frames.range: expected [low, high] with low < high, found "
+     "[20, 10]",
+     Judge::parser},
+    {"a colour bar of colours without one", "output: {frames: {range: [0, 10]}}",
+     "scene.yaml:12:26: error: output.frames.range: only color_by force and displacement have a "
+     "colour bar",
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, found "

@@ -205,6 +205,7 @@ TEST(Parse, ReadsMeasuresAndOutput) {
                                          640,
                                          480,
                                          ColorBy::stage_layer,
+                                         {},
                                          4,
                                          lattice::Rectangle{-5, 0, 50, 40},
                                          Drawing::lookup,

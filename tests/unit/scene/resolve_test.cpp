@@ -101,8 +101,6 @@ measure: [profile]
 output:
   frames:
     every: 10
-    width: 1280
-    height: 720
     color_by: species
     layers: 8
     drawing: auto

@@ -1,0 +1,388 @@
+#include "render/graphics.hpp"
+
+#include <fmt/format.h>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <new>
+#include <numbers>
+#include <set>
+#include <system_error>
+#include <thread>
+
+#include "clca/render/painter.hpp"
+#include "clca/text/utf8.hpp"
+#include "render/colors.hpp"
+#include "render/environment.hpp"
+
+namespace clca::render {
+
+namespace {
+
+// Of an arrow.
+constexpr double kHeadLength = 4.0;   // in widths of the shaft
+constexpr double kHeadShare = 0.65;   // of the whole arrow at most
+constexpr double kHeadSlope = 0.42;   // half the head's width over its length
+constexpr double kShaftShare = 0.45;  // of the head's width at most
+constexpr double kDot = 0.7;          // diameter of an arrow that is too short, in widths
+
+struct DestroySurface {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
+
+Surface surface_of(int width, int height) {
+  require_memory();
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  const cairo_status_t status = cairo_surface_status(surface.get());
+  if (status == CAIRO_STATUS_NO_MEMORY) {
+    throw std::bad_alloc();
+  }
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw RenderError(fmt::format("Cairo draws no picture of {} x {} pixels: {}", width, height,
+                                  cairo_status_to_string(status)));
+  }
+  return surface;
+}
+
+/// A row of pixels, 0x00RRGGBB each.
+std::uint32_t* row_of(cairo_surface_t* surface, int y) {
+  return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface) +
+                                          static_cast<std::ptrdiff_t>(y) *
+                                              cairo_image_surface_get_stride(surface));
+}
+
+Surface surface_of(const Image& image) {
+  Surface surface = surface_of(image.width, image.height);
+  for (int y = 0; y < image.height; ++y) {
+    std::uint32_t* row = row_of(surface.get(), y);
+    for (int x = 0; x < image.width; ++x) {
+      const Rgb pixel = image.at(x, y);
+      row[x] = (std::uint32_t{pixel.red} << 16U) | (std::uint32_t{pixel.green} << 8U) | pixel.blue;
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+bool drawable(const Stroke& stroke) {
+  constexpr double kFar = 1e6;  // pixels; Cairo counts to 8 million
+  const auto near = [](double place) { return std::abs(place) < kFar; };  // false for NaN
+  return near(stroke.from.x()) && near(stroke.from.y()) && near(stroke.to.x()) &&
+         near(stroke.to.y()) && stroke.width > 0 && near(stroke.width);
+}
+
+/// Control characters are not drawn.
+std::string printable(std::string_view text) {
+  std::u32string letters = text::decode_utf8(text);
+  for (char32_t& letter : letters) {
+    letter = letter < U' ' || letter == 0x7F ? U' ' : letter;
+  }
+  return text::encode_utf8(letters);
+}
+
+void line_to(cairo_t* cairo, const Eigen::Vector2d& point) {
+  cairo_line_to(cairo, point.x(), point.y());
+}
+
+void straight_line(cairo_t* cairo, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                   double width, cairo_line_cap_t ends) {
+  cairo_set_line_cap(cairo, ends);
+  cairo_set_line_width(cairo, width);
+  line_to(cairo, from);
+  line_to(cairo, to);
+  cairo_stroke(cairo);
+}
+
+void arrow(cairo_t* cairo, const Stroke& stroke) {
+  const Eigen::Vector2d whole = stroke.to - stroke.from;
+  const double length = whole.norm();
+  if (length < std::max(stroke.width, 1.0)) {
+    const Eigen::Vector2d middle = (stroke.from + stroke.to) / 2;
+    straight_line(cairo, middle, middle, kDot * stroke.width, CAIRO_LINE_CAP_ROUND);
+    return;
+  }
+  const double head = std::min(kHeadLength * stroke.width, kHeadShare * length);
+  const double half_width = kHeadSlope * head;
+  const Eigen::Vector2d along = whole / length;
+  const Eigen::Vector2d across(-along.y() * half_width, along.x() * half_width);
+  const Eigen::Vector2d base = stroke.to - head * along;
+  straight_line(cairo, stroke.from, base, std::min(stroke.width, 2 * kShaftShare * half_width),
+                CAIRO_LINE_CAP_ROUND);
+  for (const Eigen::Vector2d& corner :
+       std::array<Eigen::Vector2d, 3>{base + across, stroke.to, base - across}) {
+    line_to(cairo, corner);
+  }
+  cairo_fill(cairo);
+}
+
+/// The fonts of the system, for one thread at a time.
+struct Fonts {
+  std::recursive_mutex mutex;
+  PangoFontMap* map = pango_cairo_font_map_new();  ///< to the end of the process
+  std::set<double> sizes;                          ///< of text so far
+
+  static Fonts& get() {
+    static Fonts fonts;
+    return fonts;
+  }
+};
+
+/// Pango looks for fonts in two threads, and ends the program where it cannot start them.
+bool threads_are_free() {
+  try {
+    const std::jthread first([] {});
+    const std::jthread second([] {});
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
+
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char letter) { return static_cast<unsigned char>(letter) < 0x80; });
+}
+
+/// Text without hinting, placed between pixels: the same shapes at each place.
+PangoContext* font_context(cairo_t* cairo, PangoFontMap* fonts) {
+  PangoContext* context = pango_font_map_create_context(fonts);
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(context, options);
+  cairo_font_options_destroy(options);
+  pango_cairo_context_set_resolution(context, 72);
+  pango_context_set_round_glyph_positions(context, FALSE);
+  pango_cairo_update_context(cairo, context);
+  return context;
+}
+
+double in_pixels(int pango_units) {
+  return static_cast<double>(pango_units) / PANGO_SCALE;
+}
+
+double width_of(PangoLayout* layout) {
+  PangoRectangle extents = {};
+  pango_layout_get_extents(layout, nullptr, &extents);
+  return in_pixels(extents.width);
+}
+
+}  // namespace
+
+void Graphics::Destroy::operator()(cairo_t* cairo) const {
+  cairo_destroy(cairo);
+}
+
+void Graphics::Destroy::operator()(PangoContext* context) const {
+  g_object_unref(context);
+}
+
+void Graphics::Text::Unref::operator()(PangoLayout* layout) const {
+  g_object_unref(layout);
+}
+
+Graphics::Graphics(int width, int height)
+    : width_(width), height_(height), cairo_(cairo_create(surface_of(width, height).get())) {
+  cairo_set_source_rgb(cairo_.get(), 1, 1, 1);
+  cairo_paint(cairo_.get());
+}
+
+Image Graphics::image() const {
+  cairo_surface_t* surface = cairo_get_target(cairo_.get());
+  cairo_surface_flush(surface);
+  Image image(width_, height_, {});
+  for (int y = 0; y < height_; ++y) {
+    const std::uint32_t* row = row_of(surface, y);
+    for (int x = 0; x < width_; ++x) {
+      image.at(x, y) = {static_cast<std::uint8_t>(row[x] >> 16U),
+                        static_cast<std::uint8_t>(row[x] >> 8U), static_cast<std::uint8_t>(row[x])};
+    }
+  }
+  return image;
+}
+
+void Graphics::set_color(Rgb color) {
+  cairo_set_source_rgb(cairo_.get(), color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+}
+
+void Graphics::fill_box(double left, double top, double right, double bottom, Rgb color) {
+  set_color(color);
+  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
+  cairo_fill(cairo_.get());
+}
+
+void Graphics::fill_gradient(double left, double top, double right, double bottom,
+                             std::span<const Rgb> colors) {
+  cairo_pattern_t* gradient = cairo_pattern_create_linear(left, 0, right, 0);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    cairo_pattern_add_color_stop_rgb(
+        gradient, static_cast<double>(i) / static_cast<double>(colors.size() - 1),
+        colors[i].red / 255.0, colors[i].green / 255.0, colors[i].blue / 255.0);
+  }
+  cairo_set_source(cairo_.get(), gradient);
+  cairo_pattern_destroy(gradient);
+  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
+  cairo_fill(cairo_.get());
+}
+
+void Graphics::fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, double line,
+                            Rgb outline) {
+  cairo_save(cairo_.get());
+  for (const Eigen::Vector2d& corner : corners) {
+    line_to(cairo_.get(), corner);
+  }
+  cairo_close_path(cairo_.get());
+  set_color(fill);
+  cairo_fill_preserve(cairo_.get());
+  cairo_clip_preserve(cairo_.get());
+  set_color(outline);
+  cairo_set_line_width(cairo_.get(), 2 * line);
+  cairo_stroke(cairo_.get());
+  cairo_restore(cairo_.get());
+}
+
+void Graphics::draw_stroke(const Stroke& stroke) {
+  if (!drawable(stroke)) {
+    return;
+  }
+  set_color(stroke.color);
+  if (stroke.arrow) {
+    arrow(cairo_.get(), stroke);
+  } else {
+    straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
+  }
+}
+
+void Graphics::fade(double share) {
+  if (share > 0) {
+    cairo_set_source_rgba(cairo_.get(), 1, 1, 1, std::min(share, 1.0));
+    cairo_paint(cairo_.get());
+  }
+}
+
+void Graphics::draw_image(const Image& image, double left, double top, double width,
+                          double height) {
+  const Surface surface = surface_of(image);
+  cairo_save(cairo_.get());
+  cairo_rectangle(cairo_.get(), left, top, width, height);
+  cairo_clip(cairo_.get());
+  cairo_translate(cairo_.get(), left, top);
+  cairo_scale(cairo_.get(), width / image.width, height / image.height);
+  cairo_set_source_surface(cairo_.get(), surface.get(), 0, 0);
+  cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
+  cairo_paint(cairo_.get());
+  cairo_restore(cairo_.get());
+}
+
+Graphics::Text Graphics::text(std::string_view text, double size, double room) {
+  Text result;
+  if (text.empty()) {
+    return result;
+  }
+  Fonts& fonts = Fonts::get();
+  if (!fonts_) {
+    require_memory();
+    fonts_lock_ = std::unique_lock(fonts.mutex);
+    fonts_.reset(font_context(cairo_.get(), fonts.map));
+  }
+  if (fonts.sizes.insert(size).second || !is_ascii(text)) {  // Pango may look for other fonts
+    if (const std::string problem = font_problem(); !problem.empty()) {
+      throw RenderError(problem);
+    }
+  }
+  result.layout_.reset(pango_layout_new(fonts_.get()));
+  PangoLayout* layout = result.layout_.get();
+  PangoFontDescription* font = pango_font_description_from_string("DejaVu Sans, Sans");
+  pango_font_description_set_absolute_size(font, size * PANGO_SCALE);
+  pango_layout_set_font_description(layout, font);
+  pango_font_description_free(font);
+  pango_layout_set_single_paragraph_mode(layout, TRUE);
+  pango_layout_set_auto_dir(layout, FALSE);  // the title begins on the left in every script
+  const std::string letters = printable(text);
+  pango_layout_set_text(layout, letters.data(), static_cast<int>(letters.size()));
+  result.width_ = width_of(layout);
+  if (result.width_ > room) {
+    pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
+    pango_layout_set_width(layout, static_cast<int>(std::max(room, 0.0) * PANGO_SCALE));
+    result.width_ = width_of(layout);
+    if (result.width_ > room) {
+      return {};
+    }
+  }
+  return result;
+}
+
+void Graphics::draw_text(const Text& text, double left, double baseline, Rgb color) {
+  if (!text.layout_) {
+    return;
+  }
+  set_color(color);
+  const double ascent = in_pixels(pango_layout_get_baseline(text.layout_.get()));
+  cairo_move_to(cairo_.get(), left, std::round(baseline) - ascent);
+  pango_cairo_show_layout(cairo_.get(), text.layout_.get());
+  cairo_new_path(cairo_.get());
+}
+
+Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width, double height,
+                       double turn)
+    : graphics_(graphics) {
+  cairo_t* cairo = graphics.cairo_.get();
+  cairo_save(cairo);
+  cairo_rectangle(cairo, left, top, width, height);
+  cairo_clip(cairo);
+  cairo_translate(cairo, left, top);
+  if (turn != 0) {
+    cairo_translate(cairo, width / 2, height / 2);
+    cairo_rotate(cairo, -turn * std::numbers::pi / 180);
+    cairo_translate(cairo, -width / 2, -height / 2);
+  }
+}
+
+Graphics::Panel::~Panel() {
+  cairo_restore(graphics_.cairo_.get());
+}
+
+Image scaled(const Image& image, int width, int height) {
+  Graphics graphics(width, height);
+  graphics.draw_image(image, 0, 0, width, height);
+  return graphics.image();
+}
+
+Image cropped(const Image& image, const PixelBox& box) {
+  Image result(box.width, box.height, {});
+  for (int y = 0; y < box.height; ++y) {
+    for (int x = 0; x < box.width; ++x) {
+      result.at(x, y) = image.at(box.x + x, box.y + y);
+    }
+  }
+  return result;
+}
+
+Image legend_of(const Image& picture, const PictureParts& parts) {
+  Image result = cropped(picture, parts.legend);
+  const PixelBox& bar = parts.scale_bar;
+  for (int y = 0; y < bar.height; ++y) {
+    for (int x = 0; x < bar.width; ++x) {
+      result.at(bar.x - parts.legend.x + x, bar.y - parts.legend.y + y) = kPaper;
+    }
+  }
+  return result;
+}
+
+std::string font_problem() {
+  const FcFontSet* fonts = FcConfigGetFonts(nullptr, FcSetSystem);
+  if (fonts == nullptr || fonts->nfont == 0) {
+    return "no font for captions and legends: install DejaVu Sans (fonts-dejavu-core)";
+  }
+  return threads_are_free()
+             ? ""
+             : "no captions and legends: their text needs two threads, and none can be started";
+}
+
+}  // namespace clca::render

@@ -1,0 +1,100 @@
+#pragma once
+// Shapes, pictures and text drawn on a picture, by Cairo and Pango. Lengths in pixels from the
+// upper left corner.
+
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "clca/render/image.hpp"
+#include "clca/render/overlay.hpp"
+
+// Of Cairo and Pango, whose headers only graphics.cpp includes.
+using cairo_t = struct _cairo;
+using PangoContext = struct _PangoContext;
+using PangoLayout = struct _PangoLayout;
+
+namespace clca::render {
+
+class Graphics {
+ public:
+  /// A white picture. Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
+  Graphics(int width, int height);
+
+  Image image() const;
+
+  void fill_box(double left, double top, double right, double bottom, Rgb color);
+  /// A box with colours from left to right, at equal distances.
+  void fill_gradient(double left, double top, double right, double bottom,
+                     std::span<const Rgb> colors);
+  /// A closed polygon with an outline `line` wide inside its rim.
+  void fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, double line, Rgb outline);
+  /// Strokes that are not finite, or end further than a million pixels away, are left out.
+  void draw_stroke(const Stroke& stroke);
+  /// Fades everything to white by this share, from 0 to 1.
+  void fade(double share);
+  /// A picture in this box, resized where needed; downwards each pixel is a mean.
+  void draw_image(const Image& image, double left, double top, double width, double height);
+
+  /// One line of text.
+  class Text {
+   public:
+    double width() const { return width_; }
+
+   private:
+    friend Graphics;
+    struct Unref {
+      void operator()(PangoLayout* layout) const;
+    };
+    std::unique_ptr<PangoLayout, Unref> layout_;  ///< none of empty text
+    double width_ = 0;
+  };
+  /// `text` (UTF-8) in letters of `size` pixels, shortened with an ellipsis to at most `room`;
+  /// empty if nothing fits. Control characters become spaces.
+  Text text(std::string_view text, double size,
+            double room = std::numeric_limits<double>::infinity());
+  void draw_text(const Text& text, double left, double baseline, Rgb color);
+
+  /// All that is drawn in its lifetime is clipped to a box, with its upper left corner as origin,
+  /// and turned anticlockwise by `turn` degrees about the middle of the box.
+  class Panel {
+   public:
+    Panel(Graphics& graphics, double left, double top, double width, double height, double turn);
+    ~Panel();
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+
+   private:
+    Graphics& graphics_;
+  };
+
+ private:
+  struct Destroy {
+    void operator()(cairo_t* cairo) const;
+    void operator()(PangoContext* context) const;
+  };
+
+  void set_color(Rgb color);
+
+  int width_;
+  int height_;
+  std::unique_ptr<cairo_t, Destroy> cairo_;
+  // From the first text on.
+  std::unique_lock<std::recursive_mutex> fonts_lock_;
+  std::unique_ptr<PangoContext, Destroy> fonts_;
+};
+
+/// `image` resized; see Graphics::draw_image().
+Image scaled(const Image& image, int width, int height);
+
+/// The part of `image` in `box`, which lies in it.
+Image cropped(const Image& image, const PixelBox& box);
+
+/// The legend of a picture without the scale bar.
+Image legend_of(const Image& picture, const PictureParts& parts);
+
+}  // namespace clca::render

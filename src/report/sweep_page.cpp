@@ -1,0 +1,318 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
+#include "clca/store/table.hpp"
+#include "clca/text/input_error.hpp"
+#include "clca/text/message.hpp"
+#include "report/measure_names.hpp"
+#include "report/sections.hpp"
+#include "report/text.hpp"
+
+namespace clca::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr double kMaxBytes = 64 << 20;  // of a file
+constexpr std::size_t kMaxColumns = 16;
+constexpr std::size_t kMaxRuns = 500;
+
+/// sweep.json and its tables.
+struct Sweep {
+  fs::path folder;
+  std::string scene;                   ///< its file
+  std::vector<std::string> keys = {};  ///< that vary
+  std::string command;                 ///< that runs it
+  std::uint64_t runs = 0;
+  store::ReadTable table;  ///< runs.csv
+};
+
+Sweep read_sweep(const fs::path& folder) {
+  const fs::path file = folder / "sweep.json";
+  try {
+    const std::vector<std::uint8_t> bytes = store::read_whole(file, kMaxBytes);
+    const Json json = Json::parse(bytes.begin(), bytes.end());
+    Sweep sweep = {.folder = folder,
+                   .scene = json.at("scene"),
+                   .command = "clca sweep " + text::shell_word(json.at("scene").get<std::string>()),
+                   .runs = json.at("runs"),
+                   .table = store::read_table(folder / "runs.csv", kMaxBytes)};
+    const auto add = [&](const char* option, const std::string& value) {
+      sweep.command += fmt::format(" {} {}", option, text::shell_word(value));
+    };
+    for (const std::string item : json.at("set")) {
+      add("--set", item);
+    }
+    for (const Json& varied : json.at("vary")) {
+      const std::string key = varied.at("key");
+      const std::vector<std::string> values = varied.at("values");
+      sweep.keys.push_back(key);
+      add("--vary", fmt::format("{}={}", key, fmt::join(values, ",")));
+    }
+    add("--seeds", json.at("seeds"));
+    for (const std::string& name : sweep.keys) {
+      if (sweep.table.find(name) == nullptr) {
+        throw text::InputError(fmt::format("cannot read {}: no column {}",
+                                           sweep.table.file.string(), text::printable(name)));
+      }
+    }
+    return sweep;
+  } catch (const Json::exception&) {
+    throw text::InputError(fmt::format("cannot read {}: it is damaged", file.string()));
+  } catch (const store::StoreError& error) {
+    throw text::InputError(error.what());
+  }
+}
+
+/// Cell of a column, or empty where there is none.
+std::string cell(const store::ReadTable& table, const std::string& name, std::size_t row) {
+  const std::vector<std::string>* column = table.find(name);
+  return column == nullptr ? "" : (*column)[row];
+}
+
+std::size_t count(const Sweep& sweep, const std::string& status) {
+  const std::vector<std::string>* column = sweep.table.find("status");
+  return column == nullptr
+             ? 0
+             : static_cast<std::size_t>(std::count(column->begin(), column->end(), status));
+}
+
+/// Of some run that is done.
+std::optional<store::RunSummary> some_summary(const Sweep& sweep) {
+  for (std::size_t row = 0; row < sweep.table.rows(); ++row) {
+    if (cell(sweep.table, "status", row) == "done") {
+      try {
+        return store::read_summary(sweep.folder / cell(sweep.table, "folder", row) / "run.json");
+      } catch (const store::StoreError&) {
+        return std::nullopt;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::string overview_html(const Sweep& sweep, Warnings& warnings) {
+  const fs::path file = sweep.folder / "overview.png";
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    return {};
+  }
+  try {
+    return fmt::format(
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Overview\"><img "
+        "class=\"overview\" alt=\"The final pictures of the runs\" "
+        "src=\"data:image/png;base64,{}\"></div>\n",
+        base64(store::read_whole(file, kMaxBytes)));
+  } catch (const store::StoreError& problem) {
+    warnings.add(problem.what());
+    return {};
+  }
+}
+
+/// KEY=VALUE of a row, a line each.
+std::string combination(const store::ReadTable& table, const std::vector<std::string>& keys,
+                        std::size_t row) {
+  std::string text;
+  for (const std::string& key : keys) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : "\n", key, cell(table, key, row));
+  }
+  return text;
+}
+
+std::string lines_html(const std::string& text) {
+  std::string html;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    html += (html.empty() ? "" : "<br>") + escaped(line);
+  }
+  return html;
+}
+
+std::vector<std::string> distinct(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts) {
+    if (std::find(result.begin(), result.end(), text) == result.end()) {
+      result.push_back(text);
+    }
+  }
+  return result;
+}
+
+/// A table of one stage: a row for each measure, a column for each combination.
+class StageTable {
+ public:
+  StageTable(const store::ReadTable& table, std::vector<std::string> columns,
+             const std::vector<std::string>& column_of_row,
+             const std::optional<scene::Conversion>& units)
+      : table_(table),
+        columns_(std::move(columns)),
+        column_of_row_(column_of_row),
+        means_(table.numbers("mean")),
+        errors_(table.numbers("standard_error")),
+        units_(units) {}
+
+  std::string html(const std::string& stage) const {
+    const std::vector<std::string>& stages = *table_.find("stage");
+    const std::vector<std::string>& measures = *table_.find("measure");
+    std::vector<std::string> names;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (stages[row] == stage) {
+        names.push_back(measures[row]);
+      }
+    }
+    std::string body;
+    for (const std::string& name : distinct(names)) {
+      body += row_html(stage, name);
+    }
+    std::string head = R"(<tr><th scope="col">Measure</th>)";
+    for (const std::string& column : columns_) {
+      head +=
+          fmt::format(R"(<th scope="col">{}</th>)", column.empty() ? "Mean" : lines_html(column));
+    }
+    return fmt::format(
+        R"(<h3>{}</h3>
+<div class="wide" tabindex="0" role="region" aria-label="Measures"><table><thead>{}<th scope="col" class="unit">Unit</th><th scope="col" class="key">In measures.csv</th></tr></thead><tbody>
+{}</tbody></table></div>
+)",
+        escaped(stage), head, body);
+  }
+
+ private:
+  std::string row_html(const std::string& stage, const std::string& measure) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> means(columns_.size(), kNone);
+    std::vector<double> errors(columns_.size(), kNone);
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const auto column = std::find(columns_.begin(), columns_.end(), column_of_row_[row]);
+      if (column != columns_.end() && cell(table_, "stage", row) == stage &&
+          cell(table_, "measure", row) == measure) {
+        const auto place = static_cast<std::size_t>(column - columns_.begin());
+        means[place] = means_[row];
+        errors[place] = errors_[row];
+      }
+    }
+    std::string html = "<tr>" + measure_heading(measure);
+    const int decimals = decimals_for(means, errors);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      html += fmt::format("<td>{}</td>",
+                          std::isnan(means[i]) ? "–" : number_html(means[i], errors[i], decimals));
+    }
+    return html + fmt::format(
+                      R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
+)",
+                      escaped(unit_of_measure(measure, units_)), escaped(measure));
+  }
+
+  const store::ReadTable& table_;
+  std::vector<std::string> columns_;
+  const std::vector<std::string>& column_of_row_;
+  std::vector<double> means_;
+  std::vector<double> errors_;
+  const std::optional<scene::Conversion>& units_;
+};
+
+std::string measures_html(const Sweep& sweep, const std::optional<scene::Conversion>& units,
+                          Warnings& warnings) {
+  try {
+    const store::ReadTable table = store::read_table(sweep.folder / "measures.csv", kMaxBytes);
+    if (table.find("stage") == nullptr || table.find("measure") == nullptr) {
+      throw store::StoreError(
+          fmt::format("cannot read {}: no table of measures", table.file.string()));
+    }
+    std::vector<std::string> column_of_row;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      column_of_row.push_back(combination(table, sweep.keys, row));
+    }
+    const std::vector<std::string> all = distinct(column_of_row);
+    std::vector<std::string> columns;
+    for (const std::size_t number : evenly(all.size(), kMaxColumns)) {
+      columns.push_back(all[number]);
+    }
+    const StageTable tables(table, columns, column_of_row, units);
+    std::string html =
+        "<p>Means over the seeds; ± is one standard error. All combinations are in "
+        "<code>measures.csv</code>.</p>\n";
+    for (const std::string& stage : distinct(*table.find("stage"))) {
+      html += tables.html(stage);
+    }
+    return html;
+  } catch (const store::StoreError& error) {
+    warnings.add(error.what());
+    return {};
+  }
+}
+
+std::string runs_html(const Sweep& sweep) {
+  std::vector<std::string> names = sweep.keys;
+  for (const char* name : {"seed", "status", "steps", "state_hash", "error"}) {
+    names.emplace_back(name);
+  }
+  std::string html =
+      R"(<div class="wide" tabindex="0" role="region" aria-label="Runs"><table><thead><tr>)";
+  for (const std::string& name : names) {
+    html += fmt::format(R"(<th scope="col">{}</th>)", escaped(name));
+  }
+  html += "</tr></thead><tbody>\n";
+  const std::size_t shown = std::min(sweep.table.rows(), kMaxRuns);
+  for (std::size_t row = 0; row < shown; ++row) {
+    html += "<tr>";
+    for (const std::string& name : names) {
+      html += fmt::format("<td>{}</td>", escaped(cell(sweep.table, name, row)));
+    }
+    html += "</tr>\n";
+  }
+  html += "</tbody></table></div>\n";
+  if (shown < sweep.table.rows()) {
+    html += fmt::format(
+        "<p class=\"note\">The first {} of {} runs; all are in <code>runs.csv</code>.</p>\n", shown,
+        sweep.table.rows());
+  }
+  return html;
+}
+
+std::string command_html(const Sweep& sweep) {
+  return fmt::format(
+      "<p>The same scene and seeds give the same bits, with any number of jobs:</p>\n"
+      "<pre>{}</pre>\n",
+      escaped(sweep.command));
+}
+
+}  // namespace
+
+Page sweep_page(const fs::path& folder, Warnings& warnings) {
+  const Sweep sweep = read_sweep(folder);
+  const std::optional<store::RunSummary> summary = some_summary(sweep);
+  const std::size_t done = count(sweep, "done");
+  const std::size_t failed = count(sweep, "failed");
+  const std::string scene = summary ? summary->scene : fs::path(sweep.scene).stem().string();
+  return {.title = summary && !summary->title.empty() ? summary->title : scene,
+          .kind = "Sweep: runs with varied values and seeds",
+          .status = done == sweep.runs ? "done" : "incomplete",
+          .scene = scene,
+          .facts = {{"Varied", sweep.keys.empty()
+                                   ? "seed"
+                                   : escaped(fmt::format("{}", fmt::join(sweep.keys, ", ")))},
+                    {"Runs", whole(sweep.runs)},
+                    {"Done", whole(done)},
+                    {"Failed", whole(failed)}},
+          .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
+                       {"figures", "Figures", figures_html(folder, warnings)},
+                       {"measures", "Measures",
+                        measures_html(sweep, summary ? summary->units : std::nullopt, warnings)},
+                       {"runs", "Runs", runs_html(sweep)},
+                       {"repeat", "How to repeat it", command_html(sweep)},
+                       {"files", "Tables", files_html(folder)}}};
+}
+
+}  // namespace clca::report
