@@ -51,7 +51,11 @@ void add_run_options(CLI::App& command, RunCommonOptions& options) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"fast", "reference"}))
       ->default_str("fast");
-  command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  auto* quiet = command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  command
+      .add_flag("--verbose", options.verbose,
+                "Print also what is done in between: stages that begin, checkpoints")
+      ->excludes(quiet);
   command.add_flag("--json", options.json, "Print run.json at the end");
 }
 
@@ -63,6 +67,9 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
     events.progress = [&](const run::Progress& progress) { line.show(progress); };
     events.gas_progress = [&](const run::GasProgress& progress) { line.show(progress); };
     events.message = [&](const std::string& text) { line.print(text); };
+    if (options.verbose) {
+      events.detail = events.message;
+    }
   }
   std::filesystem::path used = folder;
   events.folder = [&](const std::filesystem::path& path) { used = path; };

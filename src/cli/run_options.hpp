@@ -15,6 +15,7 @@ struct RunCommonOptions {
   std::optional<double> time_limit;  ///< seconds
   bool reference = false;
   bool quiet = false;
+  bool verbose = false;
   bool json = false;
 };
 

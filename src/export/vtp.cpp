@@ -6,20 +6,12 @@
 
 #include "clca/render/body.hpp"
 #include "clca/store/file.hpp"
+#include "clca/text/names_of.hpp"
 #include "export/vtp_file.hpp"
 
 namespace clca::exports {
 
 namespace {
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const Named& one : all) {
-    names.push_back(one.name);
-  }
-  return names;
-}
 
 std::vector<std::optional<lattice::Axial>> places_of(const std::vector<grains::Wall>& walls) {
   std::vector<std::optional<lattice::Axial>> places;
@@ -80,8 +72,8 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
     : collection_(std::move(collection)),
       time_step_(time_step(scene)),
       velocity_unit_(velocity_unit(scene)),
-      species_names_(names_of(scene.species)),
-      wall_names_(names_of(scene.walls)),
+      species_names_(text::names_of<std::string>(scene.species)),
+      wall_names_(text::names_of<std::string>(scene.walls)),
       kinds_(kind_appearances(scene, kinds)) {
   collection_.create();  // throws where it cannot be written, before anything else is
 }

@@ -24,6 +24,8 @@
 #endif
 #endif
 
+#include "process/internal/write_all.hpp"
+
 namespace clca::process {
 
 namespace {
@@ -42,17 +44,6 @@ std::array<int, 2> make_pipe() {
 void close_both(const std::array<int, 2>& ends) {
   ::close(ends[0]);
   ::close(ends[1]);
-}
-
-bool write_bytes(int descriptor, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-  }
-  return true;
 }
 
 /// Closes all file descriptors from 3 on but two, so that the child holds no locks or files of the
@@ -127,12 +118,12 @@ bool can_fork() {
 /// What the child does; returns its exit code.
 int run_child(const std::function<void(const Child::Send&)>& work, int output, int error) {
   const auto report = [error](const char* text) {
-    write_bytes(error, {reinterpret_cast<const std::uint8_t*>(text), std::strlen(text)});
+    write_all(error, {reinterpret_cast<const std::uint8_t*>(text), std::strlen(text)});
     return kThrew;
   };
   try {
     work([output](std::span<const std::uint8_t> bytes) {
-      if (!write_bytes(output, bytes)) {
+      if (!write_all(output, bytes)) {
         throw std::runtime_error(std::strerror(errno));
       }
     });
@@ -261,6 +252,17 @@ void Child::fail(int status) const {
   throw ChildError(length > 0 ? std::string(text.data(), static_cast<std::size_t>(length))
                               : fmt::format("ended early (code {})", WEXITSTATUS(status)),
                    length <= 0);
+}
+
+bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  return true;
 }
 
 }  // namespace clca::process

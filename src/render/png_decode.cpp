@@ -160,6 +160,17 @@ struct Reader {
 
 }  // namespace
 
+std::optional<PixelBox> png_size(std::span<const std::uint8_t> bytes) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
+    return std::nullopt;
+  }
+  const PixelBox size = {0, 0, static_cast<int>(image.width), static_cast<int>(image.height)};
+  png_image_free(&image);
+  return size;
+}
+
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
   require_honest_chunks(bytes);
   ReadJob job;

@@ -1,11 +1,9 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <csetjmp>
 #include <cstring>
 #include <new>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -17,63 +15,6 @@ namespace clca::render {
 namespace {
 
 constexpr int kCompressionLevel = 3;  // many times faster than the default, hardly larger
-
-/// Palette of a picture with at most 256 colours, and the palette index of each pixel.
-struct Palette {
-  std::vector<png_color> colors;
-  std::vector<png_byte> numbers;
-};
-
-/// A small open-addressing hash table from colours to indices.
-class ColorTable {
- public:
-  static constexpr int kFull = -1;
-
-  int number(Rgb color, std::vector<png_color>& colors) {
-    const std::uint32_t key =
-        (std::uint32_t{color.red} << 16U) | (std::uint32_t{color.green} << 8U) | color.blue;
-    std::size_t slot = (key * 2654435761U) >> 22U;
-    while (keys_[slot] != key) {
-      if (keys_[slot] == kEmpty) {
-        if (colors.size() == PNG_MAX_PALETTE_LENGTH) {
-          return kFull;
-        }
-        keys_[slot] = key;
-        numbers_[slot] = static_cast<int>(colors.size());
-        colors.push_back({color.red, color.green, color.blue});
-        break;
-      }
-      slot = (slot + 1) % keys_.size();
-    }
-    return numbers_[slot];
-  }
-
-  ColorTable() { keys_.fill(kEmpty); }
-
- private:
-  static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
-  std::array<std::uint32_t, 1024> keys_ = {};
-  std::array<int, 1024> numbers_ = {};
-};
-
-std::optional<Palette> palette_of(const Image& image) {
-  Palette palette;
-  palette.numbers.resize(image.pixels.size());
-  ColorTable table;
-  Rgb last;
-  int number = ColorTable::kFull;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    if (number == ColorTable::kFull || image.pixels[i] != last) {
-      last = image.pixels[i];
-      number = table.number(last, palette.colors);
-      if (number == ColorTable::kFull) {
-        return std::nullopt;
-      }
-    }
-    palette.numbers[i] = static_cast<png_byte>(number);
-  }
-  return palette;
-}
 
 bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(),
@@ -108,7 +49,6 @@ std::vector<png_text> text_chunks(const PngText& text) {
 /// All data that libpng reads, built before the first call that may long-jump.
 struct WriteJob {
   const Image* image = nullptr;
-  std::optional<Palette> palette;
   std::vector<png_text> text;
   std::vector<std::uint8_t> bytes;
   PngError error;
@@ -140,21 +80,14 @@ bool write_png(png_structp png, png_infop info, WriteJob& job) {
   png_set_write_fn(png, &job, append, no_flush);
   png_set_compression_level(png, kCompressionLevel);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-  png_set_IHDR(png, info, width, height, 8,
-               job.palette ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (job.palette) {
-    png_set_PLTE(png, info, job.palette->colors.data(),
-                 static_cast<int>(job.palette->colors.size()));
-  }
   if (!job.text.empty()) {
     png_set_text(png, info, job.text.data(), static_cast<int>(job.text.size()));
   }
   png_write_info(png, info);
   for (png_uint_32 y = 0; y < height; ++y) {
-    const std::size_t first = std::size_t{y} * width;
-    png_write_row(png,
-                  job.palette ? job.palette->numbers.data() + first : &image.pixels[first].red);
+    png_write_row(png, &image.pixels[std::size_t{y} * width].red);
   }
   png_write_end(png, info);
   return true;
@@ -169,7 +102,6 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   }
   WriteJob job;
   job.image = &image;
-  job.palette = palette_of(image);
   job.text = text_chunks(text);
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job.error, fail, ignore);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "clca/render/png.hpp"
 #include "clca/store/file.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
@@ -104,21 +104,19 @@ std::vector<std::size_t> chosen_pictures(const std::vector<Picture>& all, std::s
   return chosen;
 }
 
-std::uint32_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t place) {
-  return (std::uint32_t{bytes[place]} << 24U) | (std::uint32_t{bytes[place + 1]} << 16U) |
-         (std::uint32_t{bytes[place + 2]} << 8U) | std::uint32_t{bytes[place + 3]};
-}
+struct Png {
+  std::vector<std::uint8_t> bytes;
+  render::PixelBox size;
+};
 
-/// Throws StoreError if it is no PNG. Width and height have fixed positions (ISO 15948, 11.2.2).
-std::vector<std::uint8_t> png_bytes(const fs::path& file) {
-  constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  constexpr std::size_t kMinPngBytes = 57;  // header and end
+/// Throws StoreError if it is no PNG.
+Png read_png(const fs::path& file) {
   std::vector<std::uint8_t> bytes = store::read_whole(file, store::kMaxPictureBytes);
-  if (bytes.size() < kMinPngBytes ||
-      !std::equal(kSignature.begin(), kSignature.end(), bytes.begin())) {
+  const std::optional<render::PixelBox> size = render::png_size(bytes);
+  if (!size) {
     throw store::StoreError(fmt::format("{} is left out: it is no PNG", file.string()));
   }
-  return bytes;
+  return {std::move(bytes), *size};
 }
 
 std::string data_url(const std::vector<std::uint8_t>& bytes) {
@@ -135,12 +133,12 @@ class Writer {
 
   void add_end(std::string& html, const Picture& picture) {
     try {
-      const auto bytes = png_bytes(picture.file);
+      const Png png = read_png(picture.file);
       const std::string stage = escaped(summary_.stages[picture.end_of - 1].name);
       html += fmt::format(
           R"(<figure><img id="end-{0}" src="{1}" width="{2}" height="{3}" alt="Picture of the particles at the end of stage {4}, {5}"><figcaption>End of <b>{4}</b>, {5}</figcaption></figure>
 )",
-          picture.end_of, data_url(bytes), number_at(bytes, 16), number_at(bytes, 20), stage,
+          picture.end_of, data_url(png.bytes), png.size.width, png.size.height, stage,
           escaped(when(picture.step)));
       shown_.push_back(picture.step);
     } catch (const store::StoreError& error) {
@@ -162,7 +160,7 @@ class Writer {
       if (end != ends.end()) {
         entry["same"] = fmt::format("end-{}", end->end_of);
       } else {
-        entry["image"] = data_url(png_bytes(picture.file));
+        entry["image"] = data_url(read_png(picture.file).bytes);
       }
     } catch (const store::StoreError& error) {
       warnings_.add(error.what());

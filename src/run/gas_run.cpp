@@ -15,14 +15,12 @@
 #include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
-#include "clca/store/file.hpp"
 #include "run/begin.hpp"
 #include "run/checkpoint_writer.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_slots.hpp"
-#include "run/log.hpp"
-#include "run/memory_reserve.hpp"
 #include "run/meter.hpp"
+#include "run/run_base.hpp"
 #include "run/startable.hpp"
 
 namespace clca::run {
@@ -35,24 +33,31 @@ std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
 
-class GasRun {
+class GasRun : public RunBase {
  public:
   GasRun(const scene::BoltzmannScene& scene, const RunOptions& options, const RunEvents& events,
-         store::RunFolder folder, GasCourse course = {})
-      : scene_(scene),
-        options_(options),
-        events_(events),
-        folder_(std::move(folder)),
-        log_(folder_, course.log_bytes, events),
+         std::optional<store::RunFolder> folder = {}, GasCourse course = {})
+      : RunBase({.kind = "boltzmann",
+                 .scene = scene.name,
+                 .title = scene.title,
+                 .seed = scene.seed,
+                 .scene_text = scene::to_yaml(scene),
+                 .keeps_checkpoint = scene.checkpoint.has_value()},
+                options, events),
+        scene_(scene),
         integrator_(scene),
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)),
-        seconds_before_(course_.wall_seconds),
-        checkpoint_writer_(scene.checkpoint) {}
-
-  store::RunSummary execute();
+        checkpoint_writer_(scene.checkpoint) {
+    write_to(folder ? std::move(*folder)
+                    : begin_run(options, events, checkpoint(), gas_table_names(scene)),
+             course_.log_bytes, course_.wall_seconds);
+  }
 
  private:
+  void carry_out() override;
+  bool is_complete() const override { return complete_; }
+  void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
   void run_case(GasCase& one);
   /// True while the run goes on; shows progress from the thread that called run().
@@ -62,28 +67,9 @@ class GasRun {
   /// Writes a checkpoint; no gas may change meanwhile.
   void save();
   void warn();
-  store::RunSummary summary(const std::string& status) const;
-  void write_summary(const std::string& status) const {
-    folder_.files().write(store::kSummaryFile, store::to_json(summary(status)));
-  }
-  void note_failure(const std::exception& failure) {
-    reserve_.reset();
-    try {
-      log_.error(failure.what());
-      write_summary("failed");
-    } catch (const std::exception& error) {
-      log_.error(error.what());
-    }
-  }
-
-  bool stop_asked() const {
-    return (options_.stop != nullptr && options_.stop->load() != 0) ||
-           (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
-  }
   bool complete(const GasCase& one) const {
     return one.at(integrator_.times().size() - 1).size() == one.members.size();
   }
-  double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
   /// By one collision.
   double particles_changed() const {
     return std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
@@ -94,16 +80,10 @@ class GasRun {
   }
 
   const scene::BoltzmannScene& scene_;
-  const RunOptions& options_;
-  const RunEvents& events_;
-  store::RunFolder folder_;
-  Log log_;
-  WallClock wall_clock_;  // since this run began or went on
   IntervalTimer timer_{events_.progress_interval};
   GasIntegrator integrator_;
   GasCourse course_;
   std::uint64_t cases_logged_;  // by the lines of log.txt that were there
-  double seconds_before_;       // of this run when it last saved itself
   std::vector<store::StageSummary> stages_;
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::atomic<std::uint64_t> gases_done_ = 0;
@@ -111,29 +91,15 @@ class GasRun {
   bool complete_ = true;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
-  MemoryReserve reserve_;
   CheckpointWriter
       checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
-store::RunSummary GasRun::execute() {
-  write_summary("running");
-  try {
-    folder_.files().write(store::kSceneFile, scene::to_yaml(scene_));
-    if (log_.bytes() == 0) {
-      warn();
-    }
-    run_cases();
-  } catch (const std::exception& error) {
-    note_failure(error);
-    throw;
+void GasRun::carry_out() {
+  if (log().bytes() == 0) {
+    warn();
   }
-  const std::string status = complete_ ? "done" : "interrupted";
-  write_summary(status);
-  if (complete_ && !scene_.checkpoint) {
-    store::remove_checkpoints(folder_.files());
-  }
-  return summary(status);
+  run_cases();
 }
 
 void GasRun::warn() {
@@ -144,7 +110,7 @@ void GasRun::warn() {
   constexpr double kPercent = 100;
   const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.until);
   const std::string bias = std::isfinite(heat) ? fmt::format("by {:.0f} %", heat) : "without bound";
-  log_.warning(
+  log().warning(
       fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato, whose bias "
                   "grows with it: elastic spheres heat {} until time {}; 0.025 or less is "
                   "what it was made for",
@@ -166,13 +132,15 @@ void GasRun::run_cases() {
       save();
     }
     finish_case(one);
-    write_tables(scene_, course_.cases, folder_);
+    write_tables(scene_, course_.cases, folder());
   }
   checkpoint_writer_.finish();
 }
 
 void GasRun::run_case(GasCase& one) {
   gases_done_ = 0;
+  tell(fmt::format("restitution {}: {} gases of {} particles", one.restitution, one.members.size(),
+                   scene_.particles));
   for (const GasMember& member : one.members) {
     collisions_ += collisions(member);
   }
@@ -253,54 +221,26 @@ void GasRun::finish_case(const GasCase& one) {
                      .ended = ended,
                      .measures = gas_measures(scene_, one)});
   if (++course_.cases_ended > cases_logged_) {
-    log_.info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
-                          one.restitution, one.members.size(), scene_.particles, steps, ended));
+    log().info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
+                           one.restitution, one.members.size(), scene_.particles, steps, ended));
   }
 }
 
 void GasRun::save() {
   course_.wall_seconds = wall_seconds();
-  course_.log_bytes = log_.bytes();
-  store::Checkpoint checkpoint = {.kind = "boltzmann",
-                                  .scene_name = scene_.name,
-                                  .scene = scene::to_yaml(scene_),
-                                  .summary = store::to_json(summary("running")),
-                                  .fields = {}};
-  reflection::encode(kSavedGases, course_, checkpoint.fields);
-  checkpoint_writer_.save(folder_.files(), std::move(checkpoint), [] {});
+  course_.log_bytes = log().bytes();
+  store::Checkpoint saved = checkpoint();
+  reflection::encode(kSavedGases, course_, saved.fields);
+  checkpoint_writer_.save(folder().files(), std::move(saved), [] {});
 }
 
-store::RunSummary GasRun::summary(const std::string& status) const {
-  store::RunSummary summary = provenance();
-  summary.kind = "boltzmann";
-  summary.scene = scene_.name;
-  summary.title = scene_.title;
-  summary.seed = scene_.seed;
-  summary.threads = options_.threads;
-  summary.status = status;
+void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
-  summary.wall_seconds = wall_seconds();
-  summary.step_seconds = wall_seconds();
-  summary.rate = collisions_ / std::max(wall_seconds(), kMinSeconds);
+  summary.step_seconds = summary.wall_seconds;
+  summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
   summary.stages = stages_;
-  return summary;
-}
-
-store::Checkpoint start_checkpoint(const scene::BoltzmannScene& scene, const RunOptions& options) {
-  store::RunSummary summary = provenance();
-  summary.kind = "boltzmann";
-  summary.scene = scene.name;
-  summary.title = scene.title;
-  summary.seed = scene.seed;
-  summary.threads = options.threads;
-  summary.status = "running";
-  return {.kind = summary.kind,
-          .scene_name = scene.name,
-          .scene = scene::to_yaml(scene),
-          .summary = store::to_json(summary),
-          .fields = {}};
 }
 
 }  // namespace
@@ -308,9 +248,7 @@ store::Checkpoint start_checkpoint(const scene::BoltzmannScene& scene, const Run
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
   const RunOptions startable = with_startable_threads(options, events);
-  store::RunFolder folder =
-      begin_run(startable, events, start_checkpoint(scene, startable), gas_table_names(scene));
-  return GasRun(scene, startable, events, std::move(folder)).execute();
+  return GasRun(scene, startable, events).execute();
 }
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {

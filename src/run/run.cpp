@@ -12,17 +12,15 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
-#include "clca/store/file.hpp"
 #include "run/begin.hpp"
 #include "run/checkpoint_writer.hpp"
 #include "run/force_measures.hpp"
 #include "run/frame_painter.hpp"
 #include "run/gas_run.hpp"
-#include "run/log.hpp"
-#include "run/memory_reserve.hpp"
 #include "run/meter.hpp"
 #include "run/outputs.hpp"
 #include "run/records.hpp"
+#include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
 #include "run/startable.hpp"
@@ -36,15 +34,15 @@ std::string kind_of(const scene::Scene& scene) {
   return scene.model == scene::Model::contact ? "contact" : "automaton";
 }
 
-class Run {
+class Run : public RunBase {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, first_state(scene)) {
     prepare_stage(model_, scene, scene.stages.front());
-    folder_.emplace(folder ? std::move(*folder)
-                           : begin_run(options, events, checkpoint(), outputs_.file_names()));
-    log_.emplace(*folder_, 0, events);
+    write_to(folder ? std::move(*folder)
+                    : begin_run(options, events, checkpoint(), outputs_.file_names()),
+             0, 0);
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -54,14 +52,17 @@ class Run {
     go_on(saved, parts);
   }
 
-  store::RunSummary execute();
-
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       ModelState state)
-      : scene_(scene),
-        options_(options),
-        events_(events),
+      : RunBase({.kind = kind_of(scene),
+                 .scene = scene.name,
+                 .title = scene.title,
+                 .seed = scene.seed,
+                 .scene_text = scene::to_yaml(scene),
+                 .keeps_checkpoint = scene.output.checkpoint.has_value()},
+                options, events),
+        scene_(scene),
         conversion_(scene::conversion(scene)),
         model_(scene, std::move(state),
                {.threads = options.threads,
@@ -73,7 +74,9 @@ class Run {
 
   /// Restores the state of `saved`.
   void go_on(SavedRun& saved, SavedParts& parts);
-  void run_stages();
+  void carry_out() override;
+  bool is_complete() const override { return !interrupted_; }
+  void complete_summary(store::RunSummary& summary) const override;
   void begin_stage();
   void run_stage();
   /// Runs steps until the stage ends; returns the reason.
@@ -81,92 +84,45 @@ class Run {
   void step();
   void warn_of_energy();
   void end_stage(StageEnd end);
-  /// A checkpoint of the run before its first step.
-  store::Checkpoint checkpoint() const;
   /// Writes a checkpoint of the run between two steps.
   void save();
   void show_progress(double moving_share, std::optional<double> seconds_left);
-  store::RunSummary summary(const std::string& status) const;
-  void write_summary(const std::string& status) const {
-    folder_->files().write(store::kSummaryFile, store::to_json(summary(status)));
-  }
-  /// If writing the summary fails too (full disk, no memory), the first error is reported.
-  void note_failure(const std::exception& failure) {
-    reserve_.reset();
-    try {
-      log_->error(failure.what());
-      write_summary("failed");
-    } catch (const std::exception& error) {
-      log_->error(error.what());
-    }
-  }
-
-  bool stop_asked() const {
-    return (options_.stop != nullptr && options_.stop->load() != 0) ||
-           (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
-  }
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
-  double wall_seconds() const { return course_.wall_seconds + wall_clock_.seconds(); }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
   const scene::Scene& scene_;
-  const RunOptions& options_;
-  const RunEvents& events_;
   std::optional<scene::Conversion> conversion_;
-  WallClock wall_clock_;  // since this run began or went on
   Stopwatch step_clock_;
   Model model_;
   Outputs outputs_;
   Records records_;
-  std::optional<store::RunFolder> folder_;  // made when the first stage is known to fit
-  std::optional<Log> log_;
   IntervalTimer timer_{events_.progress_interval};
   RunCourse course_;
   StageHistory history_;
   bool in_stage_ = false;  // one that goes on
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
-  MemoryReserve reserve_;
   CheckpointWriter
       checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
-store::RunSummary Run::execute() {
-  // Before scene.yaml: the old summary must not be combined with the new scene.
-  write_summary("running");
-  folder_->files().write(store::kSceneFile, scene::to_yaml(scene_));
-  try {
-    run_stages();
-  } catch (const std::exception& error) {
-    note_failure(error);
-    throw;
-  }
-  const std::string status = interrupted_ ? "interrupted" : "done";
-  write_summary(status);
-  if (!interrupted_ && !scene_.output.checkpoint) {
-    store::remove_checkpoints(folder_->files());
-  }
-  return summary(status);
-}
-
 void Run::go_on(SavedRun& saved, SavedParts& parts) {
-  folder_.emplace(std::move(saved.folder));
   course_ = parts.course;
+  write_to(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
   records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.max_bytes);
-  log_.emplace(*folder_, course_.log_bytes, events_);
-  outputs_.reopen(*folder_, model_.state(), parts.outputs);
+  outputs_.reopen(folder(), model_.state(), parts.outputs);
   in_stage_ = true;
 }
 
-void Run::run_stages() {
+void Run::carry_out() {
   if (!in_stage_) {
-    outputs_.open(*folder_, model_.state());
+    outputs_.open(folder(), model_.state());
   }
   if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
-    log_->warning(render::font_problem());
+    log().warning(render::font_problem());
   }
   while (course_.stage < scene_.stages.size() && !interrupted_) {
     run_stage();
@@ -183,6 +139,8 @@ void Run::begin_stage() {
   history_ = {.profile_at_start = measure::surface_profile(model_.state()),
               .particles_at_start = grains::present_count(model_.state()),
               .outflow = measure::Outflow(measure::discharge(model_.state()))};
+  tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
+                   model_.state().step, history_.particles_at_start));
   records_.begin_stage(stage(), model_);
   outputs_.begin_stage(stage(), model_, records_);
 }
@@ -243,7 +201,7 @@ void Run::step() {
 void Run::warn_of_energy() {
   const auto growth = records_.energy() ? records_.energy()->take_warning() : std::nullopt;
   if (growth) {
-    log_->warning(fmt::format(
+    log().warning(fmt::format(
         "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
         "{:.1f} % of the {:.0f} at the start of the stage; choose a smaller contact.resolution",
         stage().name, model_.state().step, growth->lowest, growth->now,
@@ -262,38 +220,31 @@ void Run::end_stage(StageEnd end) {
                      .measures = stage_measures(scene_, model_, history_, records_)});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
-  log_->info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
+  log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
                          to_text(end)));
   for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
-    log_->info(line);
+    log().info(line);
   }
   if (end == StageEnd::bound) {
-    log_->warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
+    log().warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
                               stage().name, stage().max_steps));
   }
 }
 
-store::Checkpoint Run::checkpoint() const {
-  return {.kind = kind_of(scene_),
-          .scene_name = scene_.name,
-          .scene = scene::to_yaml(scene_),
-          .summary = store::to_json(summary("running")),
-          .fields = {}};
-}
-
 void Run::save() {
+  tell(fmt::format("checkpoint of step {}", model_.state().step));
   const OutputHistory outputs = outputs_.flush(records_);
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
-  course.log_bytes = log_->bytes();
+  course.log_bytes = log().bytes();
   store::Checkpoint saved = checkpoint();
   model_.save(saved.fields);
   reflection::encode(kSavedCourse, course, saved.fields);
   reflection::encode(kSavedHistory, history_, saved.fields);
   reflection::encode(kSavedOutputs, outputs, saved.fields);
   records_.save(saved.fields);
-  checkpoint_writer_.save(folder_->files(), std::move(saved), [this] { outputs_.sync(); });
+  checkpoint_writer_.save(folder().files(), std::move(saved), [this] { outputs_.sync(); });
 }
 
 void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
@@ -310,23 +261,14 @@ void Run::show_progress(double moving_share, std::optional<double> seconds_left)
   }
 }
 
-store::RunSummary Run::summary(const std::string& status) const {
-  store::RunSummary summary = provenance();
-  summary.kind = kind_of(scene_);
-  summary.scene = scene_.name;
-  summary.title = scene_.title;
-  summary.seed = scene_.seed;
-  summary.threads = options_.threads;
-  summary.status = status;
+void Run::complete_summary(store::RunSummary& summary) const {
   summary.particles = model_.state().particles.size();
   summary.steps = model_.state().step;
   summary.units = conversion_;
-  summary.wall_seconds = wall_seconds();
   summary.step_seconds = step_seconds();
   summary.rate = rate();
   summary.state_hash = model_.hash();
   summary.stages = stages_;
-  return summary;
 }
 
 /// Throws store::StoreError for a checkpoint that no run of the scene can have saved.

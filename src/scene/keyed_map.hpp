@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clca/text/names_of.hpp"
 #include "scene/names.hpp"
 #include "scene/value.hpp"
 
@@ -49,14 +50,7 @@ T read_choice(const Value& value, std::string_view path,
   return names[read_word(value, path, words(names))].value;
 }
 
-template <class Item>
-std::vector<std::string_view> names_of(const std::vector<Item>& things) {
-  std::vector<std::string_view> names;
-  for (const Item& thing : things) {
-    names.push_back(thing.name);
-  }
-  return names;
-}
+using text::names_of;
 
 /// True for the scalar `none`.
 bool is_none(const Value& value);

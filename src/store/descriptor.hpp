@@ -4,11 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstdint>
-#include <span>
 #include <utility>
+
+#include "process/internal/write_all.hpp"
 
 namespace clca::store {
 
@@ -46,15 +45,6 @@ class Descriptor {
   int number_;
 };
 
-inline bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-  }
-  return true;
-}
+using process::write_all;
 
 }  // namespace clca::store

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "clca/scene/units.hpp"
+#include "clca/text/names_of.hpp"
 
 namespace clca::store {
 
@@ -16,14 +17,6 @@ std::string units_text(const scene::Scene& scene) {
     text += fmt::format(" of {} {}", units->time_step, units->time_unit);
   }
   return text;
-}
-
-template <class Things>
-std::vector<std::string> names_of(const Things& things) {
-  std::vector<std::string> names;
-  std::transform(things.begin(), things.end(), std::back_inserter(names),
-                 [](const auto& thing) { return thing.name; });
-  return names;
 }
 
 /// Calls visit(path, list, columns) for each dataset that identifies the scene.
@@ -63,9 +56,9 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
       lattice({static_cast<std::uint32_t>(state.lattice.columns()),
                static_cast<std::uint32_t>(state.lattice.rows()),
                state.lattice.periodic() ? 1U : 0U}),
-      species(names_of(scene.species)),
-      stages(names_of(scene.stages)),
-      walls(names_of(scene.walls)) {
+      species(text::names_of<std::string>(scene.species)),
+      stages(text::names_of<std::string>(scene.stages)),
+      walls(text::names_of<std::string>(scene.walls)) {
   for (const grains::Kind& kind : state.kinds) {
     kind_species.push_back(kind.species);
     const Eigen::Vector2d centre = kind.shape.centroid();

@@ -85,6 +85,8 @@ struct RunEvents {
   /// Called with the folder of the run once it is known.
   std::function<void(const std::filesystem::path&)> folder = {};
   std::function<void(const std::string&)> message = {};
+  /// What the run does in between: stages that begin and, of grains, checkpoints.
+  std::function<void(const std::string&)> detail = {};
   std::function<void(const std::string&)> warning = {};
 };
 
