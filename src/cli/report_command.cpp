@@ -32,8 +32,8 @@ void write_report(const ReportOptions& options) {
 }  // namespace
 
 void add_report_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("report", "Write a page about a run or a sweep: measures, figures, pictures");
+  CLI::App* command = app.add_subcommand(
+      "report", "Write a page about a run or a sweep: measures, figures, pictures");
   auto options = std::make_shared<ReportOptions>();
   command->add_option("DIR", options->run, "Folder that a run or a sweep has left")->required();
   command->add_option("-o,--output", options->file, "Page to write [DIR/report.html]");

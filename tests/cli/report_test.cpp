@@ -93,8 +93,9 @@ TEST_F(ReportCommand, WritesAPageAboutASweep) {
   const std::string page = text("sweep/report.html");
   EXPECT_THAT(page, HasSubstr("A &lt;b&gt;small&lt;/b&gt; run</h1>"));
   EXPECT_THAT(page, HasSubstr("class=\"overview\""));
-  EXPECT_THAT(page,
-              HasSubstr("<pre>clca sweep small.yaml --vary &#39;rules.inertia=0,0.5&#39; --seeds 1..2"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("<pre>clca sweep small.yaml --vary &#39;rules.inertia=0,0.5&#39; --seeds 1..2"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"col\">rules.inertia=0.5</th>"));
   for (const std::string stage : {"packing", "flow"}) {
     EXPECT_EQ(count_of(page, "<h3>" + stage + "</h3>"), 1U) << stage;
