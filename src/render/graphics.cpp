@@ -69,6 +69,10 @@ Surface surface_of(const Image& image) {
   return surface;
 }
 
+cairo_t* cairo_of(const std::shared_ptr<void>& cairo) {
+  return static_cast<cairo_t*>(cairo.get());
+}
+
 bool drawable(const Stroke& stroke) {
   constexpr double kFar = 1e6;  // pixels; Cairo counts to 8 million
   const auto near = [](double place) { return std::abs(place) < kFar; };  // false for NaN
@@ -175,26 +179,16 @@ double width_of(PangoLayout* layout) {
 
 }  // namespace
 
-void Graphics::Destroy::operator()(cairo_t* cairo) const {
-  cairo_destroy(cairo);
-}
-
-void Graphics::Destroy::operator()(PangoContext* context) const {
-  g_object_unref(context);
-}
-
-void Graphics::Text::Unref::operator()(PangoLayout* layout) const {
-  g_object_unref(layout);
-}
-
 Graphics::Graphics(int width, int height)
-    : width_(width), height_(height), cairo_(cairo_create(surface_of(width, height).get())) {
-  cairo_set_source_rgb(cairo_.get(), 1, 1, 1);
-  cairo_paint(cairo_.get());
+    : width_(width),
+      height_(height),
+      cairo_(cairo_create(surface_of(width, height).get()), cairo_destroy) {
+  cairo_set_source_rgb(cairo_of(cairo_), 1, 1, 1);
+  cairo_paint(cairo_of(cairo_));
 }
 
 Image Graphics::image() const {
-  cairo_surface_t* surface = cairo_get_target(cairo_.get());
+  cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
   cairo_surface_flush(surface);
   Image image(width_, height_, {});
   for (int y = 0; y < height_; ++y) {
@@ -208,13 +202,14 @@ Image Graphics::image() const {
 }
 
 void Graphics::set_color(Rgb color) {
-  cairo_set_source_rgb(cairo_.get(), color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+  cairo_set_source_rgb(cairo_of(cairo_), color.red / 255.0, color.green / 255.0,
+                       color.blue / 255.0);
 }
 
 void Graphics::fill_box(double left, double top, double right, double bottom, Rgb color) {
   set_color(color);
-  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
-  cairo_fill(cairo_.get());
+  cairo_rectangle(cairo_of(cairo_), left, top, right - left, bottom - top);
+  cairo_fill(cairo_of(cairo_));
 }
 
 void Graphics::fill_gradient(double left, double top, double right, double bottom,
@@ -225,26 +220,26 @@ void Graphics::fill_gradient(double left, double top, double right, double botto
         gradient, static_cast<double>(i) / static_cast<double>(colors.size() - 1),
         colors[i].red / 255.0, colors[i].green / 255.0, colors[i].blue / 255.0);
   }
-  cairo_set_source(cairo_.get(), gradient);
+  cairo_set_source(cairo_of(cairo_), gradient);
   cairo_pattern_destroy(gradient);
-  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
-  cairo_fill(cairo_.get());
+  cairo_rectangle(cairo_of(cairo_), left, top, right - left, bottom - top);
+  cairo_fill(cairo_of(cairo_));
 }
 
 void Graphics::fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, double line,
                             Rgb outline) {
-  cairo_save(cairo_.get());
+  cairo_save(cairo_of(cairo_));
   for (const Eigen::Vector2d& corner : corners) {
-    line_to(cairo_.get(), corner);
+    line_to(cairo_of(cairo_), corner);
   }
-  cairo_close_path(cairo_.get());
+  cairo_close_path(cairo_of(cairo_));
   set_color(fill);
-  cairo_fill_preserve(cairo_.get());
-  cairo_clip_preserve(cairo_.get());
+  cairo_fill_preserve(cairo_of(cairo_));
+  cairo_clip_preserve(cairo_of(cairo_));
   set_color(outline);
-  cairo_set_line_width(cairo_.get(), 2 * line);
-  cairo_stroke(cairo_.get());
-  cairo_restore(cairo_.get());
+  cairo_set_line_width(cairo_of(cairo_), 2 * line);
+  cairo_stroke(cairo_of(cairo_));
+  cairo_restore(cairo_of(cairo_));
 }
 
 void Graphics::draw_stroke(const Stroke& stroke) {
@@ -253,31 +248,31 @@ void Graphics::draw_stroke(const Stroke& stroke) {
   }
   set_color(stroke.color);
   if (stroke.arrow) {
-    arrow(cairo_.get(), stroke);
+    arrow(cairo_of(cairo_), stroke);
   } else {
-    straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
+    straight_line(cairo_of(cairo_), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
   }
 }
 
 void Graphics::fade(double share) {
   if (share > 0) {
-    cairo_set_source_rgba(cairo_.get(), 1, 1, 1, std::min(share, 1.0));
-    cairo_paint(cairo_.get());
+    cairo_set_source_rgba(cairo_of(cairo_), 1, 1, 1, std::min(share, 1.0));
+    cairo_paint(cairo_of(cairo_));
   }
 }
 
 void Graphics::draw_image(const Image& image, double left, double top, double width,
                           double height) {
   const Surface surface = surface_of(image);
-  cairo_save(cairo_.get());
-  cairo_rectangle(cairo_.get(), left, top, width, height);
-  cairo_clip(cairo_.get());
-  cairo_translate(cairo_.get(), left, top);
-  cairo_scale(cairo_.get(), width / image.width, height / image.height);
-  cairo_set_source_surface(cairo_.get(), surface.get(), 0, 0);
-  cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
-  cairo_paint(cairo_.get());
-  cairo_restore(cairo_.get());
+  cairo_save(cairo_of(cairo_));
+  cairo_rectangle(cairo_of(cairo_), left, top, width, height);
+  cairo_clip(cairo_of(cairo_));
+  cairo_translate(cairo_of(cairo_), left, top);
+  cairo_scale(cairo_of(cairo_), width / image.width, height / image.height);
+  cairo_set_source_surface(cairo_of(cairo_), surface.get(), 0, 0);
+  cairo_pattern_set_extend(cairo_get_source(cairo_of(cairo_)), CAIRO_EXTEND_PAD);
+  cairo_paint(cairo_of(cairo_));
+  cairo_restore(cairo_of(cairo_));
 }
 
 Graphics::Text Graphics::text(std::string_view text, double size, double room) {
@@ -289,15 +284,15 @@ Graphics::Text Graphics::text(std::string_view text, double size, double room) {
   if (!fonts_) {
     require_memory();
     fonts_lock_ = std::unique_lock(fonts.mutex);
-    fonts_.reset(font_context(cairo_.get(), fonts.map));
+    fonts_.reset(font_context(cairo_of(cairo_), fonts.map), g_object_unref);
   }
   if (fonts.sizes.insert(size).second || !is_ascii(text)) {  // Pango may look for other fonts
     if (const std::string problem = font_problem(); !problem.empty()) {
       throw RenderError(problem);
     }
   }
-  result.layout_.reset(pango_layout_new(fonts_.get()));
-  PangoLayout* layout = result.layout_.get();
+  PangoLayout* layout = pango_layout_new(static_cast<PangoContext*>(fonts_.get()));
+  result.layout_.reset(layout, g_object_unref);
   PangoFontDescription* font = pango_font_description_from_string("DejaVu Sans, Sans");
   pango_font_description_set_absolute_size(font, size * PANGO_SCALE);
   pango_layout_set_font_description(layout, font);
@@ -323,16 +318,17 @@ void Graphics::draw_text(const Text& text, double left, double baseline, Rgb col
     return;
   }
   set_color(color);
-  const double ascent = in_pixels(pango_layout_get_baseline(text.layout_.get()));
-  cairo_move_to(cairo_.get(), left, std::round(baseline) - ascent);
-  pango_cairo_show_layout(cairo_.get(), text.layout_.get());
-  cairo_new_path(cairo_.get());
+  auto* layout = static_cast<PangoLayout*>(text.layout_.get());
+  const double ascent = in_pixels(pango_layout_get_baseline(layout));
+  cairo_move_to(cairo_of(cairo_), left, std::round(baseline) - ascent);
+  pango_cairo_show_layout(cairo_of(cairo_), layout);
+  cairo_new_path(cairo_of(cairo_));
 }
 
 Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width, double height,
                        double turn)
     : graphics_(graphics) {
-  cairo_t* cairo = graphics.cairo_.get();
+  cairo_t* cairo = cairo_of(graphics.cairo_);
   cairo_save(cairo);
   cairo_rectangle(cairo, left, top, width, height);
   cairo_clip(cairo);
@@ -345,7 +341,7 @@ Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width
 }
 
 Graphics::Panel::~Panel() {
-  cairo_restore(graphics_.cairo_.get());
+  cairo_restore(cairo_of(graphics_.cairo_));
 }
 
 Image scaled(const Image& image, int width, int height) {

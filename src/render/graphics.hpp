@@ -13,11 +13,6 @@
 #include "clca/render/image.hpp"
 #include "clca/render/overlay.hpp"
 
-// Of Cairo and Pango, whose headers only graphics.cpp includes.
-using cairo_t = struct _cairo;
-using PangoContext = struct _PangoContext;
-using PangoLayout = struct _PangoLayout;
-
 namespace clca::render {
 
 class Graphics {
@@ -47,10 +42,7 @@ class Graphics {
 
    private:
     friend Graphics;
-    struct Unref {
-      void operator()(PangoLayout* layout) const;
-    };
-    std::unique_ptr<PangoLayout, Unref> layout_;  ///< none of empty text
+    std::shared_ptr<void> layout_;  ///< PangoLayout; none of empty text
     double width_ = 0;
   };
   /// `text` (UTF-8) in letters of `size` pixels, shortened with an ellipsis to at most `room`;
@@ -73,19 +65,14 @@ class Graphics {
   };
 
  private:
-  struct Destroy {
-    void operator()(cairo_t* cairo) const;
-    void operator()(PangoContext* context) const;
-  };
-
   void set_color(Rgb color);
 
   int width_;
   int height_;
-  std::unique_ptr<cairo_t, Destroy> cairo_;
+  std::shared_ptr<void> cairo_;  ///< cairo_t, whose header only graphics.cpp includes
   // From the first text on.
   std::unique_lock<std::recursive_mutex> fonts_lock_;
-  std::unique_ptr<PangoContext, Destroy> fonts_;
+  std::shared_ptr<void> fonts_;  ///< PangoContext
 };
 
 /// `image` resized; see Graphics::draw_image().

@@ -62,13 +62,13 @@ class Painter::Impl {
         layout_(arrange(style_.width, style_.height, style_.view, style_.annotations)),
         projection_(
             projection_of(style_.view, layout_, style.supersampling, lattice, style_.height)),
+        kind_count_(kinds.size()),
         canvas_(layout_.panel.width, layout_.panel.height, style.supersampling),
         lookup_(lattice, projection_, style.threads),
         grids_(projection_.width, projection_.height) {
     const Canvas::Session session(canvas_);
     canvas_.require_size(style_.width, style_.height, style.supersampling);
     polygons_.emplace(canvas_.gl(), lattice, kinds);
-    kind_count_ = kinds.size();
   }
 
   Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
@@ -191,7 +191,7 @@ class Painter::Impl {
   lattice::Lattice lattice_;
   Layout layout_;
   Projection projection_;
-  std::size_t kind_count_ = 0;
+  std::size_t kind_count_;
   // Changed by capture().
   std::shared_ptr<const SampleGrid> backdrop_;
   std::optional<WallsAppearance> backdrop_walls_;  // those of the backdrop

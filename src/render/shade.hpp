@@ -30,7 +30,7 @@ struct Shading {
     const double sites = value(rule, id);
     return sites > 0 ? 1 + map_shade(rule.range, sites) : 0;
   }
-  std::size_t shade(const ByLoad& rule, std::size_t id) const {
+  static std::size_t shade(const ByLoad& rule, std::size_t id) {
     return map_shade(rule.range, value(rule, id));
   }
   std::size_t shade(const ByDisplacement& rule, std::size_t id) const {

@@ -17,7 +17,7 @@ Page run_page(const std::filesystem::path& run, std::optional<std::size_t> max_f
               Warnings& warnings);
 
 /// Of a sweep. Throws text::InputError without a readable sweep.json and runs.csv.
-Page sweep_page(const std::filesystem::path& sweep, Warnings& warnings);
+Page sweep_page(const std::filesystem::path& folder, Warnings& warnings);
 
 /// The names of the tables in a folder.
 std::string files_html(const std::filesystem::path& folder);

@@ -80,7 +80,7 @@ class GasRun : public RunBase {
   }
 
   const scene::BoltzmannScene& scene_;
-  IntervalTimer timer_{events_.progress_interval};
+  IntervalTimer timer_{events().progress_interval};
   GasIntegrator integrator_;
   GasCourse course_;
   std::uint64_t cases_logged_;  // by the lines of log.txt that were there
@@ -146,8 +146,8 @@ void GasRun::run_case(GasCase& one) {
   }
   forecast_ = TimeEstimate();
   const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
-  const int outer = std::min(options_.threads, members);
-  const int inner = std::max(1, options_.threads / outer);
+  const int outer = std::min(options().threads, members);
+  const int inner = std::max(1, options().threads / outer);
   GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
   parallel::FirstFailure failure;
   const auto carry = [&](int i) {
@@ -188,24 +188,24 @@ bool GasRun::keep_going(const boltzmann::Gas& gas, double restitution) {
 }
 
 void GasRun::show_progress(const boltzmann::Gas& gas, double restitution) {
-  if (!events_.gas_progress) {
+  if (!events().gas_progress) {
     return;
   }
   const double part = gas.time / scene_.until;
   const auto done = static_cast<double>(gases_done_);
   const auto gases = static_cast<double>(scene_.ensemble);
-  const double at_work = std::min(static_cast<double>(options_.threads), gases - done);
+  const double at_work = std::min(static_cast<double>(options().threads), gases - done);
   forecast_.update((done + at_work * part) / gases);
   const double running = at_work * static_cast<double>(gas.participations) / particles_changed();
-  events_.gas_progress({.stage = case_name(restitution),
-                        .stage_number = course_.cases_ended + 1,
-                        .stage_count = scene_.restitutions.size(),
-                        .time = gas.time,
-                        .until = scene_.until,
-                        .gases_done = gases_done_,
-                        .gases = scene_.ensemble,
-                        .collisions_per_second = (collisions_ + running) / wall_seconds(),
-                        .seconds_left = forecast_.seconds_left()});
+  events().gas_progress({.stage = case_name(restitution),
+                         .stage_number = course_.cases_ended + 1,
+                         .stage_count = scene_.restitutions.size(),
+                         .time = gas.time,
+                         .until = scene_.until,
+                         .gases_done = gases_done_,
+                         .gases = scene_.ensemble,
+                         .collisions_per_second = (collisions_ + running) / wall_seconds(),
+                         .seconds_left = forecast_.seconds_left()});
 }
 
 void GasRun::finish_case(const GasCase& one) {

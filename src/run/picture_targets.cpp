@@ -100,8 +100,9 @@ void SheetTarget::add(const Picture& picture) {
 
 void SheetTarget::finish() {
   if (legend_) {
+    const render::Image legend = painter_.legend(*legend_);
     for (render::Tile& tile : tiles_) {
-      tile.legend = painter_.legend(*legend_);
+      tile.legend = legend;
     }
   }
   const render::Image sheet =

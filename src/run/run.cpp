@@ -97,7 +97,7 @@ class Run : public RunBase {
   Model model_;
   Outputs outputs_;
   Records records_;
-  IntervalTimer timer_{events_.progress_interval};
+  IntervalTimer timer_{events().progress_interval};
   RunCourse course_;
   StageHistory history_;
   bool in_stage_ = false;  // one that goes on
@@ -248,16 +248,16 @@ void Run::save() {
 }
 
 void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
-  if (events_.progress) {
-    events_.progress({.stage = stage().name,
-                      .stage_number = course_.stage + 1,
-                      .stage_count = scene_.stages.size(),
-                      .step = model_.state().step,
-                      .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
-                      .particles = model_.state().particles.size(),
-                      .moving_share = moving_share,
-                      .updates_per_second = rate(),
-                      .seconds_left = seconds_left});
+  if (events().progress) {
+    events().progress({.stage = stage().name,
+                       .stage_number = course_.stage + 1,
+                       .stage_count = scene_.stages.size(),
+                       .step = model_.state().step,
+                       .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
+                       .particles = model_.state().particles.size(),
+                       .moving_share = moving_share,
+                       .updates_per_second = rate(),
+                       .seconds_left = seconds_left});
   }
 }
 

@@ -17,6 +17,7 @@ namespace clca::run {
 
 class RunBase {
  public:
+  virtual ~RunBase() = default;
   RunBase(const RunBase&) = delete;
   RunBase& operator=(const RunBase&) = delete;
 
@@ -35,8 +36,7 @@ class RunBase {
   };
 
   RunBase(Identity identity, const RunOptions& options, const RunEvents& events)
-      : options_(options), events_(events), identity_(std::move(identity)) {}
-  virtual ~RunBase() = default;
+      : identity_(std::move(identity)), options_(options), events_(events) {}
 
   virtual void carry_out() = 0;
   virtual bool is_complete() const = 0;
@@ -45,6 +45,8 @@ class RunBase {
   /// Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run was
   /// saved.
   void write_to(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before);
+  const RunOptions& options() const { return options_; }
+  const RunEvents& events() const { return events_; }
   const store::RunFolder& folder() const { return *folder_; }
   Log& log() { return *log_; }
   void tell(const std::string& detail) const {
@@ -61,9 +63,6 @@ class RunBase {
   /// Without fields.
   store::Checkpoint checkpoint() const;
 
-  const RunOptions& options_;
-  const RunEvents& events_;
-
  private:
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const {
@@ -72,6 +71,8 @@ class RunBase {
   void note_failure(const std::exception& failure);
 
   Identity identity_;
+  const RunOptions& options_;
+  const RunEvents& events_;
   WallClock wall_clock_;  // since this run began or went on
   double seconds_before_ = 0;
   std::optional<store::RunFolder> folder_;

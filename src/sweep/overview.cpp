@@ -87,9 +87,10 @@ std::string label(const Plan& plan, std::size_t run, Status status) {
 
 Selection selection(const Plan& plan) {
   const std::size_t seeds = plan.request.seeds.size();
-  const std::size_t columns = std::min(seeds, kMaxColumns);
+  const std::size_t columns = std::min(seeds == 1 ? plan.variants.size() : seeds, kMaxColumns);
   const bool one_variant = plan.variants.size() == 1;
-  const std::size_t shown_seeds = one_variant ? std::min(seeds, kMaxPictures) : columns;
+  const std::size_t shown_seeds =
+      one_variant ? std::min(seeds, kMaxPictures) : std::min(seeds, kMaxColumns);
   const std::size_t shown_variants = std::min(plan.variants.size(), kMaxPictures / shown_seeds);
   Selection result = {{}, static_cast<int>(columns)};
   for (std::size_t variant = 0; variant < shown_variants; ++variant) {

@@ -19,7 +19,7 @@ struct Selection {
 };
 
 /// A row per combination and a column per seed (the first ones). If nothing varies, the seeds fill
-/// the rows.
+/// the rows; with one seed, the combinations.
 Selection selection(const Plan& plan);
 
 /// Reads the pictures from the run folders; missing ones are empty boxes. None if the scenes

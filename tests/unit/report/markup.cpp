@@ -16,6 +16,23 @@ std::size_t after_raw(std::string_view html, std::size_t from, const std::string
   return end == std::string_view::npos ? html.size() : end;
 }
 
+/// The tag with its attributes' values cut to their first characters: pictures in base64 and long
+/// paths are too long for a regular expression, and no markup.
+std::string with_short_values(std::string_view tag) {
+  constexpr std::size_t kMost = 60;
+  std::string shown;
+  bool in_value = false;
+  std::size_t length = 0;
+  for (const char c : tag) {
+    in_value = c == '"' ? !in_value : in_value;
+    length = in_value ? length + 1 : 0;
+    if (length <= kMost) {
+      shown += c;
+    }
+  }
+  return shown;
+}
+
 }  // namespace
 
 std::string markup_error(std::string_view html) {
@@ -27,12 +44,8 @@ std::string markup_error(std::string_view html) {
   for (std::size_t at = html.find('<'); at != std::string_view::npos; at = html.find('<', at)) {
     const std::size_t close = html.find('>', at);
     const std::string text(html.substr(at, close - at + 1));
-    // Pictures in base64 and long paths are too long for a regular expression, and no markup.
-    constexpr std::size_t kMost = 300;
-    const std::string rest = text.ends_with("/>") ? "\"/>" : "\">";
-    const std::string shown = text.starts_with("<!DOCTYPE") ? "<!DOCTYPE>"
-                              : text.size() > kMost         ? text.substr(0, kMost) + rest
-                                                            : text;
+    const std::string shown =
+        text.starts_with("<!DOCTYPE") ? "<!DOCTYPE>" : with_short_values(text);
     std::smatch parts;
     if (!std::regex_search(shown, parts, tag)) {
       return "no tag: " + shown;

@@ -65,6 +65,9 @@ TEST(Overview, ShowsTheFirstSeedsOfEachCombinationUpToABound) {
   const Selection seeds_only = selection(bare_plan(1, 100));
   EXPECT_EQ(seeds_only.columns, 8);
   EXPECT_EQ(seeds_only.runs.size(), 64U);
+  const Selection one_seed = selection(bare_plan(100, 1));
+  EXPECT_EQ(one_seed.columns, 8);
+  EXPECT_EQ(one_seed.runs.size(), 64U);
 }
 
 }  // namespace
