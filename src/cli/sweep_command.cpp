@@ -126,8 +126,9 @@ void add_sweep_command(CLI::App& app, int& code) {
       ->capture_default_str();
   command
       ->add_option("--vary", options->variations,
-                   "Run with KEY set to each of these values (YAML), such as "
-                   "rules.inertia=0,0.9; repeated: all combinations")
+                   "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
+                   "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
+                   "all combinations")
       ->type_name("KEY=V1,V2,...")
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->folder,

@@ -32,13 +32,24 @@ bool is_number(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// KEY=VALUE, KEY=VALUE of the keys but the first, for each row.
+/// Whether two keys vary together: each value of the first comes with one of the second.
+bool vary_together(const Cells& first, const Cells& second) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    pairs.emplace(first[row], second[row]);
+  }
+  return pairs.size() == distinct(first).size() && pairs.size() == distinct(second).size();
+}
+
+/// KEY=VALUE, KEY=VALUE of the keys but the first and those that vary with it, for each row.
 Cells lines_of_rows(const store::ReadTable& table, std::size_t keys) {
   Cells lines(table.rows());
-  for (std::size_t row = 0; row < lines.size(); ++row) {
-    for (std::size_t key = 1; key < keys; ++key) {
-      lines[row] +=
-          fmt::format("{}{}={}", key > 1 ? ", " : "", table.names[key], table.cells[key][row]);
+  for (std::size_t key = 1; key < keys; ++key) {
+    if (!vary_together(table.cells[0], table.cells[key])) {
+      for (std::size_t row = 0; row < lines.size(); ++row) {
+        lines[row] += fmt::format("{}{}={}", lines[row].empty() ? "" : ", ", table.names[key],
+                                  table.cells[key][row]);
+      }
     }
   }
   return lines;

@@ -55,10 +55,15 @@ Sweep read_sweep(const fs::path& folder) {
       add("--set", item);
     }
     for (const Json& varied : json.at("vary")) {
-      const std::string key = varied.at("key");
-      const std::vector<std::string> values = varied.at("values");
-      sweep.keys.push_back(key);
-      add("--vary", fmt::format("{}={}", key, fmt::join(values, ",")));
+      const std::vector<std::string> keys = varied.at("keys");
+      const std::vector<std::vector<std::string>> rows = varied.at("rows");
+      sweep.keys.insert(sweep.keys.end(), keys.begin(), keys.end());
+      std::vector<std::string> values;
+      for (const std::vector<std::string>& row : rows) {
+        values.push_back(fmt::format("{}", fmt::join(row, ",")));
+      }
+      add("--vary", fmt::format("{}={}", fmt::join(keys, ","),
+                                fmt::join(values, keys.size() == 1 ? "," : "; ")));
     }
     add("--seeds", json.at("seeds"));
     for (const std::string& name : sweep.keys) {

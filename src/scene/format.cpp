@@ -121,6 +121,21 @@ std::string row(const std::string& prefix, const KeyDescription& key) {
                      key.required ? "required" : cell(key.otherwise), model, cell(key.about));
 }
 
+/// Wherever a number stands.
+void allow_expressions(Json& schema) {
+  if (schema.is_object() && schema.contains("type") &&
+      (schema["type"] == "number" || schema["type"] == "integer")) {
+    // The limits hold for numbers only, the pattern for strings only.
+    schema["type"] = {schema["type"], "string"};
+    schema["pattern"] = "^=";
+  }
+  if (schema.is_structured()) {
+    for (Json& part : schema) {
+      allow_expressions(part);
+    }
+  }
+}
+
 }  // namespace
 
 std::string explain(std::string_view path) {
@@ -152,7 +167,7 @@ std::string json_schema() {
     schema.update(map_schema(descriptions(map.keys), map.conditions));
     return schema;
   };
-  const Json schema = {
+  Json schema = {
       {"$schema", "http://json-schema.org/draft-07/schema#"},
       {"title", "Scene of clca"},
       {"description",
@@ -170,6 +185,7 @@ std::string json_schema() {
                     "A scene of the Boltzmann equation: a homogeneous gas of inelastic, rough "
                     "spheres. Velocities in v0, the root of a third of the mean square at time 0; "
                     "time in 1 / (pi N (2 a)^2 v0).")}}}};
+  allow_expressions(schema);
   return schema.dump(2) + "\n";
 }
 

@@ -39,10 +39,28 @@ Key<AScene> version_key() {
   return key;
 }
 
+/// Evaluated before the keys are read; the scene has the numbers.
+template <class AScene>
+Key<AScene> let_key() {
+  Key<AScene> key;
+  key.name = "let";
+  key.about = "numbers with names, for [expressions](#expressions) in the place of numbers";
+  key.allowed = "numbers by name";
+  key.otherwise = "none";
+  key.schema = [] {
+    return Json{{"type", "object"},
+                {"propertyNames", {{"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}}},
+                {"additionalProperties", {{"type", "number"}}}};
+  };
+  key.read = [](const KeyedMap& /*fields*/, AScene& /*scene*/, const Scene& /*grains*/) {};
+  key.text = [](const AScene& /*scene*/, const Scene& /*grains*/) { return std::nullopt; };
+  return key;
+}
+
 /// What both kinds begin with.
 template <class AScene>
 Keys<AScene> first_keys() {
-  return {version_key<AScene>(),
+  return {version_key<AScene>(), let_key<AScene>(),
           key("title", &AScene::title, title_type(), "one line for captions, figures and reports")
               .defaults_to("name of the file"),
           key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),

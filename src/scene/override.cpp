@@ -105,9 +105,13 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
     fail(location, "expected KEY=VALUE with a key like rules.inertia");
   }
   const std::string_view whole = text;
-  const std::vector<std::string> parts = split(whole.substr(0, equals), location);
+  std::vector<std::string> parts = split(whole.substr(0, equals), location);
   if (parts.size() > kMaxPathDepth) {
     fail(location, fmt::format("a key of more than {} parts", kMaxPathDepth));
+  }
+  const Value* let = root.find("let");
+  if (parts.size() == 1 && let != nullptr && let->find(parts.front()) != nullptr) {
+    parts.insert(parts.begin(), "let");
   }
   Value value = read_document(whole.substr(equals + 1), origin);
   Value* target = &root;

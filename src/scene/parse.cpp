@@ -10,6 +10,7 @@
 #include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
 #include "scene/kind.hpp"
+#include "scene/let.hpp"
 #include "scene/limits.hpp"
 #include "scene/override.hpp"
 #include "scene/sections.hpp"
@@ -96,6 +97,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   for (const Override& text_of_override : varied) {
     apply_override(root, text_of_override, "--vary");
   }
+  evaluate_expressions(root);
   if (kind_of(root) == Kind::boltzmann) {
     return read_boltzmann_scene(root, file);
   }

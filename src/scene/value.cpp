@@ -41,7 +41,8 @@ std::string found(const Value& value) {
     case Value::Kind::scalar:
       break;
   }
-  return text::shown(value.text) + (value.quoted ? " in quotes" : "");
+  return text::shown(value.text) + (value.quoted ? " in quotes" : "") +
+         (value.expression.empty() ? "" : ", the value of " + text::shown(value.expression));
 }
 
 }  // namespace clca::scene

@@ -36,6 +36,7 @@ struct Value {
   bool quoted = false;
   TextLocation location;
   std::string text;            ///< of a scalar
+  std::string expression;      ///< that the text is the value of; empty if it was written so
   std::vector<Value> items;    ///< of a list
   std::vector<Entry> entries;  ///< of a map, in the order of the text
 

@@ -22,7 +22,7 @@ std::string to_json(const Plan& plan) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
-    variations.push_back({{"key", variation.key}, {"values", variation.values}});
+    variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
   const Json object = {{"clca", run::version()},
                        {"scene", plan.request.scene.string()},

@@ -59,22 +59,21 @@ render::Tile final_picture(const std::filesystem::path& folder, const scene::Sce
 }
 
 /// The last part of a key: `inertia` of `rules.inertia`; all of it where another has the same.
-std::string short_key(const std::vector<Variation>& variations, const std::string& key) {
+std::string short_key(const std::vector<std::string>& keys, const std::string& key) {
   const auto last_part = [](const std::string& path) {
     return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
   };
-  const auto same =
-      std::count_if(variations.begin(), variations.end(),
-                    [&](const Variation& other) { return last_part(other.key) == last_part(key); });
+  const auto same = std::count_if(keys.begin(), keys.end(), [&](const std::string& other) {
+    return last_part(other) == last_part(key);
+  });
   return same == 1 ? last_part(key) : key;
 }
 
 std::string label(const Plan& plan, std::size_t run, Status status) {
-  const std::vector<Variation>& variations = plan.request.variations;
+  const std::vector<std::string> keys = plan.keys();
   std::string text;
-  for (std::size_t i = 0; i < variations.size(); ++i) {
-    text += fmt::format("{}={}, ", short_key(variations, variations[i].key),
-                        plan.variant(run).values[i]);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    text += fmt::format("{}={}, ", short_key(keys, keys[i]), plan.variant(run).values[i]);
   }
   text += fmt::format("seed {}", plan.seed(run));
   if (status == Status::done) {

@@ -10,18 +10,25 @@ namespace clca::sweep {
 
 namespace {
 
+/// With its first values.
+std::string shown(const Variation& variation) {
+  return fmt::format("--vary {}={}", fmt::join(variation.keys, ","),
+                     fmt::join(variation.rows.front(), ","));
+}
+
 void check_keys(const Request& request) {
   std::set<std::string> keys;
   for (const Variation& variation : request.variations) {
-    const auto refuse = [&](std::string_view why) {
-      throw scene::SceneError(
-          fmt::format("--vary {}={}: error: {}", variation.key, variation.values.front(), why));
-    };
-    if (variation.key == "seed") {
-      refuse("the seeds of a sweep are given by --seeds");
-    }
-    if (!keys.insert(variation.key).second) {
-      refuse("the key varies twice; give all its values at once, with commas between");
+    for (const std::string& key : variation.keys) {
+      const auto refuse = [&](std::string_view why) {
+        throw scene::SceneError(fmt::format("{}: error: {}: {}", shown(variation), key, why));
+      };
+      if (key == "seed") {
+        refuse("the seeds of a sweep are given by --seeds");
+      }
+      if (!keys.insert(key).second) {
+        refuse("the key varies twice; give all its values at once, with commas between");
+      }
     }
   }
   for (const scene::Override& text : request.overrides) {
@@ -37,30 +44,31 @@ void check_keys(const Request& request) {
 void check_count(const Request& request) {
   std::size_t runs = request.seeds.size();
   for (const Variation& variation : request.variations) {
-    runs *= variation.values.size();
+    runs *= variation.rows.size();
     if (runs > kMaxRuns) {
-      throw scene::SceneError(
-          fmt::format("--vary {}={},...: error: {} runs and more; a sweep has at most {}",
-                      variation.key, variation.values.front(), runs, kMaxRuns));
+      throw scene::SceneError(fmt::format("{},...: error: {} runs and more; a sweep has at most {}",
+                                          shown(variation), runs, kMaxRuns));
     }
   }
 }
 
 /// The values of combination `number`, the last variation changing fastest.
 std::vector<std::string> combination(const std::vector<Variation>& variations, std::size_t number) {
-  std::vector<std::string> values(variations.size());
+  std::vector<std::string> values;
   for (std::size_t i = variations.size(); i > 0; --i) {
-    const auto& choices = variations[i - 1].values;
-    values[i - 1] = choices[number % choices.size()];
-    number /= choices.size();
+    const auto& rows = variations[i - 1].rows;
+    const std::vector<std::string>& row = rows[number % rows.size()];
+    values.insert(values.begin(), row.begin(), row.end());
+    number /= rows.size();
   }
   return values;
 }
 
-Variant parsed(const Request& request, std::vector<std::string> values) {
+Variant parsed(const Request& request, const std::vector<std::string>& keys,
+               std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    varied.push_back(fmt::format("{}={}", request.variations[i].key, values[i]));
+    varied.push_back(fmt::format("{}={}", keys[i], values[i]));
   }
   scene::AnyScene any = scene::parse_any_file(request.scene, request.overrides, varied);
   if (const auto* boltzmann = std::get_if<scene::BoltzmannScene>(&any)) {
@@ -105,14 +113,23 @@ Plan plan(Request request) {
   check_count(request);
   std::size_t combinations = 1;
   for (const Variation& variation : request.variations) {
-    combinations *= variation.values.size();
+    combinations *= variation.rows.size();
   }
   Plan result = {std::move(request), {}};
+  const std::vector<std::string> keys = result.keys();
   for (std::size_t number = 0; number < combinations; ++number) {
     result.variants.push_back(
-        parsed(result.request, combination(result.request.variations, number)));
+        parsed(result.request, keys, combination(result.request.variations, number)));
   }
   return result;
+}
+
+std::vector<std::string> Plan::keys() const {
+  std::vector<std::string> keys;
+  for (const Variation& variation : request.variations) {
+    keys.insert(keys.end(), variation.keys.begin(), variation.keys.end());
+  }
+  return keys;
 }
 
 scene::Scene Plan::scene(std::size_t run) const {
@@ -122,9 +139,10 @@ scene::Scene Plan::scene(std::size_t run) const {
 }
 
 std::string Plan::name(std::size_t run) const {
+  const std::vector<std::string> all_keys = keys();
   std::string values;
-  for (std::size_t i = 0; i < request.variations.size(); ++i) {
-    values += fmt::format("{}={},", request.variations[i].key, variant(run).values[i]);
+  for (std::size_t i = 0; i < all_keys.size(); ++i) {
+    values += fmt::format("{}={},", all_keys[i], variant(run).values[i]);
   }
   if (!values.empty()) {
     values.pop_back();

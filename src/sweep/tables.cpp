@@ -80,14 +80,6 @@ std::string to_text(Status status) {
   return "waiting";
 }
 
-std::vector<std::string> varied_keys(const Plan& plan) {
-  std::vector<std::string> keys;
-  for (const Variation& variation : plan.request.variations) {
-    keys.push_back(variation.key);
-  }
-  return keys;
-}
-
 std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result& result,
                                  const Measures& measures) {
   const auto& values = plan.variant(run).values;
@@ -132,7 +124,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
 
 std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
   const Measures measures(results, 0, results.size());
-  std::vector<std::string> columns = varied_keys(plan);
+  std::vector<std::string> columns = plan.keys();
   columns.insert(columns.end(), {"seed", "status", "steps", "state_hash"});
   for (const auto& [stage, measure] : measures.keys()) {
     columns.push_back(fmt::format("{}.{}", stage, measure));
@@ -146,7 +138,7 @@ std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
 }
 
 std::string measures_table(const Plan& plan, const std::vector<Result>& results) {
-  std::vector<std::string> columns = varied_keys(plan);
+  std::vector<std::string> columns = plan.keys();
   columns.insert(columns.end(), {"stage", "measure", "mean", "standard_deviation", "standard_error",
                                  "runs", "min", "max"});
   store::Table table(std::move(columns));

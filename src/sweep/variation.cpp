@@ -1,8 +1,12 @@
-// KEY=V1,V2,... to the values that a key takes.
+// KEY=V1,V2,... to the values that keys take.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 
 #include "clca/sweep/request.hpp"
 
@@ -19,10 +23,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-/// Walks over YAML text and knows which commas stand between values. Whether brackets and quotes
-/// are closed is left to the YAML parser, which has the better message.
+/// Walks over YAML text and knows which separators stand between values. Whether brackets and
+/// quotes are closed is left to the YAML parser, which has the better message.
 class Splitter {
  public:
+  explicit Splitter(char separator) : separator_(separator) {}
+
   /// True when `letter`, the next one, ends a value.
   bool ends_value(char letter) {
     if (quote_ != '\0') {
@@ -39,7 +45,7 @@ class Splitter {
       depth_ = std::max(0, depth_ - 1);
     }
     previous_ = letter;
-    return letter == ',' && depth_ == 0;
+    return letter == separator_ && depth_ == 0;
   }
 
  private:
@@ -53,14 +59,15 @@ class Splitter {
     }
   }
 
+  char separator_;
   char quote_ = '\0';
   char previous_ = ' ';
   int depth_ = 0;
 };
 
-std::vector<std::string> split(std::string_view text) {
+std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> values;
-  Splitter splitter;
+  Splitter splitter(separator);
   std::size_t start = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (splitter.ends_value(text[i])) {
@@ -72,23 +79,70 @@ std::vector<std::string> split(std::string_view text) {
   return values;
 }
 
+/// The numbers of a range FIRST:LAST:STEP; nothing of other values.
+std::vector<std::string> range_values(std::string_view text, std::string_view value) {
+  std::array<double, 3> parts = {};
+  const char* at = value.data();
+  const char* const end = at + value.size();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto [stop, error] = std::from_chars(at, end, parts[i]);
+    const bool last = i + 1 == parts.size();
+    if (error != std::errc() || (last ? stop != end : stop == end || *stop != ':')) {
+      return {};
+    }
+    at = last ? stop : stop + 1;
+  }
+  const auto [first, last, step] = parts;
+  constexpr double kRounding = 1e-9;  // steps like 0.1 have no exact number of steps
+  const double steps = std::floor((last - first) / step + kRounding);
+  if (!std::isfinite(steps) || steps < 0 || steps >= kMaxRuns) {
+    fail_variation(
+        text,
+        fmt::format("{}: expected FIRST:LAST:STEP with a step from the first towards the last, "
+                    "and at most {} values",
+                    value, kMaxRuns));
+  }
+  std::vector<std::string> values;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) {
+    values.push_back(fmt::format("{:.12g}", first + i * step));
+  }
+  return values;
+}
+
 }  // namespace
 
 Variation parse_variation(std::string_view text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos || trimmed(text.substr(0, equals)).empty()) {
+  Variation variation = {split(text.substr(0, equals), ','), {}};
+  const auto is_empty = [](const std::string& part) { return part.empty(); };
+  const std::vector<std::string>& keys = variation.keys;
+  if (equals == std::string_view::npos || std::any_of(keys.begin(), keys.end(), is_empty)) {
     fail_variation(text, "expected KEY=V1,V2,... with a key like rules.inertia");
   }
-  Variation variation = {std::string(trimmed(text.substr(0, equals))),
-                         split(text.substr(equals + 1))};
-  std::vector<std::string> sorted = variation.values;
-  std::sort(sorted.begin(), sorted.end());
-  if (sorted.front().empty()) {
-    fail_variation(text, "a value is missing; write null for an empty value");
+  for (const std::string& part : split(text.substr(equals + 1), keys.size() == 1 ? ',' : ';')) {
+    const auto numbers = keys.size() == 1 ? range_values(text, part) : std::vector<std::string>();
+    for (const std::string& number : numbers) {
+      variation.rows.push_back({number});
+    }
+    if (numbers.empty()) {
+      variation.rows.push_back(keys.size() == 1 ? std::vector{part} : split(part, ','));
+    }
   }
+  for (const std::vector<std::string>& row : variation.rows) {
+    if (std::any_of(row.begin(), row.end(), is_empty)) {
+      fail_variation(text, "a value is missing; write null for an empty value");
+    }
+    if (row.size() != keys.size()) {
+      fail_variation(
+          text, fmt::format("expected {} values with commas between, found {}; a ';' ends them",
+                            keys.size(), fmt::join(row, ",")));
+    }
+  }
+  auto sorted = variation.rows;
+  std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    fail_variation(text, fmt::format("the value {} is named twice", *twice));
+    fail_variation(text, fmt::format("the value {} is named twice", fmt::join(*twice, ",")));
   }
   return variation;
 }

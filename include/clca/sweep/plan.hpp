@@ -12,7 +12,7 @@ namespace clca::sweep {
 
 /// One combination of the varied values.
 struct Variant {
-  std::vector<std::string> values;  ///< one per variation
+  std::vector<std::string> values;  ///< one per key of Plan::keys()
   scene::Scene scene;               ///< with the first seed
 };
 
@@ -21,6 +21,8 @@ struct Plan {
   Request request;
   std::vector<Variant> variants;
 
+  /// All that vary, in the order of the variations.
+  std::vector<std::string> keys() const;
   std::size_t run_count() const { return variants.size() * request.seeds.size(); }
   const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
   std::uint64_t seed(std::size_t run) const { return request.seeds[run % request.seeds.size()]; }

@@ -13,10 +13,10 @@ namespace clca::sweep {
 
 inline constexpr std::size_t kMaxRuns = 100'000;
 
-/// A key of the scene, as for scene::Override, and its values (YAML).
+/// Keys of the scene, as for scene::Override, that vary together, and their values (YAML).
 struct Variation {
-  std::string key;
-  std::vector<std::string> values;
+  std::vector<std::string> keys;
+  std::vector<std::vector<std::string>> rows;  ///< each with a value per key
 };
 
 struct Request {
@@ -30,8 +30,10 @@ struct Request {
 /// `--seeds TEXT`.
 std::vector<std::uint64_t> parse_seeds(std::string_view text);
 
-/// A variation from `KEY=V1,V2,...`; commas inside brackets, braces and quotes belong to the value.
-/// Throws scene::SceneError that names `--vary TEXT`.
+/// A variation from `KEY=V1,V2,...`, or for keys that vary together `K1,K2=V1,V2; W1,W2; ...`. Of
+/// one key a value `FIRST:LAST:STEP` stands for all numbers of the range. Commas and semicolons
+/// inside brackets, braces and quotes belong to the value. Throws scene::SceneError that names
+/// `--vary TEXT`.
 Variation parse_variation(std::string_view text);
 
 /// Shortest text that parse_seeds() reads as these seeds.

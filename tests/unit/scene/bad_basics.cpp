@@ -9,6 +9,42 @@ namespace clca::scene::testing {
 namespace {
 
 constexpr auto kScenes = std::to_array<BadScene>({
+    {"a let that is no map", "let: 3", "scene.yaml:13:6: error: let: expected a map, found '3'"},
+    {"a let of text", "let: {a: wide}",
+     "scene.yaml:13:10: error: let.a: expected a number or an expression like '=2*a', found "
+     "'wide'"},
+    {"a let with a name that is none", "let: {2a: 3}",
+     "scene.yaml:13:7: error: let.2a: a name has letters, digits and '_', no digit first, and is "
+     "no "
+     "function"},
+    {"a let with the name of a function", "let: {sqrt: 3}",
+     "scene.yaml:13:7: error: let.sqrt: a name has letters, digits and '_', no digit first, and is "
+     "no function",
+     Judge::parser},
+    {"a let with the name of a key", "let: {seed: 3}",
+     "scene.yaml:13:7: error: let.seed: a key of the scene has this name", Judge::parser},
+    {"a let that uses a later one", "let: {a: =b, b: 3}",
+     "scene.yaml:13:10: error: unknown name 'b' in '=b' (nothing stands under let)", Judge::parser},
+    {"an unknown name", "box: {width: =widht + 1, height: 20}\nlet: {width: 30}",
+     "scene.yaml:4:14: error: unknown name 'widht' in '=widht + 1' (known: width); did you mean "
+     "'width'?",
+     Judge::parser},
+    {"an expression that does not end", "box: {width: 30, height: =2*(3+}",
+     "scene.yaml:4:26: error: cannot evaluate '=2*(3+': Unexpected end of expression",
+     Judge::parser},
+    {"an expression of nothing",
+     "seed: =", "scene.yaml:3:7: error: cannot evaluate '=': Expression is empty", Judge::parser},
+    {"an expression of two numbers", R"(seed: "=1,2")",
+     "scene.yaml:3:7: error: '=1,2': expected one number, found 2", Judge::parser},
+    {"an infinite number", "seed: =1/0", "scene.yaml:3:7: error: '=1/0' is no finite number",
+     Judge::parser},
+    {"an expression that assigns", "seed: =_pi=3",
+     "scene.yaml:3:7: error: cannot evaluate '=_pi=3': Unexpected operator \"=\" found",
+     Judge::parser},
+    {"a fraction where a whole number is due", "seed: =7/2",
+     "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, found "
+     "'3.5', the value of '=7/2'",
+     Judge::parser},
     {"an unknown version", "clca: 2",
      "scene.yaml:1:7: error: clca: expected version 1 of the format, found '2'"},
     {"a version in quotes", R"(clca: "1")",
@@ -42,13 +78,15 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "found '010'",
      Judge::parser},
     {"a misspelt key at the top", "sede: 1",
-     "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, title, seed, model, box, "
+     "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, box, "
      "species, rules, contact, units, walls, sources, outlets, stages, measure, output); did you "
      "mean "
      "'seed'?"},
     {"a key of another kind of scene", "boltzmann: {particles: 10}",
      "scene.yaml:13:1: error: 'boltzmann' does not go with 'box': a scene of the Boltzmann "
-     "equation has the keys clca, title, seed, boltzmann, output; one of grains has clca, title, "
+     "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
+     "let, "
+     "title, "
      "seed, model, box, species, rules, contact, units, walls, sources, outlets, stages, measure, "
      "output"},
     {"a misspelt key", "box: {wdith: 100, height: 50}",

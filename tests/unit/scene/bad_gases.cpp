@@ -117,16 +117,18 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a list for a gas", "boltzmann: [0.5]",
      "scene.yaml:4:12: error: boltzmann: expected a map, found a list"},
     {"a misspelt block that comes second", "boltzman: {}",
-     "scene.yaml:6:1: error: unknown key 'boltzman' (allowed: clca, title, seed, boltzmann, "
+     "scene.yaml:6:1: error: unknown key 'boltzman' (allowed: clca, let, title, seed, boltzmann, "
      "output); did you mean 'boltzmann'?"},
     {"a gas in a box", "box: {width: 9, height: 9}",
      "scene.yaml:6:1: error: 'box' does not go with 'boltzmann': a scene of the Boltzmann equation "
-     "has the keys clca, title, seed, boltzmann, output; one of grains has clca, title, "
+     "has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, let, title, "
      "seed, model, box, species, rules, contact, units, walls, sources, outlets, stages, measure, "
      "output"},
     {"a gas with measures", "measure: []",
      "scene.yaml:6:1: error: 'measure' does not go with 'boltzmann': a scene of the Boltzmann "
-     "equation has the keys clca, title, seed, boltzmann, output; one of grains has clca, title, "
+     "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
+     "let, "
+     "title, "
      "seed, model, box, species, rules, contact, units, walls, sources, outlets, stages, measure, "
      "output"},
     {"more than a million rows by default",

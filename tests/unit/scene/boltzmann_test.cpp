@@ -125,7 +125,7 @@ TEST(BoltzmannScene, WithAnOverrideOfTheOtherKindIsRefusedAtTheOverride) {
 TEST(BoltzmannScene, WithAMisspeltBlockIsStillOne) {
   EXPECT_THAT([] { parse_any("clca: 1\nboltzman: {restitution: 1}\n", "scene.yaml"); },
               ThrowsMessage<SceneError>(::testing::StrEq(
-                  "scene.yaml:2:1: error: unknown key 'boltzman' (allowed: clca, title, seed, "
+                  "scene.yaml:2:1: error: unknown key 'boltzman' (allowed: clca, let, title, seed, "
                   "boltzmann, output); did you mean 'boltzmann'?")));
 }
 

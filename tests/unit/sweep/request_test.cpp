@@ -60,21 +60,46 @@ TEST(Seeds, AreWrittenAsShortAsCanBeAndReadBack) {
   EXPECT_EQ(to_text(parse_seeds("1,2,3,5")), "1..3,5");
 }
 
+/// Of the only key.
+std::vector<std::string> values(const Variation& variation) {
+  std::vector<std::string> values;
+  for (const std::vector<std::string>& row : variation.rows) {
+    values.push_back(row.at(0));
+  }
+  return values;
+}
+
 TEST(Variation, IsAKeyAndItsValues) {
   const Variation variation = parse_variation("rules.inertia=0, 0.9,1");
-  EXPECT_EQ(variation.key, "rules.inertia");
-  EXPECT_THAT(variation.values, ElementsAre("0", "0.9", "1"));
+  EXPECT_THAT(variation.keys, ElementsAre("rules.inertia"));
+  EXPECT_THAT(values(variation), ElementsAre("0", "0.9", "1"));
+}
+
+TEST(Variation, KeysVaryTogetherInRows) {
+  const Variation variation =
+      parse_variation("box.width, walls.gate.box=60,[20,0,21,50]; 80, [40,0,41,50]");
+  EXPECT_THAT(variation.keys, ElementsAre("box.width", "walls.gate.box"));
+  EXPECT_THAT(variation.rows,
+              ElementsAre(ElementsAre("60", "[20,0,21,50]"), ElementsAre("80", "[40,0,41,50]")));
+}
+
+TEST(Variation, ARangeStandsForItsNumbers) {
+  EXPECT_THAT(values(parse_variation("L0=20:80:20")), ElementsAre("20", "40", "60", "80"));
+  EXPECT_THAT(values(parse_variation("a=0:0.9:0.3")), ElementsAre("0", "0.3", "0.6", "0.9"));
+  EXPECT_THAT(values(parse_variation("a=5:-1:-2.5,7")), ElementsAre("5", "2.5", "0", "7"));
+  EXPECT_THAT(values(parse_variation("a=1:2:3:4,1:2,a:1:2")),
+              ElementsAre("1:2:3:4", "1:2", "a:1:2"));
 }
 
 TEST(Variation, OnlyCommasOutsideOfBracketsAndQuotesStandBetweenValues) {
-  EXPECT_THAT(parse_variation("walls.right.box=[70,0,71,460],[80,0,81,460]").values,
+  EXPECT_THAT(values(parse_variation("walls.right.box=[70,0,71,460],[80,0,81,460]")),
               ElementsAre("[70,0,71,460]", "[80,0,81,460]"));
-  EXPECT_THAT(parse_variation("s={a: [1, 2], b: 3},{a: 4}").values,
+  EXPECT_THAT(values(parse_variation("s={a: [1, 2], b: 3},{a: 4}")),
               ElementsAre("{a: [1, 2], b: 3}", "{a: 4}"));
-  EXPECT_THAT(parse_variation(R"(title="a, \"b, c\"",'it''s, so',it's,"\\",x)").values,
+  EXPECT_THAT(values(parse_variation(R"(title="a, \"b, c\"",'it''s, so',it's,"\\",x)")),
               ElementsAre(R"("a, \"b, c\"")", "'it''s, so'", "it's", R"("\\")", "x"));
-  EXPECT_THAT(parse_variation("t=[\"], [\", 1],a=b").values, ElementsAre("[\"], [\", 1]", "a=b"));
-  EXPECT_THAT(parse_variation("t=],1").values, ElementsAre("]", "1"));
+  EXPECT_THAT(values(parse_variation("t=[\"], [\", 1],a=b")), ElementsAre("[\"], [\", 1]", "a=b"));
+  EXPECT_THAT(values(parse_variation("t=],1")), ElementsAre("]", "1"));
 }
 
 TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
@@ -86,6 +111,16 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
       {"a=1,,2", "a value is missing"},
       {"a=1,", "a value is missing"},
       {"a=1,2,1", "the value 1 is named twice"},
+      {"a=1,0:2:1", "the value 1 is named twice"},
+      {"a=0:1:0", "0:1:0: expected FIRST:LAST:STEP with a step from the first towards the last"},
+      {"a=0:1:-1", "expected FIRST:LAST:STEP"},
+      {"a=0:1:1e-9", "at most 100000 values"},
+      {"a=0:nan:1", "expected FIRST:LAST:STEP"},
+      {"a,=1,2", "expected KEY=V1,V2"},
+      {"a,b=1,2;3", "expected 2 values with commas between, found 3"},
+      {"a,b=1,2;3,4,5", "expected 2 values with commas between, found 3,4,5"},
+      {"a,b=1,2;", "a value is missing"},
+      {"a,b=1,2;1,2", "the value 1,2 is named twice"},
   };
   for (const auto& [text, reason] : cases) {
     const std::string& given = text;  // a lambda cannot capture the binding itself

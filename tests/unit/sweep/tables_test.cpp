@@ -15,7 +15,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Plan bare_plan(std::size_t variants, std::uint64_t seeds) {
   Plan plan;
-  plan.request.variations = {{"rules.inertia", {}}};
+  plan.request.variations = {{{"rules.inertia"}, {}}};
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     plan.request.seeds.push_back(seed);
   }
