@@ -217,6 +217,10 @@ class ContactModel::Impl {
     }
     return state_;
   }
+  State release() {
+    state();
+    return std::move(state_);
+  }
   const grains::State& grains() const { return state_.grains; }
   const grains::OccupancyTable& occupancy() const { return occupancy_; }
   const Vessel& vessel() const { return state_.vessel; }
@@ -413,6 +417,10 @@ ContactModel::~ContactModel() = default;
 ContactModel::ContactModel(ContactModel&&) noexcept = default;
 ContactModel& ContactModel::operator=(ContactModel&&) noexcept = default;
 
+State ContactModel::release() && {
+  const std::unique_ptr<Impl> impl = std::move(impl_);
+  return impl->release();
+}
 const State& ContactModel::state() const {
   return impl_->state();
 }

@@ -12,12 +12,15 @@ namespace {
 
 constexpr const char* kState = "state";
 
-std::variant<automaton::Automaton, contact::ContactModel> make_model(
-    const scene::Scene& scene, ModelState state, const Model::Options& options) {
+using AnyModel = std::variant<automaton::Automaton, contact::ContactModel>;
+using AnyRules = std::variant<automaton::Rules, contact::Parameters>;
+
+AnyModel make_model(const scene::Scene& scene, const AnyRules& rules, ModelState state,
+                    const Model::Options& options) {
   if (auto* grains = std::get_if<grains::State>(&state)) {
     automaton::Options model = {.threads = options.threads, .reference = options.reference};
     model.parallel_from = options.parallel_from.value_or(model.parallel_from);
-    return automaton::Automaton(std::move(*grains), scene.rules, model);
+    return automaton::Automaton(std::move(*grains), std::get<automaton::Rules>(rules), model);
   }
   std::vector<std::optional<double>> friction;
   for (const scene::Wall& wall : scene.walls) {
@@ -27,7 +30,14 @@ std::variant<automaton::Automaton, contact::ContactModel> make_model(
       .wall_friction = friction, .reference = options.reference, .threads = options.threads};
   model.split_from = options.parallel_from.value_or(model.split_from);
   return contact::ContactModel(std::get<contact::State>(std::move(state)),
-                               scene::contact_parameters(scene), model);
+                               std::get<contact::Parameters>(rules), model);
+}
+
+AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
+  if (scene.model == scene::Model::contact) {
+    return scene::contact_parameters(scene, stage);
+  }
+  return stage.rules.value_or(scene.rules);
 }
 
 }  // namespace
@@ -63,7 +73,9 @@ bool has_vessel(const scene::Scene& scene) {
 
 Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
     : scene_(scene),
-      model_(make_model(scene, std::move(state), options)),
+      options_(options),
+      rules_(rules_in(scene, {})),
+      model_(make_model(scene, rules_, std::move(state), options)),
       gravity_(scene.model == scene::Model::contact
                    ? contact::gravity(scene::contact_parameters(scene))
                    : 0) {}
@@ -163,6 +175,17 @@ void Model::set_vessel(const scene::Stage& stage) {
   if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     contact->set_vessel(vessel_in(scene_, stage, contact->vessel()));
   }
+}
+
+void Model::set_rules(const scene::Stage& stage) {
+  const AnyRules rules = rules_in(scene_, stage);
+  if (rules == rules_) {
+    return;
+  }
+  rules_ = rules;
+  ModelState state =
+      std::visit([](auto& model) { return ModelState(std::move(model).release()); }, model_);
+  model_ = make_model(scene_, rules_, std::move(state), options_);
 }
 
 void Model::mark_origins() {

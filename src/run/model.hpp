@@ -72,10 +72,14 @@ class Model {
   void set_source(std::size_t source, bool open);
   /// Sets the vessel motion of a stage; no effect for the automaton.
   void set_vessel(const scene::Stage& stage);
+  /// Sets what a stage has in place of the rules or the friction of the scene.
+  void set_rules(const scene::Stage& stage);
   void mark_origins();
 
  private:
   const scene::Scene& scene_;
+  Options options_;
+  std::variant<automaton::Rules, contact::Parameters> rules_;
   std::variant<automaton::Automaton, contact::ContactModel> model_;
   double gravity_ = 0;  // of the contact model, lattice spacings per step squared
 };

@@ -112,6 +112,7 @@ void Run::go_on(SavedRun& saved, SavedParts& parts) {
   write_to(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
+  model_.set_rules(stage());
   records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.max_bytes);
   outputs_.reopen(folder(), model_.state(), parts.outputs);
   in_stage_ = true;

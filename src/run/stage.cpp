@@ -57,6 +57,7 @@ bool has_stalled(const grains::State& state) {
 }  // namespace
 
 void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
+  model.set_rules(stage);
   for (const std::size_t wall : stage.remove) {
     model.remove_wall(wall);
   }

@@ -52,6 +52,12 @@ contact::Parameters contact_parameters(const Scene& scene) {
   return parameters;
 }
 
+contact::Parameters contact_parameters(const Scene& scene, const Stage& stage) {
+  contact::Parameters parameters = stage.contact.value_or(scene.contact);
+  parameters.fall_height = contact_parameters(scene).fall_height;
+  return parameters;
+}
+
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
   const double step = conversion(scene)->time_step;
   const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);

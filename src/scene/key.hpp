@@ -262,6 +262,23 @@ Type<Owner> type_of(Map<Owner> of) {
           .keys = keys};
 }
 
+/// A map of which all that is left out is as in a member of the scene.
+template <class Owner>
+Type<Owner> changed(Owner Scene::*member, Keys<Owner> keys) {
+  for (Key<Owner>& key : keys) {
+    key = key.defaults_to("as in the scene");
+  }
+  const auto map = std::make_shared<const Map<Owner>>(Map<Owner>{.keys = std::move(keys)});
+  Type<Owner> type = type_of(*map);
+  type.read = [=](const Value& value, const std::string& path, const Scene& scene) {
+    const std::vector<std::string_view> names = names_of(map->keys);
+    Owner owner = scene.*member;
+    read_fields(KeyedMap(value, path, names), *map, owner, scene);
+    return owner;
+  };
+  return type;
+}
+
 /// A map that is read into the same Owner.
 template <class Owner>
 Key<Owner> section(const std::string& name, Map<Owner> of, const std::string& about) {

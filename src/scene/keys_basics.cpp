@@ -67,6 +67,22 @@ std::string read_title(const Value& value, const std::string& path) {
   return title;
 }
 
+Keys<automaton::Rules> rules_keys() {
+  using automaton::Rules;
+  return {key("inertia", &Rules::inertia, number(0, 1),
+              "probability to keep the direction of the last step, if free"),
+          key("scatter", &Rules::scatter, number(0, 1),
+              "probability to take any free candidate, all alike, instead"),
+          key("candidates", &Rules::candidates, choice(kCandidateNames),
+              "directions a particle may take by itself: gravity and its neighbours, or all six"),
+          key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
+          key("update_priority", &Rules::update_priority, priority_type(),
+              "who moves first: those at rest, those that keep their direction, those that fall "
+              "straight"),
+          key("ties", &Rules::ties, choice(kTiesNames),
+              "order within a class: by a draw for each particle, or for each direction")};
+}
+
 }  // namespace
 
 Type<std::string> title_type() {
@@ -98,21 +114,11 @@ Type<Box> box_type() {
 }
 
 Type<automaton::Rules> rules_type() {
-  using automaton::Rules;
-  return type_of<Rules>(
-      {.keys = {
-           key("inertia", &Rules::inertia, number(0, 1),
-               "probability to keep the direction of the last step, if free"),
-           key("scatter", &Rules::scatter, number(0, 1),
-               "probability to take any free candidate, all alike, instead"),
-           key("candidates", &Rules::candidates, choice(kCandidateNames),
-               "directions a particle may take by itself: gravity and its neighbours, or all six"),
-           key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
-           key("update_priority", &Rules::update_priority, priority_type(),
-               "who moves first: those at rest, those that keep their direction, those that fall "
-               "straight"),
-           key("ties", &Rules::ties, choice(kTiesNames),
-               "order within a class: by a draw for each particle, or for each direction")}});
+  return type_of<automaton::Rules>({.keys = rules_keys()});
+}
+
+Type<automaton::Rules> stage_rules_type() {
+  return changed(&Scene::rules, rules_keys());
 }
 
 }  // namespace clca::scene

@@ -77,6 +77,20 @@ Type<double> fall_height() {
               }};
 }
 
+/// What may differ from stage to stage.
+Keys<contact::Parameters> friction_keys() {
+  using P = contact::Parameters;
+  const Type<double> friction = number(0, kMaxContactFriction);
+  return {key("friction", &P::friction, friction,
+              "between particles: greatest tangential force over normal force"),
+          key("wall_friction", &P::wall_friction, friction,
+              "the same at the box, and at walls without a `friction` of their own"),
+          key("rolling_friction", &P::rolling_friction, friction,
+              "for `rolling: resistance`: greatest moment over normal force times radius"),
+          key("restitution", &P::restitution, number(0, kMaxContactRestitution),
+              "normal velocity after a collision over that before")};
+}
+
 }  // namespace
 
 Type<Units> units_type() {
@@ -88,28 +102,26 @@ Type<Units> units_type() {
 
 Type<contact::Parameters> contact_type() {
   using P = contact::Parameters;
-  const Type<double> friction = number(0, kMaxContactFriction);
-  return type_of<P>(
-      {.keys = {
-           key("friction", &P::friction, friction,
-               "between particles: greatest tangential force over normal force"),
-           key("wall_friction", &P::wall_friction, friction,
-               "the same at the box, and at walls without a `friction` of their own"),
-           key("rolling", &P::rolling, choice(kRollingNames),
-               "how particles turn: not at all, against a moment that resists rolling, or freely; "
-               "only hexagons turn"),
-           key("rolling_friction", &P::rolling_friction, friction,
-               "for `rolling: resistance`: greatest moment over normal force times radius"),
-           key("restitution", &P::restitution, number(0, kMaxContactRestitution),
-               "normal velocity after a collision over that before"),
-           key("sweeps", &P::sweeps, sweeps(),
-               "sweeps over all contacts in a step, forwards and backwards in turn"),
-           key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
-               "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
-           key("fall_height", &P::fall_height, fall_height(),
-               "height of that fall in lattice spacings; `auto`: from the fills"),
-           key("sleeping", &P::sleeping, yes_or_no(),
-               "whether steps leave out particles that have come to rest")}});
+  Keys<P> keys = friction_keys();
+  keys.insert(keys.begin() + 2,
+              key("rolling", &P::rolling, choice(kRollingNames),
+                  "how particles turn: not at all, against a moment that resists rolling, or "
+                  "freely; only hexagons turn"));
+  const Keys<P> more = {
+      key("sweeps", &P::sweeps, sweeps(),
+          "sweeps over all contacts in a step, forwards and backwards in turn"),
+      key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
+          "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
+      key("fall_height", &P::fall_height, fall_height(),
+          "height of that fall in lattice spacings; `auto`: from the fills"),
+      key("sleeping", &P::sleeping, yes_or_no(),
+          "whether steps leave out particles that have come to rest")};
+  keys.insert(keys.end(), more.begin(), more.end());
+  return type_of<P>({.keys = std::move(keys)});
+}
+
+Type<contact::Parameters> stage_contact_type() {
+  return changed(&Scene::contact, friction_keys());
 }
 
 }  // namespace clca::scene

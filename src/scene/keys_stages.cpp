@@ -14,13 +14,8 @@ Type<Fill> fill_type() {
                 required("region", &Fill::region, region(), "where: no particle sticks out of it"),
                 required("counts", &Fill::counts, by_species<std::size_t>(kMaxParticles),
                          "number of particles; 0 for species that are not named")},
-       .check = [](const KeyedMap& fields, Fill& fill, const Scene& scene) {
+       .check = [](const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
          fill.location = FileReference(to_string(fields.location()));
-         if (fill.method == FillMethod::deposition &&
-             scene.rules.gravity != lattice::Direction::down) {
-           fail(fields.at("method").location,
-                fmt::format("{}: deposition needs rules.gravity: down", fields.path("method")));
-         }
        }});
 }
 
@@ -35,6 +30,17 @@ std::string stage_path(const Value& value, std::size_t number) {
 void check_stage(const KeyedMap& fields, Stage& stage, const Scene& scene) {
   if (const Value* insert = fields.find("insert")) {
     stage.insert_location = FileReference(to_string(insert->location));
+  }
+  const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
+  if (stage.fill && stage.fill->method == FillMethod::deposition &&
+      rules.gravity != lattice::Direction::down) {
+    fail(fields.at("fill").find("method")->location,
+         fmt::format("{}.method: deposition needs rules.gravity: down", fields.path("fill")));
+  }
+  if (stage.contact && scene.contact.sleeping) {
+    fail(fields.at("contact").location,
+         fmt::format("{}: grains that sleep would not feel it; leave out 'contact.sleeping: true'",
+                     fields.path("contact")));
   }
   check_until(fields, stage, scene);
 }
@@ -59,6 +65,14 @@ Map<Stage> stage_map() {
                    "how the [vessel](#vessel) stands and moves")
                    .of(Model::contact)
                    .defaults_to("none: it rests as it stands"),
+               key("rules", &Stage::rules, stage_rules_type(),
+                   "during this stage in place of those of the scene")
+                   .of(Model::automaton)
+                   .defaults_to("[rules](#rules)"),
+               key("contact", &Stage::contact, stage_contact_type(),
+                   "friction and restitution during this stage in place of those of the scene")
+                   .of(Model::contact)
+                   .defaults_to("[contact](#contact)"),
                key("until", &Stage::until, until_type(), "when the stage ends: see below"),
                key("max_steps", &Stage::max_steps, count(1, kMaxSteps),
                    "ends the stage in any case")},

@@ -62,10 +62,11 @@ std::uint64_t min_steps(const Stage& stage, const Scene& scene) {
 
 /// Why particles never come to rest in this stage, apart from walls; empty if they do.
 std::string restless(const Stage& stage, const Scene& scene) {
-  if (scene.rules.candidates == automaton::Candidates::all) {
+  const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
+  if (rules.candidates == automaton::Candidates::all) {
     return "with rules.candidates: all";
   }
-  const lattice::Direction gravity = scene.rules.gravity;
+  const lattice::Direction gravity = rules.gravity;
   if (scene.box.periodic && gravity != lattice::Direction::down &&
       gravity != lattice::Direction::up) {
     return "with a sideways rules.gravity in a periodic box";

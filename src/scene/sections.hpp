@@ -14,6 +14,9 @@ Type<std::string> title_type();
 Type<Box> box_type();
 Type<automaton::Rules> rules_type();
 Type<contact::Parameters> contact_type();
+/// Of a stage: what is left out is as in the scene.
+Type<automaton::Rules> stage_rules_type();
+Type<contact::Parameters> stage_contact_type();
 Type<Units> units_type();
 Type<std::vector<Species>> species_type();
 Type<std::vector<Wall>> walls_type();

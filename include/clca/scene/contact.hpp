@@ -10,6 +10,8 @@ namespace clca::scene {
 /// packing fraction of 0.8 in the widest of their regions; that of the box if there are sources
 /// without a count, or no fills.
 contact::Parameters contact_parameters(const Scene& scene);
+/// The same in a stage that may have friction and restitution of its own.
+contact::Parameters contact_parameters(const Scene& scene, const Stage& stage);
 
 /// The vessel at the start of a stage; the previous stage left it as `before`. Throws
 /// std::invalid_argument for a motion too fast or too slow for the time step.

@@ -193,6 +193,9 @@ struct Stage {
   std::vector<std::size_t> move;            ///< walls in motion during this stage, by index
   std::vector<std::size_t> sources;         ///< open during this stage, by index
   std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
+  // During this stage in place of those of the scene.
+  std::optional<automaton::Rules> rules = {};
+  std::optional<contact::Parameters> contact = {};  ///< differ in friction and restitution only
   Until until;
   std::uint64_t max_steps = 1'000'000;
   FileReference insert_location;  ///< of the list `insert`

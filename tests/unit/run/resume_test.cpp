@@ -33,7 +33,10 @@ const std::vector<Course>& courses() {
       "output={series: {every: 7}, fields: {every: 40}, trajectory: {every: 9}, "
       "checkpoint: {every: 1000000}}";
   static const std::vector<Course> all = {
-      {"wall-removal", {outputs}, "{steps: 90}", {1, 9, 40, 63, 89}},
+      {"wall-removal",
+       {outputs, "stages.flow.rules={inertia: 0.2}"},
+       "{steps: 90}",
+       {1, 9, 40, 63, 89}},
       {"silo-discharge",
        {"output={series: {every: 7}, fields: {every: 40}, trajectory: {every: 9}, checkpoint: "
         "{every: 1000000}}"},
@@ -132,6 +135,19 @@ TEST_F(ResumeTest, StoppedAtOnceOrByTimeItSavesItselfAndGoesOn) {
   std::atomic<int> stop = 15;
   EXPECT_EQ(run(small(), {.folder = path(), .stop = &stop}).status, "interrupted");
   EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
+  EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
+  EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+}
+
+TEST_F(ResumeTest, ItGoesOnWithTheFrictionOfItsStage) {
+  const auto scene = small({"model=contact", "output={checkpoint: {every: 5}}",
+                            "stages.packing.contact={friction: 0, wall_friction: 0}"});
+  const fs::path unbroken = folder_.path() / "unbroken";
+  run(scene, {.folder = unbroken});
+  std::atomic<int> stop = 0;
+  run(scene, {.folder = path(), .stop = &stop},
+      {.progress = [&](const Progress& now) { stop = now.step >= 40 ? 2 : 0; },
+       .progress_interval = {}});
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
 }

@@ -103,6 +103,22 @@ TEST(Run, ItsResolvedSceneGivesTheSameRunAgain) {
   EXPECT_EQ(first.state_hash, second.state_hash);
 }
 
+TEST(Run, AStageMayHaveRulesAndFrictionOfItsOwn) {
+  const testing::ScratchFolder folder;
+  const auto hash = [&](std::vector<scene::Override> overrides) {
+    overrides.insert(overrides.end(), {"output={}", "species.rod.shape={hexagon: 2}"});
+    return run(small_scene(overrides), {.folder = folder.path() / "out"}).state_hash;
+  };
+  const auto steep_flow = hash({"stages.flow.rules.inertia=0"});
+  EXPECT_EQ(hash({"rules.inertia=0", "stages.packing.rules.inertia=0.9"}), steep_flow);
+  EXPECT_NE(hash({"rules.inertia=0"}), steep_flow);
+  EXPECT_NE(hash({}), steep_flow);
+  const std::string contact = "model=contact";
+  const auto rough_flow = hash({contact, "stages.packing.contact.friction=0"});
+  EXPECT_EQ(hash({contact, "contact.friction=0", "stages.flow.contact.friction=0.4"}), rough_flow);
+  EXPECT_NE(hash({contact}), rough_flow);
+}
+
 TEST(Run, PicturesSayWhereTheyComeFrom) {
   const testing::ScratchFolder folder;
   run(small_scene(), {.folder = folder.path()});

@@ -9,6 +9,16 @@ namespace clca::scene::testing {
 namespace {
 
 constexpr auto kScenes = std::to_array<BadScene>({
+    {"a time step of a stage", "stages: [{name: first, contact: {resolution: 0.1}}]",
+     "scene.yaml:10:34: error: unknown key 'resolution' in stages.first.contact (allowed: "
+     "friction, "
+     "wall_friction, rolling_friction, restitution); did you mean 'restitution'?"},
+    {"friction of a stage that sleepers would not feel",
+     "contact: {sleeping: true}\nstages: [{name: first, contact: {friction: 0}}]",
+     "scene.yaml:10:33: error: stages.first.contact: grains that sleep would not feel it; leave "
+     "out "
+     "'contact.sleeping: true'",
+     Judge::parser},
     {"a misspelt model", "model: contct",
      "scene.yaml:6:8: error: model: expected one of automaton, contact, found 'contct'; did you "
      "mean 'contact'?"},

@@ -9,6 +9,24 @@ namespace clca::scene::testing {
 namespace {
 
 constexpr auto kScenes = std::to_array<BadScene>({
+    {"a rule of a stage that is out of range", "stages: [{name: first, rules: {inertia: 2}}]",
+     "scene.yaml:10:41: error: stages.first.rules.inertia: expected a number from 0 to 1, found "
+     "'2'"},
+    {"friction of a stage without the contact model",
+     "stages: [{name: first, contact: {friction: 0}}]",
+     "scene.yaml:10:24: error: stages.first.contact: only model contact has it; remove it, or say "
+     "'model: contact'",
+     Judge::parser},
+    {"a deposition with the gravity of the stage",
+     "stages: [{name: first, rules: {gravity: up}, fill: {method: deposition, region: [0, 0, 20, "
+     "20], counts: {small: 1}}}]",
+     "scene.yaml:10:61: error: stages.first.fill.method: deposition needs rules.gravity: down",
+     Judge::parser},
+    {"a stage that never comes to rest by its rules",
+     "stages: [{name: first, rules: {candidates: all}}]",
+     "scene.yaml:10:10: error: stages.first.until: never comes to rest with rules.candidates: all; "
+     "give max_steps",
+     Judge::parser},
     {"no stages", "stages: []",
      "scene.yaml:10:9: error: stages: expected 1 to 1000 items, found 0"},
     {"stages in a map", "stages: {first: {until: settled}}",
@@ -31,7 +49,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "  - name: first\n"
      "    untill: settled",
      "scene.yaml:12:5: error: unknown key 'untill' in stages.first (allowed: name, fill, remove, "
-     "insert, move, sources, vessel, until, max_steps); did you mean 'until'?"},
+     "insert, move, sources, vessel, rules, contact, until, max_steps); did you mean 'until'?"},
     {"a fill without a region", "stages: [{name: first, fill: {counts: {small: 5}}}]",
      "scene.yaml:10:30: error: stages.first.fill: key 'region' is missing"},
     {"an unknown method of filling",
