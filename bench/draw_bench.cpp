@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/image/png.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/render/png.hpp"
 
 namespace {
 
@@ -106,10 +106,10 @@ void develop_lookup(benchmark::State& bench) {
 
 void png(benchmark::State& bench) {
   Subject subject = subject_of(bench, render::Drawing::automatic);
-  const render::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
+  const image::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {
-    bytes = render::encode_png(image, {}).size();
+    bytes = image::encode_png(image, {}).size();
   }
   bench.counters["bytes"] = static_cast<double>(bytes);
 }

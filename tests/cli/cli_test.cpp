@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
@@ -293,11 +293,11 @@ TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
 }
 
 TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
-  render::Image image(20, 10, {200, 100, 50});
-  store::write_whole(folder_.path() / "a.png", render::encode_png(image, {}));
+  image::Image image(20, 10, {200, 100, 50});
+  store::write_whole(folder_.path() / "a.png", image::encode_png(image, {}));
   image.at(3, 4) = {190, 100, 50};
-  store::write_whole(folder_.path() / "b.png", render::encode_png(image, {}));
-  store::write_whole(folder_.path() / "c.png", render::encode_png(render::Image(5, 5, {}), {}));
+  store::write_whole(folder_.path() / "b.png", image::encode_png(image, {}));
+  store::write_whole(folder_.path() / "c.png", image::encode_png(image::Image(5, 5, {}), {}));
   write("d.png", "no picture");
   EXPECT_EQ(run({"diff", "a.png", "a.png"}).code, 0);
   const auto different = run({"diff", "a.png", "b.png", "-o", "where.png"});

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
@@ -139,7 +139,7 @@ TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
               AllOf(SizeIs(3), Contains(AllOf(HasSubstr("counts.small=136,seed=5 failed"),
                                               HasSubstr("of 136 small fitted")))));
   EXPECT_THAT(text("out/runs.csv"), HasSubstr("136,1,failed,"));
-  const auto overview = render::decode_png(testing::bytes_of(at("out/overview.png"))).image;
+  const auto overview = image::decode_png(testing::bytes_of(at("out/overview.png"))).image;
   EXPECT_GT(overview.width, 0);
 }
 
