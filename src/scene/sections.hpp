@@ -18,6 +18,7 @@ Type<Units> units_type();
 Type<std::vector<Species>> species_type();
 Type<std::vector<Wall>> walls_type();
 Type<grains::WallMotion> motion_type();
+Type<lattice::Picture> picture_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();
 Type<std::vector<Stage>> stages_type();

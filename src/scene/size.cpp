@@ -95,6 +95,9 @@ double area(const lattice::Ring& ring) {
 double area(const lattice::Arc& arc) {
   return area(arc.ring);
 }
+double area(const lattice::Picture& picture) {
+  return area(picture.box);
+}
 
 /// From above: by the area, or by the rectangle around it.
 double part_sites(const lattice::SweptRegion& swept_region, const WallPart& part) {

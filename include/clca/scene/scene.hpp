@@ -14,6 +14,7 @@
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/lattice/circle.hpp"
+#include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/output.hpp"
@@ -81,8 +82,8 @@ struct Units {
   bool operator==(const Units&) const = default;
 };
 
-using WallPart =
-    std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring, lattice::Arc>;
+using WallPart = std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring,
+                              lattice::Arc, lattice::Picture>;
 
 /// One body. Without motion each part has a site in the box; see check_walls for moving walls.
 struct Wall {
@@ -204,8 +205,9 @@ struct Stage {
 bool vessel_has_cycles(const Stage& stage);
 
 struct Scene {
-  FileReference name;  ///< of the file, without folder and ending
-  std::string title;   ///< the name where the file gives none
+  FileReference name;    ///< of the file, without folder and ending
+  FileReference folder;  ///< of the file; relative paths in the scene begin there
+  std::string title;     ///< the name where the file gives none
   std::uint64_t seed = 1;
   Model model = Model::automaton;
   Box box;
