@@ -92,6 +92,24 @@ TEST_F(CliTest, ExplainsTheKeysOfAScene) {
             "clca: error: the scene format has no key 'rules.inerta'; did you mean 'inertia'?\n");
 }
 
+TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {
+  write("small.yaml", kScene);
+  fs::create_directory(folder_.path() / "scenes");
+  write("scenes/more.yaml",
+        "clca: 1\nbox: {width: 80, height: 60}\nspecies: {small: {shape: {hexagon: 1}}}\n"
+        "rules: {gravity: up}\nstages: [{name: up}]\noutput: {}\n");
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "first", "--frames-every", "0"}).code, 0);
+  const auto result = run({"run", "scenes/more.yaml", "--begin", "first", "-o", "second"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("done: 30 particles, "));
+  EXPECT_EQ(summary("second")["begin"]["state_hash"], summary("first")["state_hash"]);
+  EXPECT_THAT(run({"check", "scenes/more.yaml", "--begin", "first"}).out,
+              HasSubstr(" sites, up to 30 particles, "));
+  const auto refused = run({"check", "scenes/more.yaml", "--begin", "third"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("third/run.json: No such file or directory\n"));
+}
+
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.code, 0);

@@ -204,12 +204,26 @@ struct Stage {
 /// Whether the vessel rotates or is shaken in the stage, and so has cycles.
 bool vessel_has_cycles(const Stage& stage);
 
+/// The state of another run that a run begins with.
+struct Begin {
+  std::string run;                     ///< its folder, as an absolute path
+  std::optional<std::uint64_t> step;   ///< of its trajectory; none: its end
+  std::optional<std::uint64_t> state;  ///< hash; another state is refused
+  std::uint64_t particles = 0;         ///< in that state; 0 until run::find_begin()
+  FileReference location;
+
+  bool operator==(const Begin& other) const {
+    return run == other.run && step == other.step && state == other.state;
+  }
+};
+
 struct Scene {
   FileReference name;    ///< of the file, without folder and ending
   FileReference folder;  ///< of the file; relative paths in the scene begin there
   std::string title;     ///< the name where the file gives none
   std::uint64_t seed = 1;
   Model model = Model::automaton;
+  std::optional<Begin> begin;  ///< none: an empty box
   Box box;
   std::vector<Species> species;  ///< in the order of the file, as all lists here
   automaton::Rules rules;        ///< of Model::automaton

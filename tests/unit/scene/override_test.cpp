@@ -43,7 +43,8 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "unknown key 'inertai' in rules (allowed: inertia, scatter, candidates, gravity, "
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
-     "unknown key 'rule' (allowed: clca, title, seed, model, box, species, rules, contact, units, "
+     "unknown key 'rule' (allowed: clca, title, seed, model, begin, box, species, rules, contact, "
+     "units, "
      "walls, "
      "sources, outlets, stages, measure, output); did you mean 'rules'?"},
     {"rules={inertia: 2}", "rules.inertia: expected a number from 0 to 1, found '2'"},

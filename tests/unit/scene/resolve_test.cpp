@@ -37,6 +37,7 @@ constexpr std::string_view kEverything =
     "  - {name: 2, sources: [spout, rain], remove: [right], until: {discharged: 0.3}}\n"
     "  - {name: \"-3\", until: {steps: 9}}\n"
     "measure: []\n"
+    "begin: {run: /a/\"b\" c, step: 12, state: \"00e4000000000a1f\"}\n"
     "output: {frames: {view: [-1, -2, 3.5, 4], drawing: lookup, caption: false}, trajectory: "
     "{every: 3}}\n";
 
