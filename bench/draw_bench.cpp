@@ -13,6 +13,7 @@ namespace {
 
 namespace automaton = clca::automaton;
 namespace grains = clca::grains;
+namespace image = clca::image;
 namespace lattice = clca::lattice;
 namespace render = clca::render;
 
