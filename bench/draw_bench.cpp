@@ -5,14 +5,15 @@
 #include <cmath>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/image/png.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/render/png.hpp"
 
 namespace {
 
 namespace automaton = clca::automaton;
 namespace grains = clca::grains;
+namespace image = clca::image;
 namespace lattice = clca::lattice;
 namespace render = clca::render;
 
@@ -106,10 +107,10 @@ void develop_lookup(benchmark::State& bench) {
 
 void png(benchmark::State& bench) {
   Subject subject = subject_of(bench, render::Drawing::automatic);
-  const render::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
+  const image::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {
-    bytes = render::encode_png(image, {}).size();
+    bytes = image::encode_png(image, {}).size();
   }
   bench.counters["bytes"] = static_cast<double>(bytes);
 }

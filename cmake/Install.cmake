@@ -7,7 +7,7 @@ if(TARGET clca_program)
   install(TARGETS clca_program RUNTIME)
 endif()
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/scenes
-        FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
+        FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json" PATTERN "*.png")
 install(DIRECTORY plots/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/plots
         FILES_MATCHING PATTERN "*.gp" PATTERN "*.gpi")
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "clca/image/png.hpp"
 #include "clca/render/compare.hpp"
-#include "clca/render/png.hpp"
 #include "clca/store/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -30,7 +30,7 @@ struct DiffOptions {
 render::Image read_picture(const std::string& file) {
   const auto bytes = as_input([&] { return store::read_whole(file, store::kMaxPictureBytes); });
   try {
-    return render::decode_png(bytes).image;
+    return image::decode_png(bytes).image;
   } catch (const std::runtime_error& error) {
     throw text::InputError(fmt::format("{}: {}", file, error.what()));
   }
@@ -46,7 +46,7 @@ ExitCode diff(const DiffOptions& options) {
   }
   const render::Difference difference = render::compare(first, second, options.tolerance);
   if (!options.out.empty()) {
-    store::write_whole(options.out, render::encode_png(difference.picture, {}));
+    store::write_whole(options.out, image::encode_png(difference.picture, {}));
   }
   if (difference.pixels == 0) {
     print_out("alike (largest channel difference {})\n", difference.largest);

@@ -89,6 +89,7 @@ void add_boltzmann_command(CLI::App& app, int& code) {
   CLI::App* command = add_command(app, code, "boltzmann", "Run a scene of the Boltzmann equation",
                                   run_boltzmann_scene);
   command->remove_option(command->get_option("--frames-every"));  // it draws no pictures
+  command->remove_option(command->get_option("--begin"));
 }
 
 }  // namespace clca::cli

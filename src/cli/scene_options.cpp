@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "clca/process/data_folder.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/text/message.hpp"
 #include "cli/option_values.hpp"
@@ -48,6 +49,15 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   return overrides;
 }
 
+/// A path on the command line begins at the current folder.
+scene::Override begin_override(const std::string& folder) {
+  std::string quoted;
+  for (const char letter : std::filesystem::absolute(folder).string()) {
+    quoted += letter == '\'' ? "''" : std::string(1, letter);
+  }
+  return fmt::format("begin={{run: '{}'}}", quoted);
+}
+
 /// Runs save the scene with all defaults; that text must parse for resume.
 template <class AScene>
 void check_text(const AScene& scene, const std::string& file) {
@@ -63,6 +73,7 @@ scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
   if (options.frames_every == std::uint64_t{0}) {
     scene.output.frames.reset();
   }
+  run::find_begin(scene, memory_limit(options));
   check_text(scene, options.file);
   check_memory(scene, memory_limit(options));
   return scene;
@@ -141,6 +152,14 @@ void add_scene_and_set(CLI::App& command, SceneOptions& options) {
                   "stages.flow.max_steps=500; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--begin",
+          [&options](const std::string& folder) {
+            options.overrides.push_back(begin_override(folder));
+          },
+          "Begin with the last state of the run in this folder, in place of the scene's begin")
+      ->type_name("FOLDER");
 }
 
 void add_memory_limit(CLI::App& command, SceneOptions& options) {

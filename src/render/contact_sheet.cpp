@@ -21,7 +21,7 @@ constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28U;
 constexpr double kTallest = 1.4;  // height of a view in widths of its cell
 
 // In text sizes.
-constexpr double kGap = 1.2;
+constexpr double kSheetGap = 1.2;
 constexpr double kLabelStrip = 1.7;
 constexpr double kTitleStrip = 2.6;
 constexpr double kSheetTitleSize = 1.4;
@@ -60,20 +60,21 @@ class Sheet {
         cell_width_(cell_width),
         text_size_(std::clamp(std::round(cell_width / 20.0), 9.0, 24.0)),
         common_legend_(legend_of_all()) {
-    double top = titled ? em(kTitleStrip) : em(kGap);
+    double top = titled ? em(kTitleStrip) : em(kSheetGap);
     double usual = cell_width * 9.0 / 16;  // of a row without pictures
     for (std::size_t first = 0; first < tiles.size(); first += columns_) {
       usual = row_height(first).value_or(usual);
       tops_.push_back(top);
       heights_.push_back(usual);
-      top += usual + em(kLabelStrip) + em(kGap);
+      top += usual + em(kLabelStrip) + em(kSheetGap);
     }
     legend_top_ = top;
-    height_ = common_legend_ == nullptr
-                  ? top
-                  : top +
-                        scale_of(*common_legend_, width() - 2 * em(kGap)) * common_legend_->height +
-                        em(kGap);
+    height_ =
+        common_legend_ == nullptr
+            ? top
+            : top +
+                  scale_of(*common_legend_, width() - 2 * em(kSheetGap)) * common_legend_->height +
+                  em(kSheetGap);
     if (!(width() * height_ <= static_cast<double>(kMaxPixels))) {
       throw RenderError(
           fmt::format("a contact sheet of {:.0f} x {:.0f} pixels is too large", width(), height_));
@@ -84,15 +85,18 @@ class Sheet {
     Graphics graphics(static_cast<int>(width()), static_cast<int>(height_));
     const bool letters = font_problem().empty();
     if (letters) {
-      graphics.draw_text(graphics.text(title, kSheetTitleSize * text_size_, width() - 2 * em(kGap)),
-                         em(kGap), em(1.75), kInk);
+      graphics.draw_text(
+          graphics.text(title, kSheetTitleSize * text_size_, width() - 2 * em(kSheetGap)),
+          em(kSheetGap), em(1.75), kInk);
     }
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
-      const double left = em(kGap) + static_cast<double>(i % columns_) * (cell_width_ + em(kGap));
+      const double left =
+          em(kSheetGap) + static_cast<double>(i % columns_) * (cell_width_ + em(kSheetGap));
       draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_], letters);
     }
     if (common_legend_ != nullptr) {
-      draw_legend(graphics, *common_legend_, em(kGap), legend_top_, width() - 2 * em(kGap));
+      draw_legend(graphics, *common_legend_, em(kSheetGap), legend_top_,
+                  width() - 2 * em(kSheetGap));
     }
     return graphics.image();
   }
@@ -100,7 +104,7 @@ class Sheet {
  private:
   double em(double text_sizes) const { return std::round(text_sizes * text_size_); }
   double width() const {
-    return static_cast<double>(columns_) * (cell_width_ + em(kGap)) + em(kGap);
+    return static_cast<double>(columns_) * (cell_width_ + em(kSheetGap)) + em(kSheetGap);
   }
 
   /// Where all pictures have the same legend.

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
@@ -106,13 +106,13 @@ std::vector<std::size_t> chosen_pictures(const std::vector<Picture>& all, std::s
 
 struct Png {
   std::vector<std::uint8_t> bytes;
-  render::PixelBox size;
+  image::PixelBox size;
 };
 
 /// Throws StoreError if it is no PNG.
 Png read_png(const fs::path& file) {
   std::vector<std::uint8_t> bytes = store::read_whole(file, store::kMaxPictureBytes);
-  const std::optional<render::PixelBox> size = render::png_size(bytes);
+  const std::optional<image::PixelBox> size = image::png_size(bytes);
   if (!size) {
     throw store::StoreError(fmt::format("{} is left out: it is no PNG", file.string()));
   }

@@ -80,7 +80,7 @@ void begin_stage(PictureHistory& history, const scene::Stage& stage, const grain
   history.layers = render::layer_range(state, stage.sources);
 }
 
-render::PngText scene_text(const scene::Scene& scene) {
+image::PngText scene_text(const scene::Scene& scene) {
   return {{"Title", scene.title},
           {"Software", fmt::format("clca {}", version())},
           {"Scene", scene.name},
@@ -100,7 +100,7 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
   render::mark_beyond(colors, view.state, view.occupancy);
   DrawnOverlay drawn = overlay_of(frames_.overlay, view, strongest_force_);
   colors.legend.lines = std::move(drawn.keys);
-  render::PngText text = scene_text(scene_);
+  image::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
   std::string when = fmt::format("step {}", step);

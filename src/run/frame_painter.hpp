@@ -9,11 +9,11 @@
 #include "clca/contact/vessel.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/image/png.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/contact_sheet.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/render/png.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
 #include "run/cycle_record.hpp"
@@ -55,7 +55,7 @@ struct CapturedFrame {
   render::Caption caption;
   render::Overlay overlay;
   double turn = 0;  ///< degrees anticlockwise
-  render::PngText text;
+  image::PngText text;
 };
 
 struct Picture {
@@ -63,11 +63,11 @@ struct Picture {
   std::string moment;  ///< stage and step, or time
   render::PictureParts parts;
   render::Legend legend;
-  render::PngText text;
+  image::PngText text;
 };
 
 /// Provenance of a picture, without stage and step.
-render::PngText scene_text(const scene::Scene& scene);
+image::PngText scene_text(const scene::Scene& scene);
 
 /// One thread may capture the next picture while another rasterizes.
 class FramePainter {

@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::run {
@@ -53,7 +53,7 @@ void FrameWriter::finish() {
 
 void FrameWriter::carry_out(const Job& job) {
   const Picture picture = job.picture();
-  job.folder.write(job.name, render::encode_png(picture.image, picture.text));
+  job.folder.write(job.name, image::encode_png(picture.image, picture.text));
 }
 
 void FrameWriter::work() {

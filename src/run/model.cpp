@@ -1,10 +1,12 @@
 #include "run/model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
+#include "run/other_run.hpp"
 
 namespace clca::run {
 
@@ -47,7 +49,16 @@ const grains::State& grains_of(const ModelState& state) {
   return contact != nullptr ? contact->grains : std::get<grains::State>(state);
 }
 
-ModelState first_state(const scene::Scene& scene) {
+grains::State& grains_of(ModelState& state) {
+  return const_cast<grains::State&>(grains_of(std::as_const(state)));
+}
+
+std::uint64_t hash(const ModelState& state) {
+  const auto* contact = std::get_if<contact::State>(&state);
+  return contact != nullptr ? contact::hash(*contact) : grains::hash(grains_of(state));
+}
+
+ModelState empty_state(const scene::Scene& scene) {
   grains::State grains = initial_state(scene);
   if (scene.model == scene::Model::contact) {
     const std::size_t walls = grains.walls.size();
@@ -57,10 +68,18 @@ ModelState first_state(const scene::Scene& scene) {
   return grains;
 }
 
+ModelState first_state(const scene::Scene& scene) {
+  ModelState state = empty_state(scene);
+  if (scene.begin) {
+    take_particles(scene, state);
+  }
+  return state;
+}
+
 ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
                        double max_bytes) {
   const grains::State beginning = initial_state(scene);
-  ModelState saved = first_state(scene);
+  ModelState saved = empty_state(scene);
   std::visit([&](auto& state) { reflection::decode(kState, columns, max_bytes, state); }, saved);
   grains::check_reachable(grains_of(saved), beginning);
   return saved;

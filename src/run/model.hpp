@@ -19,8 +19,13 @@ namespace clca::run {
 using ModelState = std::variant<grains::State, contact::State>;
 
 const grains::State& grains_of(const ModelState& state);
+grains::State& grains_of(ModelState& state);
+std::uint64_t hash(const ModelState& state);
 
-/// The initial state of a scene.
+/// The initial state of a scene, without particles.
+ModelState empty_state(const scene::Scene& scene);
+/// The initial state of a scene, with the particles of another run if it begins with one. Throws
+/// scene::SceneError unless they are there and find room.
 ModelState first_state(const scene::Scene& scene);
 
 /// The state in a checkpoint. Throws reflection::Mismatch or std::invalid_argument if no run of the

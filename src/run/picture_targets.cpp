@@ -107,7 +107,7 @@ void SheetTarget::finish() {
   }
   const render::Image sheet =
       render::contact_sheet(tiles_, columns_, cell_width(columns_), scene_.title);
-  store::write_whole(file_, render::encode_png(sheet, scene_text(scene_)));
+  store::write_whole(file_, image::encode_png(sheet, scene_text(scene_)));
 }
 
 PictureTargets::PictureTargets(const scene::Scene& scene, const FramePainter& painter,

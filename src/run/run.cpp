@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
@@ -149,6 +151,9 @@ void Run::begin_stage() {
 void Run::run_stage() {
   if (!std::exchange(in_stage_, false)) {
     begin_stage();
+    if (scene_.begin && course_.stage == 0) {
+      save();  // from here on the other run is not needed
+    }
   }
   const StageEnd end = run_steps();
   interrupted_ = end == StageEnd::interrupted;
@@ -266,6 +271,11 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.particles = model_.state().particles.size();
   summary.steps = model_.state().step;
   summary.units = conversion_;
+  if (scene_.begin) {
+    summary.begin = {.run = scene_.begin->run,
+                     .step = scene_.begin->step,
+                     .state_hash = scene_.begin->state.value_or(0)};
+  }
   summary.step_seconds = step_seconds();
   summary.rate = rate();
   summary.state_hash = model_.hash();
@@ -298,8 +308,18 @@ void check_start(const scene::Scene& scene) {
 
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
-  scene::check_room(scene);
-  return Run(scene, with_startable_threads(options, events), events).execute();
+  std::error_code unknown;
+  if (scene.begin && !options.keep &&
+      std::filesystem::equivalent(scene.begin->run, options.folder, unknown)) {
+    throw SceneRunError(
+        fmt::format("{}: error: begin: this run would replace the one in {}; run in another "
+                    "folder, or with --keep",
+                    scene.begin->location, scene.begin->run));
+  }
+  scene::Scene whole = scene;
+  find_begin(whole, std::numeric_limits<double>::infinity());
+  scene::check_room(whole);
+  return Run(whole, with_startable_threads(options, events), events).execute();
 }
 
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {

@@ -55,12 +55,16 @@ void check_use(const Scene& scene, const Value& root) {
   if (const Value* sources = root.find("sources")) {
     require_use(scene, *sources, "sources", "name it under sources in a stage", opens);
   }
+  if (scene.begin) {  // which may have particles of any species
+    return;
+  }
   bool any = !scene.sources.empty();
   for (std::size_t species = 0; species < scene.species.size(); ++species) {
     any = any || fills(scene, species);
   }
   if (!any) {
-    fail(root.find("stages")->location, "stages: no particles; give a stage a fill or a source");
+    fail(root.find("stages")->location,
+         "stages: no particles; give a stage a fill or a source, or begin with another run");
   }
   require_use(scene, *root.find("species"), "species", "give it a count in a fill, or a source",
               appears);

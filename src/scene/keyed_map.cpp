@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "clca/text/message.hpp"
+#include "clca/text/utf8.hpp"
 #include "scene/limits.hpp"
 
 namespace clca::scene {
@@ -112,6 +113,18 @@ const std::string& read_text(const Value& value, std::string_view path) {
     unexpected(value, path, "text");
   }
   return value.text;
+}
+
+std::optional<std::size_t> line_length(std::string_view text) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++characters) {
+    const std::size_t length = text::character_length(text, i);
+    if (length == 0 || text::is_control(text::character_at(text, i))) {
+      return std::nullopt;
+    }
+    i += length;
+  }
+  return characters;
 }
 
 const std::vector<Value>& read_list(const Value& value, std::string_view path, std::size_t least,

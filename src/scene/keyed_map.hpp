@@ -27,6 +27,8 @@ double read_positive(const Value& value, std::string_view path, double high);
 bool read_bool(const Value& value, std::string_view path);
 /// Any scalar as it stands.
 const std::string& read_text(const Value& value, std::string_view path);
+/// Number of characters of one line of UTF-8; none for other text.
+std::optional<std::size_t> line_length(std::string_view text);
 /// A list of `least` to `most` items.
 const std::vector<Value>& read_list(const Value& value, std::string_view path, std::size_t least,
                                     std::size_t most);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "clca/text/message.hpp"
-#include "clca/text/utf8.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -51,18 +50,14 @@ Type<Priority> priority_type() {
 
 std::string read_title(const Value& value, const std::string& path) {
   const std::string& title = read_text(value, path);
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < title.size(); ++characters) {
-    const std::size_t length = text::character_length(title, i);
-    if (length == 0 || text::is_control(text::character_at(title, i))) {
-      fail(value.location,
-           fmt::format("{}: expected one line of text, found {}", path, text::shown(title)));
-    }
-    i += length;
+  const std::optional<std::size_t> characters = line_length(title);
+  if (!characters) {
+    fail(value.location,
+         fmt::format("{}: expected one line of text, found {}", path, text::shown(title)));
   }
-  if (characters == 0 || characters > kMaxTitleLength) {
+  if (*characters == 0 || *characters > kMaxTitleLength) {
     fail(value.location, fmt::format("{}: expected 1 to {} characters, found {}", path,
-                                     kMaxTitleLength, characters));
+                                     kMaxTitleLength, *characters));
   }
   return title;
 }

@@ -84,6 +84,9 @@ Map<Scene> make_scene_map() {
       key("model", &Scene::model, choice(kModelNames),
           "what moves the grains: rules, or velocities and the friction of contacts; "
           "[model](#model)"),
+      key("begin", &Scene::begin, begin_type(),
+          "the state of another run that this one begins with: [begin](#begin)")
+          .defaults_to("an empty box"),
       required("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),
       required("species", &Scene::species, species_type(),
                "kinds of particles, by name: [species](#species)"),

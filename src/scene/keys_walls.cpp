@@ -12,7 +12,8 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kForms = {"box", "line", "disc", "ring", "arc"};
+constexpr std::array<std::string_view, 6> kForms = {"box",  "line", "disc",
+                                                    "ring", "arc",  "picture"};
 
 /// Parameter range (0 to 1) of the segment inside the rectangle; low > high if none.
 std::pair<double, double> clipped(const lattice::Segment& segment,
@@ -124,7 +125,8 @@ Keys<WallPart> forms() {
           alternative<WallPart>("disc", disc(), "all sites in a circle"),
           alternative<WallPart>("ring", type_of<lattice::Ring>({.keys = ring_keys()}),
                                 "a drum: all sites between two circles"),
-          alternative<WallPart>("arc", arc(), "a part of a ring")};
+          alternative<WallPart>("arc", arc(), "a part of a ring"),
+          alternative<WallPart>("picture", picture_type(), "all sites on dark pixels")};
 }
 
 Type<std::vector<WallPart>> parts() {

@@ -10,6 +10,7 @@ namespace clca::scene {
 inline constexpr std::uint64_t kVersion = 1;
 inline constexpr std::size_t kMaxTitleLength = 200;
 inline constexpr std::size_t kMaxNameLength = 64;
+inline constexpr std::size_t kMaxPathLength = 4096;
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
 /// Of species, walls, parts of a wall, sources, outlets and stages, each.
 inline constexpr std::size_t kMaxItems = 1000;
@@ -20,6 +21,9 @@ inline constexpr double kMaxCoordinate = 1'000'000;  ///< of a coordinate in lat
 inline constexpr double kMaxThickness = 100;
 inline constexpr double kMinRingThickness = 1;  ///< a thinner one would let sites through
 inline constexpr double kMaxAngle = 360;
+
+inline constexpr std::size_t kMaxPicturePixels = 1'000'000;  ///< of a wall
+inline constexpr double kMaxPictureBytes = 1 << 24;
 
 inline constexpr int kMaxRadius = 100;
 inline constexpr int kMaxRodLength = 1000;

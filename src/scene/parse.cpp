@@ -40,6 +40,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   const std::vector<std::string_view> names = names_of(map.keys);
   Scene scene = map.start;
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
+  scene.folder = std::filesystem::path(file).parent_path().string();
   read_fields(KeyedMap(root, "", names), map, scene, scene);
   check_model(scene, root);
   check_history(scene, *root.find("stages"));

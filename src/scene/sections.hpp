@@ -11,6 +11,7 @@ const Map<Scene>& scene_map();
 const Map<BoltzmannScene>& boltzmann_map();
 
 Type<std::string> title_type();
+Type<Begin> begin_type();
 Type<Box> box_type();
 Type<automaton::Rules> rules_type();
 Type<contact::Parameters> contact_type();
@@ -20,6 +21,7 @@ Type<contact::Parameters> stage_contact_type();
 Type<Units> units_type();
 Type<std::vector<Species>> species_type();
 Type<std::vector<Wall>> walls_type();
+Type<lattice::Picture> picture_type();
 Type<grains::WallMotion> motion_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();

@@ -95,6 +95,9 @@ double area(const lattice::Ring& ring) {
 double area(const lattice::Arc& arc) {
   return area(arc.ring);
 }
+double area(const lattice::Picture& picture) {
+  return area(picture.box);
+}
 
 /// From above: by the area, or by the rectangle around it.
 double part_sites(const lattice::SweptRegion& swept_region, const WallPart& part) {
@@ -175,7 +178,8 @@ double force_windows(const Scene& scene) {
 
 Size size_of(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
-  double particles = filled(scene);
+  double particles =
+      filled(scene) + (scene.begin ? static_cast<double>(scene.begin->particles) : 0);
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
     particles += emitted(scene, source);
   }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
+#include "clca/text/message.hpp"
 #include "scene/geometry.hpp"
 
 namespace clca::scene {
@@ -30,6 +33,20 @@ Type<T> scalar_type(const std::string& allowed, const Schema& schema, Read read)
 
 std::string range(double low, double high) {
   return fmt::format("{} to {}", shown_number(low), shown_number(high));
+}
+
+std::string read_path(const Value& value, const std::string& path, const Scene& scene) {
+  const std::string& given = read_text(value, path);
+  std::error_code error;
+  std::string file =
+      std::filesystem::absolute(std::filesystem::path(std::string(scene.folder)) / given, error)
+          .lexically_normal()
+          .string();
+  if (given.empty() || error || file.size() > kMaxPathLength || !line_length(file)) {
+    fail(value.location, fmt::format("{}: expected a path of up to {} bytes of UTF-8, found {}",
+                                     path, kMaxPathLength, text::shown(given)));
+  }
+  return file;
 }
 
 Json numbers_schema(std::size_t size) {
@@ -154,6 +171,17 @@ Type<lattice::Rectangle> region() {
     return region;
   };
   return type;
+}
+
+Type<std::string> file_path_type() {
+  return {
+      .allowed = "a path",
+      .schema =
+          [] {
+            return Json{{"type", "string"}, {"minLength", 1}, {"maxLength", kMaxPathLength}};
+          },
+      .read = read_path,
+      .text = [](const std::string& file, const Scene& /*scene*/) { return quoted_text(file); }};
 }
 
 Type<std::string> name_type() {

@@ -27,6 +27,10 @@ Type<ColorRange> color_range();
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 
+/// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
+/// scene.
+Type<std::string> file_path_type();
+
 /// A name that the scene gives to something.
 Type<std::string> name_type();
 /// A list of names, each at most once, as indices of the things of this `kind`: `names` of the

@@ -46,8 +46,10 @@ std::string value_text(const Yaml& value, std::size_t indent, std::size_t column
   if (value.kind == Yaml::Kind::list && value.in_lines) {
     std::string result = "\n";
     for (const Yaml& item : value.items) {
-      const std::string lines = entries_text(item, indent + kIndent);
-      result += fmt::format("{:{}}- {}", "", indent, lines.substr(indent + kIndent));
+      const std::string lines = item.kind == Yaml::Kind::map
+                                    ? entries_text(item, indent + kIndent).substr(indent + kIndent)
+                                    : flow_text(item) + "\n";
+      result += fmt::format("{:{}}- {}", "", indent, lines);
     }
     return result;
   }

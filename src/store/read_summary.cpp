@@ -134,6 +134,19 @@ std::optional<scene::Conversion> units(const Json& object) {
                            .time_step = number(found, "time_step")};
 }
 
+std::optional<BeginSummary> begin(const Json& object) {
+  if (!object.is_object() || !object.contains("begin")) {
+    return std::nullopt;
+  }
+  const Json& found = field(object, "begin", &Json::is_object);
+  BeginSummary result = {
+      .run = text(found, "run"), .step = {}, .state_hash = hash(found, "state_hash")};
+  if (!found.contains("step") || found["step"] != "last") {
+    result.step = count(found, "step");
+  }
+  return result;
+}
+
 RunSummary summary_of(const Json& object) {
   const Json& build = field(object, "build", &Json::is_object);
   RunSummary summary = {.kind = text(object, "kind"),
@@ -146,6 +159,7 @@ RunSummary summary_of(const Json& object) {
                         .status = text(object, "status"),
                         .particles = count(object, "particles"),
                         .steps = count(object, "steps"),
+                        .begin = begin(object),
                         .units = units(object),
                         .wall_seconds = number(object, "wall_seconds"),
                         .step_seconds = number(object, "step_seconds"),

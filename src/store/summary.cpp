@@ -28,6 +28,12 @@ Json to_object(const scene::Conversion& units) {
           {"time_step", units.time_step}};
 }
 
+Json to_object(const BeginSummary& begin) {
+  return {{"run", begin.run},
+          {"step", begin.step ? Json(*begin.step) : Json("last")},
+          {"state_hash", fmt::format("{:016x}", begin.state_hash)}};
+}
+
 /// The simulated time, if steps have a length.
 void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
   if (units) {
@@ -63,6 +69,9 @@ std::string to_json(const RunSummary& summary) {
       {"title", summary.title},   {"seed", summary.seed},           {"threads", summary.threads},
       {"status", summary.status}, {"particles", summary.particles}, {"steps", summary.steps}};
   add_time(object, summary.steps, summary.units);
+  if (summary.begin) {
+    object["begin"] = to_object(*summary.begin);
+  }
   if (summary.units) {
     object["units"] = to_object(*summary.units);
   }

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "clca/image/png.hpp"
 #include "clca/render/contact_sheet.hpp"
-#include "clca/render/png.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 
@@ -25,7 +25,7 @@ int cell_width(int columns) {
 
 /// The part of a picture that the run has noted in it; of width 0 if it has not, or not inside
 /// `outside`.
-render::PixelBox part(const render::PngText& texts, const std::string& name,
+render::PixelBox part(const image::PngText& texts, const std::string& name,
                       const render::PixelBox& outside) {
   const auto text = texts.find(name);
   std::istringstream numbers(text == texts.end() ? "" : text->second);
@@ -40,7 +40,7 @@ render::PixelBox part(const render::PngText& texts, const std::string& name,
   return inside ? box : render::PixelBox{};
 }
 
-render::PictureParts parts_of(const render::DecodedPng& png) {
+render::PictureParts parts_of(const image::DecodedPng& png) {
   const render::PixelBox whole = {0, 0, png.image.width, png.image.height};
   const render::PixelBox legend = part(png.text, "Legend", whole);
   return {part(png.text, "View", whole), legend, part(png.text, "Scale bar", legend)};
@@ -50,7 +50,7 @@ render::PictureParts parts_of(const render::DecodedPng& png) {
 render::Tile final_picture(const std::filesystem::path& folder, const scene::Scene& scene,
                            std::uint64_t step, int width) {
   try {
-    const render::DecodedPng png = render::decode_png(
+    const image::DecodedPng png = image::decode_png(
         store::read_whole(store::frame_path(folder, scene.name, step), store::kMaxPictureBytes));
     return render::tile(png.image, parts_of(png), width, "");
   } catch (const std::runtime_error&) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <set>
+
+#include "clca/run/setup.hpp"
 
 namespace clca::sweep {
 
@@ -78,6 +81,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
   }
   auto scene = std::get<scene::Scene>(std::move(any));
   scene.seed = request.seeds.front();
+  run::find_begin(scene, std::numeric_limits<double>::infinity());
   return {std::move(values), std::move(scene)};
 }
 

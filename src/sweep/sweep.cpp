@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "clca/image/png.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/render/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "sweep/earlier.hpp"
@@ -194,7 +194,7 @@ void Sweep::write_overview() {
     return;
   }
   const std::string title = plan_.variants.front().scene.title;
-  folder_.write_overview(render::encode_png(
+  folder_.write_overview(image::encode_png(
       *image, {{"Title", title}, {"Software", fmt::format("clca {}", run::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
@@ -90,6 +90,24 @@ TEST_F(CliTest, ExplainsTheKeysOfAScene) {
   EXPECT_EQ(unknown.code, 2);
   EXPECT_EQ(unknown.err,
             "clca: error: the scene format has no key 'rules.inerta'; did you mean 'inertia'?\n");
+}
+
+TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {
+  write("small.yaml", kScene);
+  fs::create_directory(folder_.path() / "scenes");
+  write("scenes/more.yaml",
+        "clca: 1\nbox: {width: 80, height: 60}\nspecies: {small: {shape: {hexagon: 1}}}\n"
+        "rules: {gravity: up}\nstages: [{name: up}]\noutput: {}\n");
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "first", "--frames-every", "0"}).code, 0);
+  const auto result = run({"run", "scenes/more.yaml", "--begin", "first", "-o", "second"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("done: 30 particles, "));
+  EXPECT_EQ(summary("second")["begin"]["state_hash"], summary("first")["state_hash"]);
+  EXPECT_THAT(run({"check", "scenes/more.yaml", "--begin", "first"}).out,
+              HasSubstr(" sites, up to 30 particles, "));
+  const auto refused = run({"check", "scenes/more.yaml", "--begin", "third"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("third/run.json: No such file or directory\n"));
 }
 
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
@@ -293,11 +311,11 @@ TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
 }
 
 TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
-  render::Image image(20, 10, {200, 100, 50});
-  store::write_whole(folder_.path() / "a.png", render::encode_png(image, {}));
+  image::Image image(20, 10, {200, 100, 50});
+  store::write_whole(folder_.path() / "a.png", image::encode_png(image, {}));
   image.at(3, 4) = {190, 100, 50};
-  store::write_whole(folder_.path() / "b.png", render::encode_png(image, {}));
-  store::write_whole(folder_.path() / "c.png", render::encode_png(render::Image(5, 5, {}), {}));
+  store::write_whole(folder_.path() / "b.png", image::encode_png(image, {}));
+  store::write_whole(folder_.path() / "c.png", image::encode_png(image::Image(5, 5, {}), {}));
   write("d.png", "no picture");
   EXPECT_EQ(run({"diff", "a.png", "a.png"}).code, 0);
   const auto different = run({"diff", "a.png", "b.png", "-o", "where.png"});

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
 #include "support/program.hpp"
@@ -55,13 +55,13 @@ class PlotCommandTest : public ::testing::Test {
     return testing::bytes_of(folder_.path() / file);
   }
   void expect_picture(const fs::path& file, int width, int height) const {
-    const render::Image image = render::decode_png(bytes(file)).image;
+    const image::Image image = image::decode_png(bytes(file)).image;
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
     std::set<std::array<std::uint8_t, 3>> colors;
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {
-        const render::Rgb color = image.at(x, y);
+        const image::Rgb color = image.at(x, y);
         colors.insert({color.red, color.green, color.blue});
       }
     }

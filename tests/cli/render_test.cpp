@@ -8,8 +8,8 @@
 #include <fstream>
 #include <set>
 
+#include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
-#include "clca/render/png.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
@@ -67,8 +67,8 @@ class RenderCommandTest : public ::testing::Test {
     setting.folder = folder_.path().string();
     return testing::run_program(arguments, setting);
   }
-  render::Image picture(const fs::path& name) const {
-    return render::decode_png(testing::bytes_of(path(name))).image;
+  image::Image picture(const fs::path& name) const {
+    return image::decode_png(testing::bytes_of(path(name))).image;
   }
   /// One line, and nothing left behind.
   void expect_refused(const testing::ProgramResult& result, int code,
@@ -123,8 +123,8 @@ TEST_F(RenderCommandTest, DrawsAsTheOptionsSay) {
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(names(path("far/away")),
             (std::set<std::string>{"small-000004.png", "small-000006.png", "small-000008.png"}));
-  const render::DecodedPng png =
-      render::decode_png(testing::bytes_of(path("far/away/small-000004.png")));
+  const image::DecodedPng png =
+      image::decode_png(testing::bytes_of(path("far/away/small-000004.png")));
   EXPECT_EQ(png.image.width, 200);
   EXPECT_EQ(png.image.height, 100);
   EXPECT_EQ(png.text.at("Title"), "Near");
@@ -134,7 +134,7 @@ TEST_F(RenderCommandTest, DrawsAsTheOptionsSay) {
 TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
   store("bare", {"output.frames=none"});
   EXPECT_EQ(render({"bare", "--from", "10", "--to", "10"}).code, 0);
-  const render::Image image = picture("bare/render/small-000010.png");
+  const image::Image image = picture("bare/render/small-000010.png");
   EXPECT_NEAR(image.width * image.height, 1280 * 720, 0.02 * 1280 * 720);
 }
 

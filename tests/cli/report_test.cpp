@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "support/missing.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
@@ -232,11 +232,11 @@ TEST_F(ReportInABrowser, APlaceInTheAddressShowsItsPicture) {
 
 TEST_F(ReportInABrowser, ItsPictureIsNotBlank) {
   browse({"--screenshot=page.png", "--window-size=900,1400"}, "");
-  const render::Image image =
-      render::decode_png(testing::bytes_of(folder_.path() / "page.png")).image;
+  const image::Image image =
+      image::decode_png(testing::bytes_of(folder_.path() / "page.png")).image;
   EXPECT_EQ(image.width, 900);
   std::set<std::array<std::uint8_t, 3>> colors;
-  for (const render::Rgb& color : image.pixels) {
+  for (const image::Rgb& color : image.pixels) {
     colors.insert({color.red, color.green, color.blue});
   }
   EXPECT_GT(colors.size(), 200U);

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "target.hpp"
 
 namespace {
@@ -12,13 +12,13 @@ using namespace clca;
 constexpr std::size_t kMaxPixels = 1U << 16U;
 
 /// What may stand in a PNG file need not be what we write: text with odd keywords.
-void require_same_again(const render::DecodedPng& decoded) {
-  const render::DecodedPng again = render::decode_png(render::encode_png(decoded.image, {}));
+void require_same_again(const image::DecodedPng& decoded) {
+  const image::DecodedPng again = image::decode_png(image::encode_png(decoded.image, {}));
   fuzz::require(again.image == decoded.image, "other pixels");
   for (const auto& [keyword, value] : decoded.text) {
     try {
-      const auto bytes = render::encode_png(render::Image(1, 1, {}), {{keyword, value}});
-      fuzz::require(render::decode_png(bytes).text.at(keyword) == value, "another text");
+      const auto bytes = image::encode_png(image::Image(1, 1, {}), {{keyword, value}});
+      fuzz::require(image::decode_png(bytes).text.at(keyword) == value, "another text");
     } catch (const std::runtime_error&) {
       continue;
     }
@@ -29,7 +29,7 @@ void require_same_again(const render::DecodedPng& decoded) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    require_same_again(render::decode_png({data, size}, kMaxPixels));
+    require_same_again(image::decode_png({data, size}, kMaxPixels));
   } catch (const std::runtime_error&) {
     return 0;
   }

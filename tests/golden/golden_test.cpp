@@ -11,10 +11,10 @@
 #include <stdexcept>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/image/png.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/compare.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/render/png.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
@@ -42,7 +42,7 @@ void PrintTo(const GoldenCase& golden, std::ostream* stream) {
 }
 
 /// The last picture of a run.
-render::Image last_picture(const GoldenCase& golden, const fs::path& folder) {
+image::Image last_picture(const GoldenCase& golden, const fs::path& folder) {
   std::vector<scene::Override> overrides = {
       "output.series={every: 1000000}", "output.frames.every=1000000", "output.frames.width=640",
       "output.frames.height=360", "output.frames.caption=false"};
@@ -50,7 +50,7 @@ render::Image last_picture(const GoldenCase& golden, const fs::path& folder) {
   const fs::path file = fs::path(CLCA_SOURCE_DIR) / "scenes" / (golden.scene + ".yaml");
   const auto summary = run::run(scene::parse_file(file, overrides), {.folder = folder});
   const auto picture = folder / "frames" / fmt::format("{}-{:06}.png", golden.scene, summary.steps);
-  return render::decode_png(testing::bytes_of(picture)).image;
+  return image::decode_png(testing::bytes_of(picture)).image;
 }
 
 bool is_exact(const GoldenCase& golden) {
@@ -58,13 +58,13 @@ bool is_exact(const GoldenCase& golden) {
          golden.overrides.end();
 }
 
-void compare_or_bless(const std::string& name, const render::Image& image, bool exact) {
+void compare_or_bless(const std::string& name, const image::Image& image, bool exact) {
   const fs::path expected_file = fs::path(CLCA_SOURCE_DIR) / "renders" / "golden" / (name + ".png");
   if (std::getenv("CLCA_BLESS") != nullptr) {
-    store::write_whole(expected_file, render::encode_png(image, {{"Title", name}}));
+    store::write_whole(expected_file, image::encode_png(image, {{"Title", name}}));
     return;
   }
-  const render::Image expected = render::decode_png(testing::bytes_of(expected_file)).image;
+  const image::Image expected = image::decode_png(testing::bytes_of(expected_file)).image;
   ASSERT_EQ(image.width, expected.width);
   ASSERT_EQ(image.height, expected.height);
   const render::Difference difference = render::compare(expected, image, exact ? 0 : kTolerance);
@@ -73,9 +73,9 @@ void compare_or_bless(const std::string& name, const render::Image& image, bool 
   }
   const fs::path folder(CLCA_FAILURES_DIR);
   fs::create_directories(folder);
-  store::write_whole(folder / (name + ".png"), render::encode_png(image, {}));
+  store::write_whole(folder / (name + ".png"), image::encode_png(image, {}));
   store::write_whole(folder / (name + "-difference.png"),
-                     render::encode_png(difference.picture, {}));
+                     image::encode_png(difference.picture, {}));
   ADD_FAILURE() << difference.pixels << " pixels differ by up to " << difference.largest << " in x "
                 << difference.left << " to " << difference.right << ", y " << difference.top
                 << " to " << difference.bottom << "; see "
@@ -180,9 +180,9 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
                                  .annotations = false};
     render::Painter painter(style, changed.lattice, changed.kinds);
     const render::Coloring coloring = render::color_by_id();
-    const render::Image before =
+    const image::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
-    const render::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});
+    const image::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});
     EXPECT_GT(render::compare(before, after, kTolerance).pixels, 2 * kPixels);
   }
 }

@@ -1,56 +1,19 @@
 #pragma once
-// A picture in memory.
+// The picture that is drawn, and where it has what.
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "clca/image/image.hpp"
 
 namespace clca::render {
 
-struct Rgb {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  bool operator==(const Rgb&) const = default;
-};
-
-/// A rectangle of pixels, the upper left one first.
-struct PixelBox {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  bool operator==(const PixelBox&) const = default;
-};
+using image::Image;
+using image::PixelBox;
+using image::Rgb;
 
 /// Where a picture has its parts. Those that it has not are of width 0.
 struct PictureParts {
   PixelBox view;
   PixelBox legend = {};
   PixelBox scale_bar = {};  ///< in the box of the legend
-};
-
-/// Pixels by rows from the top left, `width * height` of them.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<Rgb> pixels;
-
-  Image() = default;
-  Image(int image_width, int image_height, Rgb fill)
-      : width(image_width),
-        height(image_height),
-        pixels(static_cast<std::size_t>(image_width) * static_cast<std::size_t>(image_height),
-               fill) {}
-
-  Rgb& at(int x, int y) {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
-  }
-  Rgb at(int x, int y) const { return const_cast<Image&>(*this).at(x, y); }
-  bool operator==(const Image&) const = default;
 };
 
 }  // namespace clca::render

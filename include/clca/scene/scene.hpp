@@ -14,6 +14,7 @@
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/lattice/circle.hpp"
+#include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/output.hpp"
@@ -81,8 +82,8 @@ struct Units {
   bool operator==(const Units&) const = default;
 };
 
-using WallPart =
-    std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring, lattice::Arc>;
+using WallPart = std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring,
+                              lattice::Arc, lattice::Picture>;
 
 /// One body. Without motion each part has a site in the box; see check_walls for moving walls.
 struct Wall {
@@ -206,11 +207,26 @@ struct Stage {
 /// Whether the vessel rotates or is shaken in the stage, and so has cycles.
 bool vessel_has_cycles(const Stage& stage);
 
+/// The state of another run that a run begins with.
+struct Begin {
+  std::string run;                     ///< its folder, as an absolute path
+  std::optional<std::uint64_t> step;   ///< of its trajectory; none: its end
+  std::optional<std::uint64_t> state;  ///< hash; another state is refused
+  std::uint64_t particles = 0;         ///< in that state; 0 until run::find_begin()
+  FileReference location;
+
+  bool operator==(const Begin& other) const {
+    return run == other.run && step == other.step && state == other.state;
+  }
+};
+
 struct Scene {
-  FileReference name;  ///< of the file, without folder and ending
-  std::string title;   ///< the name where the file gives none
+  FileReference name;    ///< of the file, without folder and ending
+  FileReference folder;  ///< of the file; relative paths in the scene begin there
+  std::string title;     ///< the name where the file gives none
   std::uint64_t seed = 1;
   Model model = Model::automaton;
+  std::optional<Begin> begin;  ///< none: an empty box
   Box box;
   std::vector<Species> species;  ///< in the order of the file, as all lists here
   automaton::Rules rules;        ///< of Model::automaton

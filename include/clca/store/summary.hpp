@@ -30,6 +30,13 @@ struct StageSummary {
   std::vector<NamedMeasure> measures;
 };
 
+/// The state of another run that a run began with.
+struct BeginSummary {
+  std::string run;                    ///< its folder
+  std::optional<std::uint64_t> step;  ///< of its trajectory; none: its end
+  std::uint64_t state_hash = 0;
+};
+
 struct RunSummary {
   std::string kind = "automaton";  ///< or contact, boltzmann
   std::string version;
@@ -40,6 +47,7 @@ struct RunSummary {
   std::string status;  ///< running, done, interrupted or failed
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
+  std::optional<BeginSummary> begin = {};
   std::optional<scene::Conversion> units = {};  ///< of the contact model
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton

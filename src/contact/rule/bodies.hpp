@@ -7,6 +7,7 @@
 
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/state.hpp"
+#include "contact/internal/mass_unit.hpp"
 #include "contact/rule/numbers.hpp"
 
 namespace clca::contact {
@@ -26,10 +27,6 @@ struct Coefficients {
   Int other_turning;
 };
 using Pair = Coefficients<std::int32_t>;
-
-/// Unit of mass in sites: 1 if no grain has more than 16 sites, else a power of two, so that
-/// impulses of large grains stay in range.
-double mass_unit(const std::vector<grains::Kind>& kinds);
 
 class Bodies {
  public:

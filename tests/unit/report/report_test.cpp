@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
@@ -80,8 +80,8 @@ stages:
                static_cast<std::streamsize>(bytes.size()));
   }
   static std::vector<std::uint8_t> picture() {
-    const render::Image image(40, 30, {200, 100, 50});
-    return render::encode_png(image, {});
+    const image::Image image(40, 30, {200, 100, 50});
+    return image::encode_png(image, {});
   }
   fs::path run() const { return folder_.path(); }
   /// Writes run.json and the page and reads that.

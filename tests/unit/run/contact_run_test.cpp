@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
@@ -368,7 +368,7 @@ TEST_F(ContactRunTest, PicturesAndProgressSayTheTime) {
   const auto summary = run(small({"units={spacing: 1 mm}"}), {.folder = path()}, events);
   EXPECT_EQ(last, summary.units->time_text(600));
   EXPECT_THAT(last, EndsWith(" s"));
-  const auto text = render::decode_png(testing::bytes_of(path() / "frames/small-000600.png")).text;
+  const auto text = image::decode_png(testing::bytes_of(path() / "frames/small-000600.png")).text;
   EXPECT_EQ(text.at("Time"), last);
   EXPECT_EQ(text.at("Step"), "600");
 }

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
@@ -179,7 +179,7 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   const fs::path sheet = folder_.path() / "sheet.png";
   Redraw redraw(scene, {.run = folder_.path() / "run", .sheet = sheet, .columns = 4});
   EXPECT_GT(redraw.draw(), 24U);
-  const render::DecodedPng png = render::decode_png(testing::bytes_of(sheet));
+  const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
   EXPECT_EQ(png.text.at("Title"), "Drained");
   EXPECT_GT(png.image.width, 4 * 480);
   EXPECT_GT(png.image.height, 6 * 384);
@@ -201,7 +201,7 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   EXPECT_GT(drawn, 0U);
   EXPECT_LT(drawn, redraw.pictures());
   EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
-  render::decode_png(testing::bytes_of(folder_.path() / "sheet.png"));
+  image::decode_png(testing::bytes_of(folder_.path() / "sheet.png"));
 
   stop = 2;
   EXPECT_EQ(

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -123,7 +123,7 @@ TEST(Run, PicturesSayWhereTheyComeFrom) {
   const testing::ScratchFolder folder;
   run(small_scene(), {.folder = folder.path()});
   const fs::path first = folder.path() / "frames" / "small-000000.png";
-  const auto png = render::decode_png(testing::bytes_of(first));
+  const auto png = image::decode_png(testing::bytes_of(first));
   EXPECT_EQ(png.image.width, 160);
   EXPECT_EQ(png.text.at("Scene"), "small");
   EXPECT_EQ(png.text.at("Seed"), "5");

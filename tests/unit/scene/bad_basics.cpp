@@ -77,17 +77,28 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:3:7: error: seed: expected a whole number from 0 to 18446744073709551615, "
      "found '010'",
      Judge::parser},
+    {"a beginning without a run", "begin: {step: last}",
+     "scene.yaml:13:8: error: begin: key 'run' is missing"},
+    {"a beginning at no step", "begin: {run: a, step: first}",
+     "scene.yaml:13:23: error: begin.step: expected last or a whole number from 0 to "
+     "1000000000000, found 'first'"},
+    {"a beginning in a folder without a name", "begin: {run: \"\"}",
+     "scene.yaml:13:14: error: begin.run: expected a path of up to 4096 bytes of UTF-8, found ''"},
+    {"a beginning with half a hash", "begin: {run: a, state: \"12ab\"}",
+     "scene.yaml:13:24: error: begin.state: expected 16 hexadecimal digits, found '12ab' in "
+     "quotes"},
     {"a misspelt key at the top", "sede: 1",
-     "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, box, "
+     "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, begin, "
+     "box, "
      "species, rules, contact, units, walls, sources, outlets, stages, measure, output); did you "
      "mean "
      "'seed'?"},
     {"a key of another kind of scene", "boltzmann: {particles: 10}",
      "scene.yaml:13:1: error: 'boltzmann' does not go with 'box': a scene of the Boltzmann "
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
-     "let, "
-     "title, "
-     "seed, model, box, species, rules, contact, units, walls, sources, outlets, stages, measure, "
+     "let, title, "
+     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, stages, "
+     "measure, "
      "output"},
     {"a misspelt key", "box: {wdith: 100, height: 50}",
      "scene.yaml:4:7: error: unknown key 'wdith' in box (allowed: width, height, periodic); "

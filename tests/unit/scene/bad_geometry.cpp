@@ -26,10 +26,10 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a wall in two ways",
      "walls: {right: {box: [50, 0, 51, 50], line: {from: [0, 0], to: [1, 1]}}}",
      "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, disc, ring, arc, "
-     "parts, found box and line"},
+     "picture, parts, found box and line"},
     {"a wall in no way", "walls: {right: {}}",
      "scene.yaml:7:16: error: walls.right: expected exactly one of box, line, disc, ring, arc, "
-     "parts, found none"},
+     "picture, parts, found none"},
     {"a line without an end", "walls: {slope: {line: {from: [0, 0]}}}",
      "scene.yaml:7:23: error: walls.slope.line: key 'to' is missing"},
     {"a line that is a point", "walls: {slope: {line: {from: [5, 5], to: [5, 5]}}}",
@@ -66,6 +66,28 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a ring around the box", "walls: {drum: {ring: {centre: [50, 25], radius: 80}}}",
      "scene.yaml:7:22: error: walls.drum.ring: no site of the box, 100 wide and 50 high, lies on "
      "it",
+     Judge::parser},
+    {"a picture without pixels", "walls: {maze: {picture: {box: [0, 0, 9, 9]}}}",
+     "scene.yaml:7:25: error: walls.maze.picture: expected exactly one of file, rows, found none"},
+    {"a picture in two ways",
+     "walls: {maze: {picture: {file: a.png, rows: [\"#\"], box: [0, 0, 9, 9]}}}",
+     "scene.yaml:7:25: error: walls.maze.picture: expected exactly one of file, rows, found file "
+     "and rows"},
+    {"a picture of no rows", "walls: {maze: {picture: {rows: [], box: [0, 0, 9, 9]}}}",
+     "scene.yaml:7:32: error: walls.maze.picture.rows: expected 1 to 1000000 items, found 0"},
+    {"a picture of other characters",
+     "walls: {maze: {picture: {rows: [\"#x\"], box: [0, 0, 9, 9]}}}",
+     "scene.yaml:7:33: error: walls.maze.picture.rows: expected rows of one length of the "
+     "characters # and ., found '#x' in quotes"},
+    {"a picture with a ragged edge",
+     "walls: {maze: {picture: {rows: [\"#.\", \"#\"], box: [0, 0, 9, 9]}}}",
+     "scene.yaml:7:39: error: walls.maze.picture.rows: expected rows of one length of the "
+     "characters # and ., found '#' in quotes",
+     Judge::parser},
+    {"a picture without a dark pixel in the box",
+     "walls: {maze: {picture: {rows: [\"#.\"], box: [-20, 0, 20, 9]}}}",
+     "scene.yaml:7:25: error: walls.maze.picture: no site of the box, 100 wide and 50 high, lies "
+     "on it",
      Judge::parser},
     {"an arc without an end", "walls: {bowl: {arc: {centre: [50, 25], radius: 20, from: 180}}}",
      "scene.yaml:7:21: error: walls.bowl.arc: key 'to' is missing"},

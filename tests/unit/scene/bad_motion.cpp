@@ -14,19 +14,19 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a wall of parts and a box",
      "walls: {tray: {box: [0, 0, 9, 9], parts: [{box: [0, 0, 9, 9]}]}}",
      "scene.yaml:7:15: error: walls.tray: expected exactly one of box, line, disc, ring, arc, "
-     "parts, found box and parts"},
+     "picture, parts, found box and parts"},
     {"a part in two ways",
      "walls: {tray: {parts: [{box: [0, 0, 9, 9]}, {box: [0, 0, 9, 9], line: {from: [0, 0], to: [9, "
      "9]}}]}}",
      "scene.yaml:7:45: error: walls.tray.parts.1: expected exactly one of box, line, disc, ring, "
      "arc, "
-     "found box and line"},
+     "picture, found box and line"},
     {"a part that is a rectangle", "walls: {tray: {parts: [[0, 0, 9, 9]]}}",
      "scene.yaml:7:24: error: walls.tray.parts.0: expected a map, found a list"},
     {"a motion of a part",
      "walls: {tray: {parts: [{box: [0, 0, 9, 9], motion: {shake: {amplitude: 1}}}]}}",
      "scene.yaml:7:44: error: unknown key 'motion' in walls.tray.parts.0 (allowed: box, line, "
-     "disc, ring, arc)"},
+     "disc, ring, arc, picture)"},
     {"a part outside the box",
      "walls: {tray: {parts: [{box: [0, 0, 9, 9]}, {box: [0, 60, 9, 69]}]}}",
      "scene.yaml:7:51: error: walls.tray.parts.1.box: no site of the box, 100 wide and 50 high, "

@@ -136,7 +136,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"no particles",
      "sources: {}\n"
      "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 0}}}]",
-     "scene.yaml:10:9: error: stages: no particles; give a stage a fill or a source",
+     "scene.yaml:10:9: error: stages: no particles; give a stage a fill or a source, "
+     "or begin with another run",
      Judge::parser},
 });
 

@@ -43,7 +43,8 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "unknown key 'inertai' in rules (allowed: inertia, scatter, candidates, gravity, "
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
-     "unknown key 'rule' (allowed: clca, let, title, seed, model, box, species, rules, contact, "
+     "unknown key 'rule' (allowed: clca, let, title, seed, model, begin, box, species, rules, "
+     "contact, "
      "units, "
      "walls, "
      "sources, outlets, stages, measure, output); did you mean 'rules'?"},

@@ -27,7 +27,7 @@ constexpr std::string_view kEverything =
     " ties: direction}\n"
     "walls: {left: {line: {from: [0.1, 0], to: [30, 5], thickness: 0}}, right: {box: [1, 1, 9, 9]},"
     " rock: {disc: {centre: [40.1, 3], radius: 0.7}}, drum: {ring: {centre: [70, 25], radius: "
-    "9.3}},"
+    "9.3}}, maze: {picture: {rows: [\"#.#\", \"..#\"], box: [5, 5, 30, 25.5]}},"
     " bowl: {parts: [{arc: {centre: [70, 25], radius: 2.5, thickness: 1.1, from: -90.5, to: 33}}]}}"
     "\n"
     "sources: {spout: {region: [1, 1, 9, 9], species: {-rod: 7}, rate: 1e-6},"
@@ -37,6 +37,7 @@ constexpr std::string_view kEverything =
     "  - {name: 2, sources: [spout, rain], remove: [right], until: {discharged: 0.3}}\n"
     "  - {name: \"-3\", until: {steps: 9}}\n"
     "measure: []\n"
+    "begin: {run: /a/\"b\" c, step: 12, state: \"00e4000000000a1f\"}\n"
     "output: {frames: {view: [-1, -2, 3.5, 4], drawing: lookup, caption: false}, trajectory: "
     "{every: 3}}\n";
 

@@ -117,9 +117,9 @@ std::string schema_errors(std::string_view text) {
   return errors;
 }
 
-std::string parser_error(const std::string& text) {
+std::string parser_error(const std::string& text, const std::string& file = "scene.yaml") {
   try {
-    parse_any(text, "scene.yaml");
+    parse_any(text, file);
     return "";
   } catch (const SceneError& error) {
     return error.what();
@@ -138,7 +138,7 @@ TEST(Schema, AcceptsEverySceneInTheTreeAsTheParserDoes) {
     if (entry.path().extension() == ".yaml") {
       const std::string text = text_of(entry.path());
       EXPECT_EQ(schema_errors(text), "") << entry.path();
-      EXPECT_EQ(parser_error(text), "") << entry.path();
+      EXPECT_EQ(parser_error(text, entry.path()), "") << entry.path();
       EXPECT_EQ(schema_errors(resolved(parse_any_file(entry.path()))), "") << entry.path();
       ++count;
     }

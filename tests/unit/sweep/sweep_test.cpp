@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
@@ -131,6 +131,29 @@ TEST_F(SweepTest, AnotherSweepInTheFolderTakesTheRunsThatAreTheSameAndLeavesTheR
   EXPECT_TRUE(fs::exists(at("out/runs/rules.inertia=0,seed=1/run.json")));
 }
 
+TEST_F(SweepTest, RunsBeginWithOnePackingAndAreDoneAnewForAnother) {
+  const auto pack = [&](const std::string& seed) {
+    run::run(scene::parse_file(file(), {"seed=" + seed,
+                                        "stages=[{name: packing, fill: {region: "
+                                        "[0, 0, 20, 40], counts: {small: 12}}}]"}),
+             {.folder = at("packing")});
+  };
+  const auto gates = [&] {
+    return plan({.scene = file(),
+                 .overrides = {"begin={run: packing}", "stages=[{name: flow, remove: [gate]}]"},
+                 .variations = {parse_variation("rules.inertia=0,0.9")},
+                 .seeds = {1, 2}});
+  };
+  pack("1");
+  EXPECT_EQ(run(gates(), "out").done, 4U);
+  const auto json = nlohmann::json::parse(text("out/runs/rules.inertia=0,seed=2/run.json"));
+  EXPECT_EQ(json["begin"]["run"], at("packing").string());
+  EXPECT_EQ(json["particles"], 12);
+  EXPECT_EQ(run(gates(), "out").reused, 4U);
+  pack("2");
+  EXPECT_EQ(run(gates(), "out").reused, 0U);
+}
+
 TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
   const Progress totals = run(plan_of("stages.packing.fill.counts.small=136,12"), "out");
   EXPECT_EQ(totals.failed, 3U);
@@ -139,7 +162,7 @@ TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
               AllOf(SizeIs(3), Contains(AllOf(HasSubstr("counts.small=136,seed=5 failed"),
                                               HasSubstr("of 136 small fitted")))));
   EXPECT_THAT(text("out/runs.csv"), HasSubstr("136,1,failed,"));
-  const auto overview = render::decode_png(testing::bytes_of(at("out/overview.png"))).image;
+  const auto overview = image::decode_png(testing::bytes_of(at("out/overview.png"))).image;
   EXPECT_GT(overview.width, 0);
 }
 

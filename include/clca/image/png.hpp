@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "clca/render/image.hpp"
+#include "clca/image/image.hpp"
 
-namespace clca::render {
+namespace clca::image {
 
 /// Keyword to text (UTF-8), as in the PNG specification.
 using PngText = std::map<std::string, std::string>;
@@ -30,4 +30,4 @@ struct DecodedPng {
 /// PNGs and pictures of more than `max_pixels`.
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels = 1U << 28U);
 
-}  // namespace clca::render
+}  // namespace clca::image

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 #include "clca/text/utf8.hpp"
-#include "render/png_error.hpp"
+#include "image/png_error.hpp"
 
-namespace clca::render {
+namespace clca::image {
 
 namespace {
 
@@ -187,4 +187,4 @@ DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixel
   return {on_white(reader.png, reader.info, job.rgba), text_of(reader.png, reader.info)};
 }
 
-}  // namespace clca::render
+}  // namespace clca::image

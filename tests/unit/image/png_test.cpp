@@ -1,4 +1,4 @@
-#include "clca/render/png.hpp"
+#include "clca/image/png.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace clca::render {
+namespace clca::image {
 namespace {
 
 using testing::HasSubstr;
@@ -139,4 +139,4 @@ TEST(Png, SaysWhatIsNoPng) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::image

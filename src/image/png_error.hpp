@@ -7,7 +7,7 @@
 #include <csetjmp>
 #include <string>
 
-namespace clca::render {
+namespace clca::image {
 
 struct PngError {
   std::array<char, 200> reason = {};
@@ -30,4 +30,4 @@ struct PngError {
 
 inline void ignore(png_structp, png_const_charp) {}
 
-}  // namespace clca::render
+}  // namespace clca::image

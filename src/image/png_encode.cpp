@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "clca/render/png.hpp"
-#include "render/png_error.hpp"
+#include "clca/image/png.hpp"
+#include "image/png_error.hpp"
 
-namespace clca::render {
+namespace clca::image {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   return std::move(job.bytes);
 }
 
-}  // namespace clca::render
+}  // namespace clca::image

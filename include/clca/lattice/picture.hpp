@@ -1,0 +1,35 @@
+#pragma once
+// A picture in black and white as a set of sites.
+
+#include <string>
+#include <vector>
+
+#include "clca/lattice/region.hpp"
+
+namespace clca::lattice {
+
+/// Pixels of equal size that cover a rectangle.
+struct Picture {
+  Rectangle box;
+  /// From the top, all of one length, at least one character long; kDark where the pixel is dark.
+  std::vector<std::string> rows;
+
+  static constexpr char kDark = '#';
+  static constexpr char kLight = '.';
+
+  bool operator==(const Picture&) const = default;
+};
+
+/// The sites of the region in the box that lie on a dark pixel, column by column from the left,
+/// upwards. Throws as check(Rectangle), and std::invalid_argument if there are no pixels.
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& picture);
+
+/// Whether sites_in() is empty.
+bool holds_no_site(const Lattice& lattice, const Picture& picture);
+
+/// A rectangle that contains all the sites.
+inline Rectangle around(const Picture& picture) {
+  return picture.box;
+}
+
+}  // namespace clca::lattice

@@ -1,0 +1,325 @@
+#include "run/other_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "clca/process/program.hpp"
+#include "clca/run/run.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/scene/contact.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
+#include "contact/internal/mass_unit.hpp"
+
+namespace clca::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OtherRun {
+  scene::Scene scene;
+  ModelState state;
+};
+
+[[noreturn]] void refuse(const scene::Begin& begin, const std::string& reason) {
+  throw scene::SceneError(fmt::format("{}: error: begin: {}", begin.location, reason));
+}
+
+OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double max_bytes) {
+  if (summary.status != "done") {
+    throw store::StoreError(fmt::format("the run in {} is not done but {}; clca resume goes on",
+                                        folder.string(), summary.status));
+  }
+  const auto found = store::read_checkpoint(folder, max_bytes);
+  if (!found || found->checkpoint.is_start()) {
+    throw store::StoreError(
+        fmt::format("the run in {} has kept no checkpoint of its end (output.checkpoint: none); "
+                    "name a step of its trajectory",
+                    folder.string()));
+  }
+  scene::Scene scene = scene::parse(found->checkpoint.scene, (folder / store::kSceneFile).string());
+  ModelState state = saved_state(scene, found->checkpoint.fields, max_bytes);
+  if (hash(state) != summary.state_hash) {
+    throw store::StoreError(
+        fmt::format("the checkpoint in {} is not of the end of the run", folder.string()));
+  }
+  return {std::move(scene), std::move(state)};
+}
+
+/// The first frame of the step: before what the next stage begins with.
+OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std::uint64_t step,
+                  double max_bytes) {
+  scene::Scene scene = scene::parse_file(folder / store::kSceneFile);
+  scene.name = summary.scene;
+  const store::Trajectory trajectory(folder, scene, initial_state(scene), max_bytes);
+  const auto& frames = trajectory.frames();
+  const auto frame =
+      std::find_if(frames.begin(), frames.end(),
+                   [step](const store::Trajectory::Frame& one) { return one.step == step; });
+  if (frame == frames.end()) {
+    throw store::StoreError(
+        fmt::format("the trajectory in {} has no frame of step {}", folder.string(), step));
+  }
+  ModelState state = trajectory.state(static_cast<std::size_t>(frame - frames.begin()));
+  return {std::move(scene), std::move(state)};
+}
+
+OtherRun read_run(const scene::Begin& begin, double max_bytes) {
+  const fs::path folder = begin.run;
+  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  return begin.step ? frame_of(folder, summary, *begin.step, max_bytes)
+                    : end_of(folder, summary, max_bytes);
+}
+
+OtherRun other_run(const scene::Begin& begin, double max_bytes) {
+  try {
+    OtherRun run = read_run(begin, max_bytes);
+    const std::uint64_t found = hash(run.state);
+    if (begin.state && *begin.state != found) {
+      throw store::StoreError(fmt::format("{} has another state by now: {:016x}, not {:016x}",
+                                          begin.run, found, *begin.state));
+    }
+    if (grains::present_count(grains_of(run.state)) == 0) {
+      throw store::StoreError(fmt::format("no particles are left in {}", begin.run));
+    }
+    return run;
+  } catch (const process::StoppedError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    refuse(begin, error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(begin, fmt::format("cannot read the state in {}: {}", begin.run, error.what()));
+  }
+}
+
+/// A kind of the other run as one of this run, and where its reference site is from there.
+struct SameKind {
+  std::uint16_t kind = 0;
+  lattice::Axial shift = {};
+};
+
+SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& kinds,
+                   const scene::Species& species, const lattice::Shape& shape) {
+  const auto known =
+      std::find_if(scene.species.begin(), scene.species.end(),
+                   [&](const scene::Species& one) { return one.name == species.name; });
+  if (known == scene.species.end()) {
+    refuse(*scene.begin, fmt::format("{} has particles of a species '{}', the scene has none",
+                                     scene.begin->run, species.name));
+  }
+  const auto number = known - scene.species.begin();
+  const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const grains::Kind& kind) {
+    return kind.species == number && kind.shape.congruent(shape);
+  });
+  if (same == kinds.end()) {
+    refuse(*scene.begin,
+           fmt::format("particles of species '{}' in {} have a shape or an orientation that those "
+                       "of the scene have not",
+                       species.name, scene.begin->run));
+  }
+  return {static_cast<std::uint16_t>(same - kinds.begin()),
+          shape.sites().front() - same->shape.sites().front()};
+}
+
+class FreeSites {
+ public:
+  explicit FreeSites(const grains::State& state)
+      : lattice_(state.lattice), taken_(state.lattice.memory_size(), false) {
+    for (const grains::Wall& wall : state.walls) {
+      if (wall.present) {
+        for (const lattice::Site site : grains::sites_now(lattice_, wall)) {
+          taken_[lattice_.index(site)] = true;
+        }
+      }
+    }
+  }
+
+  /// Whether the shape finds its sites free; they are taken then.
+  bool take(const lattice::Shape& shape, lattice::Site at) {
+    const auto& sites = shape.sites();
+    if (!std::all_of(sites.begin(), sites.end(), [&](lattice::Axial part) {
+          return lattice_.contains(at + part) && !taken_[lattice_.index(at + part)];
+        })) {
+      return false;
+    }
+    for (const lattice::Axial part : sites) {
+      taken_[lattice_.index(at + part)] = true;
+    }
+    return true;
+  }
+
+ private:
+  const lattice::Lattice& lattice_;
+  std::vector<bool> taken_;
+};
+
+std::vector<std::size_t> present_ids(const grains::State& state) {
+  std::vector<std::size_t> ids;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
+void take_grains(const scene::Scene& scene, const OtherRun& other,
+                 const std::vector<std::size_t>& ids, grains::State& state) {
+  const grains::State& there = grains_of(other.state);
+  std::vector<std::optional<SameKind>> kinds(there.kinds.size());
+  FreeSites free(state);
+  std::size_t without_room = 0;
+  Eigen::Vector2d first;
+  for (const std::size_t id : ids) {
+    grains::Particle particle = there.particles[id];
+    auto& same = kinds[particle.kind];
+    if (!same) {
+      const grains::Kind& kind = there.kinds[particle.kind];
+      same = same_kind(scene, state.kinds, other.scene.species[kind.species], kind.shape);
+    }
+    const lattice::Site site =
+        lattice::Site{there.lattice.wrapped(particle.column), particle.row} + same->shift;
+    particle.column = site.column;
+    particle.row = site.row;
+    particle.kind = same->kind;
+    if (scene.model != other.scene.model) {
+      particle.previous = grains::kRest;
+    }
+    if (!free.take(state.shape(particle), site)) {
+      first = without_room++ == 0 ? grains::centre(state, particle) : first;
+    }
+    state.particles.push_back(particle);
+    state.origins.push_back(site);
+  }
+  if (without_room > 0) {
+    refuse(*scene.begin,
+           fmt::format("{} of the {} particles in {} lie outside the box, on a wall or on another "
+                       "particle, the first at [{:.2f}, {:.2f}]",
+                       without_room, ids.size(), scene.begin->run, first.x(), first.y()));
+  }
+}
+
+/// Contacts of the other run as those of this one, where the same bodies touch.
+class ContactTransfer {
+ public:
+  ContactTransfer(const grains::State& there, const std::vector<std::size_t>& ids,
+                  const grains::State& here)
+      : there_(there),
+        here_(here),
+        sites_there_(there),
+        sites_here_(here),
+        grains_(there.particles.size(), grains::kFree) {
+    for (std::size_t id = 0; id < ids.size(); ++id) {
+      grains_[ids[id]] = static_cast<grains::Owner>(id);
+    }
+  }
+
+  /// Its bodies here; none if one is missing. The model drops contacts of bodies that do not touch.
+  std::optional<contact::Contact> contact(contact::Contact one) const {
+    const grains::Owner upper = grains_[one.upper];
+    if (upper == grains::kFree) {
+      return std::nullopt;
+    }
+    one.upper = static_cast<std::uint32_t>(upper);
+    if (grains::is_particle(one.other)) {
+      one.other = grains_[static_cast<std::size_t>(one.other)];
+    } else if (one.other > contact::kRightSide) {
+      one.other = wall_in_place_of(one.other, here_.particles[one.upper]);
+    }
+    return one.other == grains::kFree ? std::nullopt : std::optional(one);
+  }
+
+ private:
+  /// The wall that the particle touches here where it touches `wall` there.
+  grains::Owner wall_in_place_of(grains::Owner wall, const grains::Particle& particle) const {
+    for (const lattice::Direction direction : lattice::kDirections) {
+      for (const lattice::Axial side : here_.shape(particle).lead(direction)) {
+        const lattice::Site site = particle.site() + side;
+        const grains::Owner here = sites_here_.owner(here_.lattice.index(site));
+        if (sites_there_.owner(there_.lattice.index(site)) == wall && grains::is_wall(here) &&
+            here != grains::kBorder) {
+          return here;
+        }
+      }
+    }
+    return grains::kFree;
+  }
+
+  const grains::State& there_;
+  const grains::State& here_;
+  grains::Occupancy sites_there_;
+  grains::Occupancy sites_here_;
+  std::vector<grains::Owner> grains_;  // by id there: the id here, or kFree
+};
+
+/// `factor` times an integer of at most `most`.
+std::int32_t scaled(double factor, std::int32_t value, double most) {
+  return static_cast<std::int32_t>(std::llround(std::clamp(factor * value, -most, most)));
+}
+
+/// A time step of another length changes velocities, in spacings a step, and impulses.
+void take_motion(const scene::Scene& scene, const OtherRun& other,
+                 const std::vector<std::size_t>& ids, contact::State& state) {
+  state.velocities.resize(ids.size());
+  state.remainders.resize(ids.size());
+  const auto* there = std::get_if<contact::State>(&other.state);
+  if (there == nullptr) {
+    return;
+  }
+  const double gravity = contact::gravity(scene::contact_parameters(scene)) /
+                         contact::gravity(scene::contact_parameters(other.scene));
+  const double force =
+      gravity * contact::mass_unit(there->grains.kinds) / contact::mass_unit(state.grains.kinds);
+  const auto velocity = [longer = std::sqrt(gravity)](std::int32_t value) {
+    return scaled(longer, value, contact::kMaxVelocity);
+  };
+  const auto impulse = [force](std::int32_t value) {
+    return scaled(force, value, contact::kMaxImpulse);
+  };
+  for (std::size_t id = 0; id < ids.size(); ++id) {
+    const auto& one = there->velocities[ids[id]];
+    state.velocities[id] = {velocity(one.x), velocity(one.y), velocity(one.spin)};
+    state.remainders[id] = there->remainders[ids[id]];
+  }
+  const ContactTransfer transfer(there->grains, ids, state.grains);
+  std::set<std::pair<std::uint32_t, grains::Owner>> known;
+  for (const auto* contacts : {&there->contacts, &there->sleep.contacts}) {
+    for (const contact::Contact& one : *contacts) {
+      auto taken = transfer.contact(one);
+      if (taken && known.emplace(taken->upper, taken->other).second) {
+        auto& [normal, shear, rolling] = taken->impulse;
+        taken->impulse = {impulse(normal), impulse(shear), impulse(rolling)};
+        state.contacts.push_back(*taken);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void take_particles(const scene::Scene& scene, ModelState& state) {
+  const OtherRun other = other_run(*scene.begin, std::numeric_limits<double>::infinity());
+  const std::vector<std::size_t> ids = present_ids(grains_of(other.state));
+  take_grains(scene, other, ids, grains_of(state));
+  if (auto* contact = std::get_if<contact::State>(&state)) {
+    take_motion(scene, other, ids, *contact);
+  }
+}
+
+void find_begin(scene::Scene& scene, double max_bytes) {
+  if (!scene.begin || scene.begin->particles > 0) {
+    return;
+  }
+  const OtherRun other = other_run(*scene.begin, max_bytes);
+  scene.begin->state = hash(other.state);
+  scene.begin->particles = grains::present_count(grains_of(other.state));
+}
+
+}  // namespace clca::run

@@ -1,0 +1,57 @@
+// The state of another run that a run begins with.
+
+#include <charconv>
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr std::size_t kHashDigits = 16;
+
+std::uint64_t read_hash(const Value& value, const std::string& path, const Scene& /*scene*/) {
+  constexpr int kHexadecimal = 16;
+  const std::string& digits = read_text(value, path);
+  const char* end = digits.data() + digits.size();
+  std::uint64_t hash = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, hash, kHexadecimal);
+  if (digits.size() != kHashDigits || stop != end || error != std::errc()) {
+    fail(value.location, fmt::format("{}: expected {} hexadecimal digits, found {}", path,
+                                     kHashDigits, found(value)));
+  }
+  return hash;
+}
+
+Type<std::uint64_t> hash_type() {
+  return {.allowed = fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
+          .schema =
+              [] {
+                return Json{{"type", "string"}, {"pattern", "^[0-9A-Fa-f]{16}$"}};
+              },
+          .read = read_hash,
+          .text = [](std::uint64_t hash,
+                     const Scene& /*scene*/) { return quoted_text(fmt::format("{:016x}", hash)); }};
+}
+
+}  // namespace
+
+Type<Begin> begin_type() {
+  return type_of<Begin>(
+      {.keys = {required("run", &Begin::run, file_path_type(),
+                         "folder of the run; a relative one begins at the folder of the scene"),
+                key("step", &Begin::step,
+                    word_or("last", count(0, kMaxSteps),
+                            fmt::format("a whole number from 0 to {}", kMaxSteps)),
+                    "its end, or a step of its trajectory"),
+                key("state", &Begin::state, hash_type(),
+                    "hash of the state there: another one is refused. Runs note it in their "
+                    "`scene.yaml`")
+                    .defaults_to("any state")},
+       .check = [](const KeyedMap& fields, Begin& begin, const Scene& /*scene*/) {
+         begin.location = FileReference(to_string(fields.location()));
+       }});
+}
+
+}  // namespace clca::scene

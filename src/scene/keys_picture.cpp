@@ -1,0 +1,116 @@
+// A wall from a picture: from a PNG file, or row by row.
+
+#include <algorithm>
+
+#include "clca/image/png.hpp"
+#include "clca/text/message.hpp"
+#include "clca/text/read.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+using lattice::Picture;
+using Rows = std::vector<std::string>;
+
+/// Darker than the grey in the middle; by the luma of Rec. 601.
+bool is_dark(image::Rgb pixel) {
+  constexpr int kMiddle = 128;
+  return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
+}
+
+Rows rows_of(const image::Image& picture) {
+  Rows rows;
+  for (int y = 0; y < picture.height; ++y) {
+    std::string& row = rows.emplace_back();
+    for (int x = 0; x < picture.width; ++x) {
+      row += is_dark(picture.at(x, y)) ? Picture::kDark : Picture::kLight;
+    }
+  }
+  return rows;
+}
+
+Rows read_png(const Value& value, const std::string& path, const Scene& scene) {
+  const std::string file = file_path_type().read(value, path, scene);
+  try {
+    return rows_of(
+        image::decode_png(text::read_file(file, kMaxPictureBytes), kMaxPicturePixels).image);
+  } catch (const std::runtime_error& error) {
+    fail(value.location, fmt::format("{}: cannot read {}: {}", path, text::printable(file),
+                                     text::printable(error.what())));
+  }
+}
+
+/// The key that stands for `rows`: a run folder has no other file.
+Key<Picture> file_key() {
+  auto key = described<Picture>(
+      "file", file_path_type(),
+      "a PNG of up to 1000000 pixels; a relative path begins at the folder of the scene");
+  key.otherwise = "this or `rows`";
+  key.read = [](const KeyedMap& fields, Picture& picture, const Scene& scene) {
+    constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
+    fields.only(kSources);
+    if (const Value* value = fields.find("file")) {
+      picture.rows = read_png(*value, fields.path("file"), scene);
+    }
+  };
+  key.text = [](const Picture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
+  return key;
+}
+
+Rows read_rows(const Value& value, const std::string& path, const Scene& /*scene*/) {
+  Rows rows;
+  std::size_t pixels = 0;
+  for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
+    const std::string& row = rows.emplace_back(read_text(item, path));
+    if (row.empty() || row.size() != rows.front().size() ||
+        row.find_first_not_of({Picture::kDark, Picture::kLight}) != std::string::npos) {
+      fail(item.location,
+           fmt::format("{}: expected rows of one length of the characters {} and {}, found {}",
+                       path, Picture::kDark, Picture::kLight, found(item)));
+    }
+    pixels += row.size();
+  }
+  if (pixels > kMaxPicturePixels) {
+    fail(value.location,
+         fmt::format("{}: expected at most {} pixels, found {}", path, kMaxPicturePixels, pixels));
+  }
+  return rows;
+}
+
+Type<Rows> rows_type() {
+  return {.allowed = "list of texts",
+          .schema =
+              [] {
+                return Json{{"type", "array"},
+                            {"items", {{"type", "string"}, {"pattern", "^[#.]+$"}}},
+                            {"minItems", 1}};
+              },
+          .read = read_rows,
+          .text =
+              [](const Rows& rows, const Scene& /*scene*/) {
+                Yaml list = Yaml::list({});
+                list.in_lines = true;
+                std::transform(rows.begin(), rows.end(), std::back_inserter(list.items),
+                               quoted_text);
+                return list;
+              }};
+}
+
+}  // namespace
+
+Type<Picture> picture_type() {
+  return type_of<Picture>(
+      {.keys = {file_key(),
+                key("rows", &Picture::rows, rows_type(),
+                    "the same as text, from the top: `#` for dark pixels, `.` for others", {})
+                    .defaults_to("this or `file`"),
+                required("box", &Picture::box, rectangle(), "what the picture covers")},
+       .conditions = [] {
+         return Json{{"oneOf", {{{"required", {"file"}}}, {{"required", {"rows"}}}}}};
+       }});
+}
+
+}  // namespace clca::scene
