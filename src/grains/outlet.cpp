@@ -6,19 +6,24 @@
 
 namespace clca::grains {
 
+std::size_t outlet_around(const State& state, const Particle& particle) {
+  const auto outlet =
+      std::find_if(state.outlets.begin(), state.outlets.end(),
+                   [&](const Outlet& one) { return lies_inside(state, particle, one.region); });
+  return static_cast<std::size_t>(outlet - state.outlets.begin());
+}
+
 bool count_at_outlet(State& state, std::uint32_t id) {
   const Particle& particle = state.particles[id];
   if (!particle.present) {
     return false;
   }
-  const auto outlet =
-      std::find_if(state.outlets.begin(), state.outlets.end(),
-                   [&](const Outlet& one) { return lies_inside(state, particle, one.region); });
-  if (outlet == state.outlets.end()) {
+  const std::size_t outlet = outlet_around(state, particle);
+  if (outlet == state.outlets.size()) {
     return false;
   }
-  ++outlet->particles;
-  outlet->sites += state.shape(particle).size();
+  ++state.outlets[outlet].particles;
+  state.outlets[outlet].sites += state.shape(particle).size();
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "grains/internal/outlet.hpp"
 #include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
@@ -16,11 +17,30 @@ Discharge discharge(const grains::State& state) {
   return total;
 }
 
-bool blocked(const grains::State& state, const grains::Occupancy& occupancy) {
+Discharge discharge(const grains::Outlet& outlet) {
+  return {.particles = outlet.particles, .sites = outlet.sites};
+}
+
+std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species) {
+  std::vector<std::uint64_t> counts(state.outlets.size() * species, 0);
+  for (const grains::Particle& particle : state.particles) {
+    if (!particle.present) {  // it keeps the place at which it was removed
+      const std::size_t outlet = grains::outlet_around(state, particle);
+      if (outlet == state.outlets.size()) {
+        throw std::invalid_argument("a particle that has left lies in no outlet");
+      }
+      ++counts[outlet * species + state.kinds[particle.kind].species];
+    }
+  }
+  return counts;
+}
+
+bool blocked(const grains::State& state, const grains::Occupancy& occupancy,
+             std::span<const grains::Outlet> outlets) {
   check_occupancy(state, occupancy);
   const lattice::Lattice& lattice = state.lattice;
   bool hanging = false;
-  for (const grains::Outlet& outlet : state.outlets) {
+  for (const grains::Outlet& outlet : outlets) {
     for (int column = 0; column < lattice.columns(); ++column) {
       lattice::Site site = {column, 0};
       if (lattice::position(site).x() < outlet.region.left ||
@@ -69,14 +89,13 @@ double Outflow::sites_per_step() const {
              : 0;
 }
 
-bool Outflow::precedes(const grains::State& now) const {
-  const Discharge total = discharge(now);
+bool Outflow::precedes(Discharge now) const {
   const bool in_order =
       std::adjacent_find(events_.begin(), events_.end(), [](const Event& one, const Event& next) {
         return one.step >= next.step || one.sites >= next.sites;
       }) == events_.end();
   const Event last = events_.empty() ? Event() : events_.back();
-  return in_order && last_.particles == total.particles && last_.sites == total.sites &&
+  return in_order && last_.particles == now.particles && last_.sites == now.sites &&
          begin_.particles <= last_.particles && begin_.sites <= last_.sites &&
          during_stage().particles <= during_stage().sites && last.step <= steps_ &&
          last.sites == during_stage().sites;

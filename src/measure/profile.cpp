@@ -7,6 +7,7 @@
 
 #include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
+#include "measure/wall_sites.hpp"
 
 namespace clca::measure {
 
@@ -15,7 +16,8 @@ namespace {
 constexpr double kFlankLow = 0.15;
 constexpr double kFlankHigh = 0.80;
 constexpr std::size_t kFlankColumns = 5;
-constexpr double kSiteTop = 1.0;  // from the floor at y = -1/2 to the top of a site at y: y + 1
+constexpr double kExplained = 0.5;  // of the variance of the heights, at least
+constexpr double kSiteTop = 1.0;    // from the floor at y = -1/2 to the top of a site at y: y + 1
 
 /// Lowest and highest row with a particle, per column.
 struct RowBounds {
@@ -34,23 +36,13 @@ std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
   return spans;
 }
 
-/// The sites of all walls, without duplicates.
-std::vector<lattice::Site> wall_sites(const grains::State& state) {
-  std::vector<lattice::Site> sites;
-  for (const grains::Wall& wall : state.walls) {
-    if (wall.present) {
-      const std::vector<lattice::Site> covered = grains::sites_now(state.lattice, wall);
-      sites.insert(sites.end(), covered.begin(), covered.end());
-    }
-  }
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-  return sites;
-}
+struct Flank {
+  std::optional<double> degrees;
+  bool uneven = false;
+};
 
-/// Angle in degrees of the least-squares line through the points; none if it does not fall.
-std::optional<double> falling_slope(const std::vector<double>& x,
-                                    const std::vector<double>& height) {
+/// The least-squares line through the points; none if it does not fall.
+Flank falling_slope(const std::vector<double>& x, const std::vector<double>& height) {
   const auto rows = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX2d design(rows, 2);
   design.col(0).setOnes();
@@ -58,14 +50,22 @@ std::optional<double> falling_slope(const std::vector<double>& x,
   const Eigen::Map<const Eigen::VectorXd> values(height.data(), rows);
   const Eigen::Vector2d line = design.colPivHouseholderQr().solve(values);
   const double angle = std::atan(-line[1]) * 180.0 / std::numbers::pi;
-  return angle > 0 ? std::optional(angle) : std::nullopt;
+  if (angle <= 0) {
+    return {};
+  }
+  const double residual = (values - design * line).squaredNorm();
+  const double variance = (values.array() - values.mean()).matrix().squaredNorm();
+  if (residual > (1 - kExplained) * variance) {
+    return {.degrees = {}, .uneven = true};
+  }
+  return {.degrees = angle};
 }
 
-/// Angle in degrees of the flank that falls towards the end of `profile`: a line through the
+/// The flank that falls towards the end of `profile`: a line through the
 /// columns beyond the middle of the top with heights between the bounds.
-std::optional<double> falling_flank(const std::vector<double>& profile) {
+Flank falling_flank(const std::vector<double>& profile) {
   if (profile.empty()) {
-    return std::nullopt;
+    return {};
   }
   const double highest = *std::max_element(profile.begin(), profile.end());
   const double high = kFlankHigh * highest;
@@ -87,7 +87,7 @@ std::optional<double> falling_flank(const std::vector<double>& profile) {
       height.push_back(profile[column]);
     }
   }
-  return x.size() >= kFlankColumns ? falling_slope(x, height) : std::nullopt;
+  return x.size() >= kFlankColumns ? falling_slope(x, height) : Flank();
 }
 
 }  // namespace
@@ -147,7 +147,12 @@ std::optional<double> ReposeAngle::mean() const {
 
 ReposeAngle repose_angle(const std::vector<double>& profile) {
   const std::vector<double> mirrored(profile.rbegin(), profile.rend());
-  return {.left = falling_flank(mirrored), .right = falling_flank(profile)};
+  const Flank left = falling_flank(mirrored);
+  const Flank right = falling_flank(profile);
+  return {.left = left.degrees,
+          .right = right.degrees,
+          .left_uneven = left.uneven,
+          .right_uneven = right.uneven};
 }
 
 std::optional<double> packing_fraction(const grains::State& state) {

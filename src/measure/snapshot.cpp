@@ -6,13 +6,23 @@
 
 namespace clca::measure {
 
-namespace {
-
 Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& point) {
   return {point.x() - lattice.size().x() * lattice.image(point.x()), point.y()};
 }
 
-}  // namespace
+std::vector<Displacement> displacements_in_step(const grains::State& state,
+                                                const std::vector<Eigen::Vector2d>& velocities) {
+  std::vector<Displacement> result;
+  for (std::size_t id = 0; id < velocities.size(); ++id) {
+    const grains::Particle& particle = state.particles[id];
+    if (particle.present) {
+      result.push_back({.from = in_box(state.lattice, grains::centre(state, particle)),
+                        .vector = velocities[id],
+                        .sites = static_cast<double>(state.shape(particle).size())});
+    }
+  }
+  return result;
+}
 
 Snapshot::Snapshot(const grains::State& state)
     : step_(state.step), centres_(state.particles.size()) {

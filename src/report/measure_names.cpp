@@ -39,6 +39,7 @@ constexpr auto kMeasureNames = std::to_array<MeasureName>({
      "steady part: while 20 % to 70 % of what left the box left"},
     {"outflow_sites_per_time", "Outflow over time", "sites/time", "the same"},
     {"discharged_share", "Share discharged", "", "of the particles, through outlets, in the stage"},
+    {"discharged", "Discharged", "particles", "through an outlet, in the stage"},
     {"clogged", "Clogged", "", "at rest, and nothing can fall out"},
     {"overlap_depth_max", "Deepest overlap", "moves",
      "moves that the deepest overlap would take back"},
@@ -109,8 +110,9 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
 }
 
 const MeasureName* find_measure_name(std::string_view key) {
+  const std::string_view measure = key.substr(0, key.find('.'));
   const auto* found = std::find_if(kMeasureNames.begin(), kMeasureNames.end(),
-                                   [&](const MeasureName& one) { return one.key == key; });
+                                   [&](const MeasureName& one) { return one.key == measure; });
   return found == kMeasureNames.end() ? nullptr : found;
 }
 
@@ -119,8 +121,10 @@ std::string measure_heading(const std::string& key) {
   if (known == nullptr) {
     return fmt::format(R"(<th scope="row">{}</th>)", escaped(key));
   }
+  const std::string of = key.substr(known->key.size());  // `.OUTLET`, or nothing
   return fmt::format(
-      R"(<th scope="row">{}{}</th>)", escaped(known->name),
+      R"(<th scope="row">{}{}{}</th>)", escaped(known->name),
+      of.empty() ? "" : fmt::format(" ({})", escaped(of.substr(1))),
       known->meaning.empty() ? "" : fmt::format("<small>{}</small>", escaped(known->meaning)));
 }
 

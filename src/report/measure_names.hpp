@@ -20,7 +20,7 @@ struct MeasureName {
 /// `sites/time`, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
-/// None if the name is unknown.
+/// Also of one outlet, NAME.OUTLET; none if the name is unknown.
 const MeasureName* find_measure_name(std::string_view key);
 
 /// The heading of a row of a table: name and meaning of a measure, as HTML.

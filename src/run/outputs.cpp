@@ -22,13 +22,19 @@ Outputs::Outputs(const scene::Scene& scene, const grains::State& state, const Ru
   if (scene.output.series) {
     series_.emplace(scene);
   }
+  if (!scene.probes.empty()) {
+    probes_.emplace(scene);
+  }
 }
 
 std::vector<std::string> Outputs::file_names() const {
-  std::vector<std::string> names = {
-      store::table_name("series"), store::table_name("cycles"),
-      store::table_name("fields"), "trajectory.h5",
-      "trajectory/part-000000.h5", store::frame_path("", scene_.name, 0).string()};
+  std::vector<std::string> names = {store::table_name("series"),
+                                    store::table_name("cycles"),
+                                    store::table_name("fields"),
+                                    store::table_name("probes"),
+                                    "trajectory.h5",
+                                    "trajectory/part-000000.h5",
+                                    store::frame_path("", scene_.name, 0).string()};
   for (const scene::Stage& stage : scene_.stages) {
     for (const char* kind : {"profile", "convection", "fluctuation", "contacts", "forces", "loads",
                              "walls", "stress"}) {
@@ -59,6 +65,8 @@ void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
       GrowingTable{{folder.files(), store::table_name("cycles"), history.cycles_bytes}});
   fields_file_.emplace(
       GrowingTable{{folder.files(), store::table_name("fields"), history.fields_bytes}});
+  probes_file_.emplace(
+      GrowingTable{{folder.files(), store::table_name("probes"), history.probes_bytes}});
   if (scene_.output.trajectory) {
     trajectory_.emplace(folder.files(), scene_, state, history.trajectory);
     trajectory_step_ = history.trajectory_step;
@@ -66,6 +74,9 @@ void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
   folder.remove_frames_after(history.pictures.last_step);
   if (series_) {
     series_->last_step() = history.series_step;
+  }
+  if (probes_) {
+    probes_->last() = history.probes;
   }
   if (pictures_) {
     pictures_->history() = history.pictures;
@@ -78,9 +89,13 @@ OutputHistory Outputs::flush(Records& records) {
   OutputHistory history = {.series_bytes = series_file_->file.bytes(),
                            .cycles_bytes = cycles_file_->file.bytes(),
                            .fields_bytes = fields_file_->file.bytes(),
+                           .probes_bytes = probes_file_->file.bytes(),
                            .last_picture_only = last_picture_only_};
   if (series_) {
     history.series_step = series_->last_step();
+  }
+  if (probes_) {
+    history.probes = probes_->last();
   }
   if (pictures_) {
     pictures_->finish();
@@ -95,7 +110,7 @@ OutputHistory Outputs::flush(Records& records) {
 }
 
 void Outputs::sync() const {
-  for (const auto* growing : {&series_file_, &cycles_file_, &fields_file_}) {
+  for (const auto* growing : {&series_file_, &cycles_file_, &fields_file_, &probes_file_}) {
     (*growing)->file.sync();
   }
 }
@@ -108,6 +123,16 @@ void Outputs::write_rows(Records& records, std::size_t least) {
   if (store::Table* rows = records.field_rows()) {
     fields_file_->take(*rows, least);
   }
+  if (probes_) {
+    probes_file_->take(probes_->table(), least);
+  }
+}
+
+void Outputs::add_rows(const scene::Stage& stage, const Model& model, const Records& records,
+                       std::size_t moving, bool always) {
+  if (series_ && series_->add(stage.name, model, records, moving, always) && probes_) {
+    probes_->add(stage.name, model);
+  }
 }
 
 void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const Records& records) {
@@ -117,9 +142,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const R
   if (pictures_ && !last_picture_only_) {
     pictures_->draw(model, records, *folder_);
   }
-  if (series_) {
-    series_->add(stage.name, model, records, 0, true);
-  }
+  add_rows(stage, model, records, 0, true);
   add_to_trajectory(stage, model, records, true);
 }
 
@@ -142,9 +165,7 @@ void Outputs::after_step(const scene::Stage& stage, const Model& model, Records&
   if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(model, records, *folder_);
   }
-  if (series_) {
-    series_->add(stage.name, model, records, moving, false);
-  }
+  add_rows(stage, model, records, moving, false);
   if (trajectory_ && steps_in_stage % scene_.output.trajectory->every == 0) {
     add_to_trajectory(stage, model, records, false);
   }
@@ -156,9 +177,7 @@ void Outputs::end_stage(const scene::Stage& stage, const Model& model, Records& 
   if (pictures_ && (!last_picture_only_ || &stage == &scene_.stages.back())) {
     pictures_->draw(model, records, *folder_);
   }
-  if (series_) {
-    series_->add(stage.name, model, records, moving, true);
-  }
+  add_rows(stage, model, records, moving, true);
   add_to_trajectory(stage, model, records, false);
   write_rows(records, 0);
   write_tables(stage, model, records, history);

@@ -10,6 +10,7 @@
 #include "clca/store/trajectory.hpp"
 #include "run/model.hpp"
 #include "run/pictures.hpp"
+#include "run/probe_table.hpp"
 #include "run/records.hpp"
 #include "run/series.hpp"
 #include "run/stage_measures.hpp"
@@ -21,7 +22,9 @@ struct OutputHistory {
   std::uint64_t series_bytes = 0;
   std::uint64_t cycles_bytes = 0;
   std::uint64_t fields_bytes = 0;
+  std::uint64_t probes_bytes = 0;
   std::optional<std::uint64_t> series_step = {};  ///< of the last row
+  std::optional<measure::Snapshot> probes = {};   ///< at the last row
   PictureHistory pictures = {};
   store::TrajectoryWriter::Written trajectory = {};
   std::optional<std::uint64_t> trajectory_step = {};  ///< of the last frame
@@ -32,7 +35,9 @@ struct OutputHistory {
     return std::make_tuple(field("series_bytes", &OutputHistory::series_bytes),
                            field("cycles_bytes", &OutputHistory::cycles_bytes),
                            field("fields_bytes", &OutputHistory::fields_bytes),
+                           field("probes_bytes", &OutputHistory::probes_bytes),
                            field("series_step", &OutputHistory::series_step),
+                           field("probes", &OutputHistory::probes),
                            field("pictures", &OutputHistory::pictures),
                            field("trajectory", &OutputHistory::trajectory),
                            field("trajectory_step", &OutputHistory::trajectory_step),
@@ -79,6 +84,9 @@ class Outputs {
   void write_rows(Records& records, std::size_t least);
   void add_to_trajectory(const scene::Stage& stage, const Model& model, const Records& records,
                          bool begins);
+  /// Rows of series.csv and probes.csv.
+  void add_rows(const scene::Stage& stage, const Model& model, const Records& records,
+                std::size_t moving, bool always);
   bool requests(scene::Measure measure) const;
 
   const scene::Scene& scene_;
@@ -86,11 +94,13 @@ class Outputs {
   const store::RunFolder* folder_ = nullptr;
   std::optional<Pictures> pictures_;
   std::optional<SeriesTable> series_;
+  std::optional<ProbeTable> probes_;
   std::optional<store::TrajectoryWriter> trajectory_;
   std::optional<std::uint64_t> trajectory_step_;
   std::optional<GrowingTable> series_file_;
   std::optional<GrowingTable> cycles_file_;
   std::optional<GrowingTable> fields_file_;
+  std::optional<GrowingTable> probes_file_;
 };
 
 }  // namespace clca::run

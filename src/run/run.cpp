@@ -139,9 +139,14 @@ void Run::begin_stage() {
   if (course_.stage > 0) {
     prepare_stage(model_, scene_, stage());
   }
-  history_ = {.profile_at_start = measure::surface_profile(model_.state()),
-              .particles_at_start = grains::present_count(model_.state()),
-              .outflow = measure::Outflow(measure::discharge(model_.state()))};
+  history_ = {
+      .profile_at_start = measure::surface_profile(model_.state()),
+      .particles_at_start = grains::present_count(model_.state()),
+      .outflow = measure::Outflow(measure::discharge(model_.state())),
+      .discharged_at_start = measure::discharged_particles(model_.state(), scene_.species.size())};
+  for (const grains::Outlet& outlet : model_.state().outlets) {
+    history_.outlets.emplace_back(measure::discharge(outlet));
+  }
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                    model_.state().step, history_.particles_at_start));
   records_.begin_stage(stage(), model_);
@@ -196,6 +201,9 @@ void Run::step() {
   history_.resting = report.settled;
   history_.emitted += report.emitted;
   history_.outflow.add(measure::discharge(model_.state()));
+  for (std::size_t outlet = 0; outlet < history_.outlets.size(); ++outlet) {
+    history_.outlets[outlet].add(measure::discharge(model_.state().outlets[outlet]));
+  }
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
   records_.after_step(stage(), model_, report, history_.steps);
@@ -223,11 +231,15 @@ void Run::end_stage(StageEnd end) {
   stages_.push_back({.name = stage().name,
                      .steps = history_.steps,
                      .ended = to_text(end),
-                     .measures = stage_measures(scene_, model_, history_, records_)});
+                     .measures = stage_measures(scene_, model_, history_, records_),
+                     .notes = slope_notes(scene_, model_)});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
                          to_text(end)));
+  for (const std::string& note : stages_.back().notes) {
+    log().info(fmt::format("stage {}: {}", stage().name, note));
+  }
   for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
     log().info(line);
   }

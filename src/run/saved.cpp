@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <system_error>
 
@@ -70,6 +72,18 @@ store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double m
                   folder.path().string()));
 }
 
+/// False if a run that reached `now` cannot have recorded what has left in the stage so.
+bool has_left(const StageHistory& history, const grains::State& now, std::size_t species) {
+  return history.outflow.precedes(measure::discharge(now)) &&
+         std::equal(history.outlets.begin(), history.outlets.end(), now.outlets.begin(),
+                    now.outlets.end(),
+                    [](const measure::Outflow& outflow, const grains::Outlet& outlet) {
+                      return outflow.precedes(measure::discharge(outlet));
+                    }) &&
+         std::ranges::equal(history.discharged_at_start,
+                            measure::discharged_particles(now, species), std::less_equal<>());
+}
+
 /// Throws SceneRunError for an end that the last stage has passed.
 void require_ahead(const std::string& until, const scene::Stage& stage,
                    const StageHistory& history) {
@@ -131,12 +145,15 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
-  if (!parts.history.outflow.precedes(grains)) {
+  if (!has_left(parts.history, grains, scene.species.size())) {
     throw reflection::Mismatch("what has left is not of this run");
   }
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw reflection::Mismatch("its stages are others");
+  }
+  if (parts.outputs.probes && !parts.outputs.probes->precedes(grains)) {
+    throw reflection::Mismatch("its probes are of another run");
   }
   const std::string& pictured = parts.outputs.pictures.stage;
   if (!pictured.empty() && pictured != scene.stages[parts.course.stage].name) {

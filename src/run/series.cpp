@@ -2,6 +2,7 @@
 
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
+#include "run/outlet_counts.hpp"
 
 namespace clca::run {
 
@@ -44,6 +45,8 @@ std::vector<std::string> columns(const scene::Scene& scene) {
       names.push_back("index." + wall.name);
     }
   }
+  const std::vector<std::string> discharged = discharge_names(scene);
+  names.insert(names.end(), discharged.begin(), discharged.end());
   return names;
 }
 
@@ -65,16 +68,16 @@ std::vector<std::uint64_t> indices(const Model& model) {
 }  // namespace
 
 SeriesTable::SeriesTable(const scene::Scene& scene)
-    : every_(scene.output.series->every),
+    : scene_(scene),
       conversion_(scene::conversion(scene)),
       has_vessel_(has_vessel(scene)),
       table_(columns(scene)) {}
 
-void SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
+bool SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
                       std::size_t moving, bool always) {
   const grains::State& state = model.state();
-  if ((!always && state.step % every_ != 0) || last_step_ == state.step) {
-    return;
+  if ((!always && state.step % scene_.output.series->every != 0) || last_step_ == state.step) {
+    return false;
   }
   last_step_ = state.step;
   const std::uint64_t present = grains::present_count(state);
@@ -103,7 +106,14 @@ void SeriesTable::add(const std::string& stage, const Model& model, const Record
       cells.emplace_back(sites[wall]);
     }
   }
+  if (counts_apart(scene_)) {
+    const auto particles = measure::discharged_particles(state, scene_.species.size());
+    for (const std::uint64_t count : discharge_values(scene_, particles)) {
+      cells.emplace_back(count);
+    }
+  }
   table_.add_row(std::move(cells));
+  return true;
 }
 
 }  // namespace clca::run

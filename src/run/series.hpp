@@ -16,20 +16,20 @@ namespace clca::run {
 /// discharged_particles, discharged_sites (totals); of the contact model kinetic_energy and
 /// potential_energy (see contact::Energy) and dissipated_energy (see EnergyRecord); for each wall
 /// that moves travel.NAME (sites from home), and where it lets overlap index.NAME (sites that
-/// overlap in all contacts that began at it).
+/// overlap in all contacts that began at it); discharge_names (totals).
 class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);
 
-  /// Adds a row if one is due, or `always`.
-  void add(const std::string& stage, const Model& model, const Records& records, std::size_t moving,
+  /// Adds a row if one is due, or `always`, but not a second one for a step; whether it has.
+  bool add(const std::string& stage, const Model& model, const Records& records, std::size_t moving,
            bool always);
   store::Table& table() { return table_; }
   /// The last step that has a row.
   std::optional<std::uint64_t>& last_step() { return last_step_; }
 
  private:
-  std::uint64_t every_;
+  const scene::Scene& scene_;
   std::optional<scene::Conversion> conversion_;
   bool has_vessel_;
   store::Table table_;

@@ -1,5 +1,8 @@
 #include "run/stage_measures.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
@@ -7,6 +10,7 @@
 #include "clca/store/table.hpp"
 #include "run/contact_tables.hpp"
 #include "run/force_measures.hpp"
+#include "run/outlet_counts.hpp"
 
 namespace clca::run {
 
@@ -21,15 +25,22 @@ void add_repose(Results& results, const grains::State& state) {
   results.emplace_back("repose_right_deg", store::value_or_null(angle.right));
 }
 
+/// Empty in a periodic box.
+measure::ReposeAngle repose_in_gravity(const Model& model) {
+  if (model.state().lattice.periodic()) {
+    return {};
+  }
+  return measure::repose_angle(
+      measure::surface_profile(model.state(), contact::gravity_direction(model.vessel())));
+}
+
 /// Of a vessel that is tilted or turned.
 void add_repose_in_gravity(Results& results, const Model& model) {
-  const contact::Vessel vessel = model.vessel();
-  results.emplace_back("vessel_angle_deg", contact::degrees(vessel.angle));
+  results.emplace_back("vessel_angle_deg", contact::degrees(model.vessel().angle));
   if (model.state().lattice.periodic()) {
     return;
   }
-  const auto angle = measure::repose_angle(
-      measure::surface_profile(model.state(), contact::gravity_direction(vessel)));
+  const auto angle = repose_in_gravity(model);
   results.emplace_back("repose_gravity_deg", store::value_or_null(angle.mean()));
   results.emplace_back("repose_gravity_left_deg", store::value_or_null(angle.left));
   results.emplace_back("repose_gravity_right_deg", store::value_or_null(angle.right));
@@ -54,17 +65,51 @@ void add_moved(Results& results, const grains::State& state) {
   results.emplace_back("moved_share_2", measure::moved_share(state, 2));
 }
 
-void add_outflow(Results& results, const Model& model, const StageHistory& history,
-                 const std::optional<scene::Conversion>& conversion) {
-  results.emplace_back("outflow_sites_per_step", history.outflow.sites_per_step());
+/// `of`: ends the names.
+void add_rate(Results& results, const std::string& of, const measure::Outflow& outflow,
+              const std::optional<scene::Conversion>& conversion) {
+  results.emplace_back("outflow_sites_per_step" + of, outflow.sites_per_step());
   if (conversion) {
-    results.emplace_back("outflow_sites_per_time",
-                         history.outflow.sites_per_step() / conversion->time_step);
+    results.emplace_back("outflow_sites_per_time" + of,
+                         outflow.sites_per_step() / conversion->time_step);
   }
-  if (!model.state().outlets.empty()) {
+}
+
+/// Of each outlet and species, where there are several.
+void add_outflow_apart(Results& results, const scene::Scene& scene, const Model& model,
+                       const StageHistory& history) {
+  const grains::State& state = model.state();
+  std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
+  std::transform(particles.begin(), particles.end(), history.discharged_at_start.begin(),
+                 particles.begin(), std::minus<>());
+  const std::vector<std::string> names = discharge_names(scene);
+  const std::vector<std::uint64_t> values = discharge_values(scene, particles);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results.emplace_back(names[i], static_cast<double>(values[i]));
+  }
+  if (state.outlets.size() < 2) {
+    return;
+  }
+  for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
+    const std::string of = "." + scene.outlets[outlet].name;
+    add_rate(results, of, history.outlets[outlet], scene::conversion(scene));
+    results.emplace_back("clogged" + of,
+                         history.settled && measure::blocked(model.state(), model.occupancy(),
+                                                             {&state.outlets[outlet], 1}));
+  }
+}
+
+void add_outflow(Results& results, const scene::Scene& scene, const Model& model,
+                 const StageHistory& history) {
+  add_rate(results, "", history.outflow, scene::conversion(scene));
+  const grains::State& state = model.state();
+  if (!state.outlets.empty()) {
     results.emplace_back("discharged_share", history.discharged_share());
-    results.emplace_back("clogged",
-                         history.settled && measure::blocked(model.state(), model.occupancy()));
+    results.emplace_back(
+        "clogged", history.settled && measure::blocked(state, model.occupancy(), state.outlets));
+    if (counts_apart(scene)) {
+      add_outflow_apart(results, scene, model, history);
+    }
   }
 }
 
@@ -135,7 +180,7 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
         add_moved(results, state);
         break;
       case scene::Measure::outflow:
-        add_outflow(results, model, history, scene::conversion(scene));
+        add_outflow(results, scene, model, history);
         break;
       case scene::Measure::force:
         if (records.contacts()) {
@@ -167,6 +212,28 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
     results.emplace_back("energy_growth", *growth);
   }
   return results;
+}
+
+std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model) {
+  std::vector<std::string> notes;
+  const auto add = [&](const std::string& name, bool uneven) {
+    if (uneven) {
+      notes.push_back(name + " is null: the surface there has no single slope");
+    }
+  };
+  const auto& wanted = scene.measures;
+  if (std::find(wanted.begin(), wanted.end(), scene::Measure::repose) == wanted.end()) {
+    return notes;
+  }
+  const auto angle = measure::repose_angle(measure::surface_profile(model.state()));
+  add("repose_left_deg", angle.left_uneven);
+  add("repose_right_deg", angle.right_uneven);
+  if (has_vessel(scene)) {
+    const auto in_gravity = repose_in_gravity(model);
+    add("repose_gravity_left_deg", in_gravity.left_uneven);
+    add("repose_gravity_right_deg", in_gravity.right_uneven);
+  }
+  return notes;
 }
 
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end) {

@@ -18,9 +18,11 @@ struct StageHistory {
   std::uint64_t steps = 0;
   std::uint64_t cycles = 0;  ///< of the walls that go to and fro
   std::size_t emitted = 0;
-  measure::Outflow outflow = measure::Outflow({});
-  bool resting = false;  ///< the last step has settled
-  bool settled = false;  ///< or stalled: how the stage ended
+  measure::Outflow outflow = {};
+  std::vector<measure::Outflow> outlets = {};           ///< the same of each
+  std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_particles
+  bool resting = false;                                 ///< the last step has settled
+  bool settled = false;                                 ///< or stalled: how the stage ended
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
@@ -31,6 +33,8 @@ struct StageHistory {
         field("particles_at_start", &StageHistory::particles_at_start),
         field("steps", &StageHistory::steps), field("cycles", &StageHistory::cycles),
         field("emitted", &StageHistory::emitted), field("outflow", &StageHistory::outflow),
+        field("outlets", &StageHistory::outlets),
+        field("discharged_at_start", &StageHistory::discharged_at_start),
         field("resting", &StageHistory::resting));
   }
 };
@@ -38,6 +42,9 @@ struct StageHistory {
 std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const Model& model,
                                                 const StageHistory& history,
                                                 const Records& records);
+
+/// Why slopes among the measures have no value where it is not plain; one line for each flank.
+std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
 
 /// Columns x, height_start, height_end: lattice spacings, one line per lattice column.
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end);

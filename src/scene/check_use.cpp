@@ -55,6 +55,11 @@ void check_use(const Scene& scene, const Value& root) {
   if (const Value* sources = root.find("sources")) {
     require_use(scene, *sources, "sources", "name it under sources in a stage", opens);
   }
+  if (!scene.probes.empty() && !scene.output.series) {
+    fail(root.find("probes")->location,
+         "probes: nothing would be written; they have rows at the steps of output.series, so give "
+         "that, or remove them");
+  }
   if (scene.begin) {  // which may have particles of any species
     return;
   }

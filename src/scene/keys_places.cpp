@@ -1,4 +1,4 @@
-// Sources and outlets.
+// Sources, outlets and probes.
 
 #include <algorithm>
 
@@ -92,6 +92,38 @@ Type<std::vector<Outlet>> outlets_type() {
                   .check = [](const KeyedMap& fields, Outlet& outlet, const Scene& /*scene*/) {
                     outlet.location = FileReference(to_string(fields.at("region").location));
                   }});
+}
+
+Type<std::vector<Probe>> probes_type() {
+  const Type<lattice::Rectangle> edges = region();
+  return {
+      .allowed = fmt::format("{} by name", edges.allowed),
+      .schema =
+          [=] {
+            return Json{{"type", "object"},
+                        {"propertyNames", {{"pattern", kNamePattern}}},
+                        {"additionalProperties", edges.schema()},
+                        {"maxProperties", kMaxItems}};
+          },
+      .read =
+          [=](const Value& value, const std::string& path, const Scene& scene) {
+            std::vector<Probe> probes;
+            for (const Entry& entry : read_named(value, path)) {
+              const std::string place = join_path(path, entry.key);
+              probes.push_back(
+                  {.name = entry.key, .region = edges.read(entry.value, place, scene)});
+              check_region(probes.back().region, entry.value, place, scene.box);
+            }
+            return probes;
+          },
+      .text =
+          [=](const std::vector<Probe>& probes, const Scene& scene) {
+            Yaml map = Yaml::map({});
+            for (const Probe& probe : probes) {
+              map.entries.push_back({name_text(probe.name).text, edges.text(probe.region, scene)});
+            }
+            return map;
+          }};
 }
 
 }  // namespace clca::scene

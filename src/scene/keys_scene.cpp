@@ -107,6 +107,8 @@ Map<Scene> make_scene_map() {
                "places that emit particles, by name: [sources](#sources)"),
       list_key("outlets", &Scene::outlets, outlets_type(),
                "regions that remove and count particles, by name: [outlets](#outlets)"),
+      list_key("probes", &Scene::probes, probes_type(),
+               "regions of the box that are observed, by name: [probes](#probes)"),
       required("stages", &Scene::stages, stages_type(),
                "what happens, one after the other: [stages](#stages)"),
       measure,

@@ -25,6 +25,7 @@ Type<lattice::Picture> picture_type();
 Type<grains::WallMotion> motion_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();
+Type<std::vector<Probe>> probes_type();
 Type<std::vector<Stage>> stages_type();
 Type<VesselMotion> vessel_type();
 Type<Until> until_type();

@@ -97,6 +97,14 @@ StageSummary stage(const Json& object) {
   for (const auto& [name, value] : field(object, "measures", &Json::is_object).items()) {
     summary.measures.emplace_back(name, measure(value));
   }
+  if (object.contains("notes")) {
+    for (const Json& note : field(object, "notes", &Json::is_array)) {
+      if (!note.is_string()) {
+        throw FormatError("a note is no text");
+      }
+      summary.notes.push_back(note.get<std::string>());
+    }
+  }
   return summary;
 }
 

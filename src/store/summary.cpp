@@ -50,6 +50,9 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
   add_time(object, stage.steps, units);
   object["ended"] = stage.ended;
   object["measures"] = std::move(measures);
+  if (!stage.notes.empty()) {
+    object["notes"] = stage.notes;
+  }
   return object;
 }
 

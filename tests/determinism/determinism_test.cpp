@@ -86,10 +86,10 @@ TEST_P(Determinism, EverySceneEndsInTheSameStateByBothEnginesForEveryThreadCount
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
                          ::testing::Values("wall-removal", "silo-collapse", "heap",
-                                           "silo-discharge", "hopper", "collapse-aspect",
-                                           "brazil-nut", "segregation", "convection",
-                                           "avalanche-taps", "plate-penetration", "piston",
-                                           "boltzmann-case1", "boltzmann-case2",
+                                           "silo-discharge", "two-orifices", "hopper",
+                                           "collapse-aspect", "brazil-nut", "segregation",
+                                           "convection", "avalanche-taps", "plate-penetration",
+                                           "piston", "boltzmann-case1", "boltzmann-case2",
                                            "boltzmann-epsilon-sweep", "boltzmann-late",
                                            "boltzmann-shear"));
 

@@ -2,6 +2,7 @@
 // Discharge through outlets over time.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
@@ -23,15 +24,23 @@ struct Discharge {
 };
 
 Discharge discharge(const grains::State& state);
+Discharge discharge(const grains::Outlet& outlet);
 
-/// True if a particle covers every column that opens into an outlet; at rest this means that it is
-/// clogged.
+/// Number of particles that have left, by outlet and species: all of the first outlet, then those
+/// of the next. `species`: how many there are. Throws std::invalid_argument if one that has left
+/// lies in no outlet.
+std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species);
+
+/// True if a particle covers every column that opens into one of the `outlets`; at rest this means
+/// that they are clogged.
 /// Throws std::invalid_argument if the occupancy belongs to another box.
-bool blocked(const grains::State& state, const grains::Occupancy& occupancy);
+bool blocked(const grains::State& state, const grains::Occupancy& occupancy,
+             std::span<const grains::Outlet> outlets);
 
-/// Records the discharge of a stage, step by step.
+/// Records a discharge in a stage, step by step.
 class Outflow {
  public:
+  Outflow() = default;
   /// `begin`: the totals before the stage.
   explicit Outflow(Discharge begin) : begin_(begin), last_(begin) {}
 
@@ -44,8 +53,8 @@ class Outflow {
   /// Steady discharge rate: sites per step between 20 % and 70 % of the final discharge. 0 if fewer
   /// than two particles have left.
   double sites_per_step() const;
-  /// False if this cannot have been recorded in a run that reached `now`.
-  bool precedes(const grains::State& now) const;
+  /// False if this cannot have been recorded in a run that reached the total `now`.
+  bool precedes(Discharge now) const;
 
   static constexpr auto fields();
 

@@ -18,6 +18,13 @@ struct Displacement {
   double sites = 0;        ///< number of sites of the particle: its mass
 };
 
+/// Displacement of each present particle in one step at its velocity (spacings per step, by id).
+std::vector<Displacement> displacements_in_step(const grains::State& state,
+                                                const std::vector<Eigen::Vector2d>& velocities);
+
+/// A point wrapped into the box.
+Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& point);
+
 /// The centres of mass of the particles at one moment.
 class Snapshot {
  public:
@@ -26,6 +33,10 @@ class Snapshot {
   explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
+  /// Whether the particle had entered by then.
+  bool knows(std::size_t id) const { return id < centres_.size(); }
+  /// Its centre of mass, not wrapped; none if it was removed. It has to be known.
+  const std::optional<Eigen::Vector2d>& centre(std::size_t id) const { return centres_[id]; }
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.
   std::vector<Displacement> displacements(const grains::State& now) const;

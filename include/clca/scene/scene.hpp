@@ -115,6 +115,14 @@ struct Outlet {
   bool operator==(const Outlet&) const = default;
 };
 
+/// A region of the box that is observed; see measure::Probe.
+struct Probe {
+  std::string name;
+  lattice::Rectangle region;
+
+  bool operator==(const Probe&) const = default;
+};
+
 /// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
 /// automaton::Automaton::fill and deposit.
 enum class FillMethod : std::uint8_t { random, deposition };
@@ -235,6 +243,7 @@ struct Scene {
   std::vector<Wall> walls;
   std::vector<Source> sources;
   std::vector<Outlet> outlets;
+  std::vector<Probe> probes;  ///< none without Output::series
   std::vector<Stage> stages;
   std::vector<Measure> measures;
   Output output;

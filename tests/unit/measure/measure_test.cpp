@@ -77,6 +77,21 @@ TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
   EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean().has_value());
 }
 
+TEST(Repose, TwoHeapsAreNoFlank) {
+  // Of 45 degrees each, the one on the right smaller.
+  std::vector<double> profile(130, 0.0);
+  for (int column = 0; column < 130; ++column) {
+    const double left = 60 - kColumnPitch * column;
+    const double right = 40 - kColumnPitch * std::abs(column - 100);
+    profile[static_cast<std::size_t>(column)] = std::max({0.0, left, right});
+  }
+  const ReposeAngle angle = repose_angle(profile);
+  EXPECT_FALSE(angle.right.has_value());
+  EXPECT_TRUE(angle.right_uneven);
+  EXPECT_FALSE(angle.left.has_value());
+  EXPECT_FALSE(angle.left_uneven);  // there is none
+}
+
 /// A pile that falls to the right by 40 degrees, in a vessel turned by some degrees anticlockwise.
 TEST(Repose, AgainstGravityIsWhatTheVesselTurnsItBy) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -161,18 +176,33 @@ TEST(Outflow, IsTheRateOfTheSteadyPart) {
 
 TEST(Outflow, OnlyPrecedesAStateFromWhichAsMuchHasLeft) {
   State state = empty_state(4, 4);
-  Outflow outflow({});
-  EXPECT_TRUE(outflow.precedes(state));
+  Outflow outflow;
+  EXPECT_TRUE(outflow.precedes(discharge(state)));
   state.outlets.push_back({.region = {}, .particles = 2, .sites = 14});
-  EXPECT_FALSE(outflow.precedes(state));
+  EXPECT_FALSE(outflow.precedes(discharge(state)));
   outflow.add({.particles = 2, .sites = 14});
-  EXPECT_TRUE(outflow.precedes(state));
+  EXPECT_TRUE(outflow.precedes(discharge(state)));
   state.outlets.front().sites = 15;
-  EXPECT_FALSE(outflow.precedes(state));
+  EXPECT_FALSE(outflow.precedes(discharge(state)));
+}
+
+TEST(Outflow, IsCountedByOutletAndSpecies) {
+  State state = empty_state(40, 40);
+  state.kinds = {{Shape::hexagon(0), 0}, {Shape::hexagon(1), 1}, {Shape::hexagon(1), 1}};
+  state.outlets = {{.region = {0, 0, 10, 40}}, {.region = {5, 0, 40, 40}}};
+  state.particles = {
+      {.column = 2, .row = 2, .kind = 0, .present = false},
+      {.column = 8, .row = 2, .kind = 1, .present = false},   // the first of both
+      {.column = 11, .row = 2, .kind = 2, .present = false},  // sticks out of the first
+      {.column = 30, .row = 2, .kind = 0, .present = false},
+      {.column = 2, .row = 9, .kind = 1}};
+  EXPECT_EQ(discharged_particles(state, 2), (std::vector<std::uint64_t>{1, 1, 1, 1}));
+  state.outlets.pop_back();
+  EXPECT_THROW(discharged_particles(state, 2), std::invalid_argument);
 }
 
 TEST(Outflow, OfNothingIsZero) {
-  Outflow outflow({});
+  Outflow outflow;
   EXPECT_EQ(outflow.sites_per_step(), 0);
   outflow.add({});
   EXPECT_EQ(outflow.sites_per_step(), 0);
@@ -195,11 +225,22 @@ State silo() {
 
 TEST(Blocked, OnlyWhenSomethingHangsOverEveryOpenColumn) {
   State state = silo();
-  EXPECT_FALSE(blocked(state, grains::Occupancy(state)));  // empty: nothing hangs
-  state.particles = {{.column = 8, .row = 14}};            // over columns 6 to 10
-  EXPECT_FALSE(blocked(state, grains::Occupancy(state)));
+  EXPECT_FALSE(blocked(state, grains::Occupancy(state), state.outlets));  // empty: nothing hangs
+  state.particles = {{.column = 8, .row = 14}};                           // over columns 6 to 10
+  EXPECT_FALSE(blocked(state, grains::Occupancy(state), state.outlets));
   state.particles.push_back({.column = 13, .row = 14});  // over columns 11 to 15
-  EXPECT_TRUE(blocked(state, grains::Occupancy(state)));
+  EXPECT_TRUE(blocked(state, grains::Occupancy(state), state.outlets));
+}
+
+TEST(Blocked, IsSaidOfEachOutlet) {
+  State state = silo();
+  state.walls.clear();
+  state.outlets = {{.region = {0, 0, 8, 8}}, {.region = {8, 0, 30, 8}}};
+  state.particles = {{.column = 2, .row = 14}, {.column = 7, .row = 14}};  // columns 0 to 9
+  const grains::Occupancy occupancy(state);
+  EXPECT_TRUE(blocked(state, occupancy, {&state.outlets[0], 1}));
+  EXPECT_FALSE(blocked(state, occupancy, {&state.outlets[1], 1}));
+  EXPECT_FALSE(blocked(state, occupancy, state.outlets));
 }
 
 }  // namespace

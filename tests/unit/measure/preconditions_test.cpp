@@ -70,7 +70,7 @@ TEST(Contacts, AreLookedUpInTheOccupancyOfTheirState) {
   const Occupancy other(testing::empty_state(4, 4));
   EXPECT_THROW(contacts(state, other), std::invalid_argument);
   EXPECT_THROW(force_summary(state, other, {}), std::invalid_argument);
-  EXPECT_THROW(blocked(state, other), std::invalid_argument);
+  EXPECT_THROW(blocked(state, other, state.outlets), std::invalid_argument);
 }
 
 TEST(Contacts, OfParticlesThatAreNotThereAreRefused) {

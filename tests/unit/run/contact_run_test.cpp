@@ -36,6 +36,7 @@ species: {grain: {shape: {hexagon: 1}}}
 walls: {gate: {box: [20, 0, 21, 60], friction: 0.1}}
 sources: {spout: {region: [4, 50, 12, 54], species: {grain: 1}, rate: 0.05, count: 4}}
 outlets: {drain: {region: [22, 0, 41, 8]}}
+probes: {gap: [20, 0, 40, 30]}
 stages:
   - name: packing
     fill: {region: [0, 0, 20, 60], counts: {grain: 40}}

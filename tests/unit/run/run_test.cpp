@@ -12,6 +12,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
+#include "clca/store/table.hpp"
 #include "support/runs.hpp"
 
 namespace clca::run {
@@ -165,6 +166,72 @@ TEST(Run, RunsAStageForAGivenNumberOfSteps) {
       run(small_scene({"stages.packing.until={steps: 33}"}), {.folder = folder.path()});
   EXPECT_EQ(summary.stages[0].steps, 33U);
   EXPECT_EQ(summary.stages[0].ended, "steps");
+}
+
+const std::vector<scene::Override> kTwoDrains = {
+    "output={series: {every: 1}}",
+    "outlets={left: {region: [0, 0, 15, 10]}, right: {region: [31, 0, 60, 10]}}"};
+
+TEST(Run, CountsWhatLeavesByOutletAndSpecies) {
+  const testing::ScratchFolder folder;
+  const auto summary = run(small_scene(kTwoDrains), {.folder = folder.path()});
+  const auto column = [&](const std::string& name) {
+    return testing::csv_column(folder.path() / "series.csv", name);
+  };
+  const std::vector<double> left = column("discharged.left");
+  const std::vector<double> right = column("discharged.right");
+  const std::vector<double> all = column("discharged_particles");
+  EXPECT_GT(left.back(), 0);
+  EXPECT_GT(right.back(), 0);
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    EXPECT_EQ(left[row] + right[row], all[row]);
+  }
+  EXPECT_EQ(column("discharged.left.small").back() + column("discharged.left.rod").back(),
+            left.back());
+  EXPECT_EQ(testing::measure_of(summary, "packing", "discharged.right"), 0);
+  EXPECT_EQ(testing::measure_of(summary, "flow", "discharged.right"), right.back());
+  EXPECT_EQ(testing::measure_of(summary, "packing", "discharged.left") +
+                testing::measure_of(summary, "flow", "discharged.left"),
+            left.back() - left.front());  // what the fill has put into it came before
+  EXPECT_GT(testing::measure_of(summary, "packing", "outflow_sites_per_step.left"), 0);
+  EXPECT_EQ(testing::measure_of(summary, "packing", "outflow_sites_per_step.right"), 0);
+  const auto json = json_of(folder.path() / "run.json");
+  EXPECT_EQ(json["stages"][1]["measures"]["clogged.right"], false);
+}
+
+TEST(Run, OneOutletAndOneSpeciesAreNotCountedApart) {
+  const testing::ScratchFolder folder;
+  std::vector<scene::Override> one = kTwoDrains;
+  one.emplace_back("outlets={left: {region: [0, 0, 15, 10]}}");
+  one.emplace_back("species={small: {shape: {hexagon: 1}}}");
+  one.emplace_back("stages.packing.fill.counts={small: 30}");
+  run(small_scene(one), {.folder = folder.path()});
+  const store::ReadTable table = store::read_table(folder.path() / "series.csv");
+  EXPECT_EQ(table.names.back(), "discharged_sites");
+}
+
+TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
+  const testing::ScratchFolder folder;
+  run(small_scene({"output={series: {every: 7}}", "walls={}",
+                   "outlets={all: {region: [0, 0, 60, 15]}}",
+                   "probes={line: [0, 20, 60, 30], side: [50, 0, 60, 60]}",
+                   "stages=[{name: fall, fill: {region: [0, 30, 30, 60], counts: {small: 20, rod: "
+                   "20}}}]"}),
+      {.folder = folder.path()});
+  const store::ReadTable table = store::read_table(folder.path() / "probes.csv");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"step", "stage", "probe", "filling", "particles",
+                                                   "vx", "vy", "fluctuation", "flow"}));
+  EXPECT_EQ(table.find("vy")->at(0), "");  // nothing came before
+  EXPECT_EQ(table.find("flow")->at(0), "");
+  EXPECT_LT(std::stod(table.find("vy")->at(4)), -0.9);  // of the line: all rain down
+  const std::vector<double> steps = testing::csv_column(folder.path() / "probes.csv", "step");
+  double passed = 0;
+  for (std::size_t row = 2; row < steps.size(); row += 2) {
+    EXPECT_EQ(table.find("probe")->at(row), "line");
+    passed += std::stod(table.find("flow")->at(row)) * (steps[row] - steps[row - 2]);
+  }
+  EXPECT_NEAR(passed, 20 * 7 + 20 * 3, 1e-9);
+  EXPECT_EQ(testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 200);
 }
 
 TEST(Run, DrawsTheFinalStateAloneWhenAskedAndIsTheSameRun) {

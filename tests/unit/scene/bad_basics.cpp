@@ -90,14 +90,16 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a misspelt key at the top", "sede: 1",
      "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, begin, "
      "box, "
-     "species, rules, contact, units, walls, sources, outlets, stages, measure, output); did you "
+     "species, rules, contact, units, walls, sources, outlets, probes, stages, measure, output); "
+     "did you "
      "mean "
      "'seed'?"},
     {"a key of another kind of scene", "boltzmann: {particles: 10}",
      "scene.yaml:13:1: error: 'boltzmann' does not go with 'box': a scene of the Boltzmann "
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
      "let, title, "
-     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, stages, "
+     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "stages, "
      "measure, "
      "output"},
     {"a misspelt key", "box: {wdith: 100, height: 50}",

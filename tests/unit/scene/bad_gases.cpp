@@ -122,14 +122,16 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a gas in a box", "box: {width: 9, height: 9}",
      "scene.yaml:6:1: error: 'box' does not go with 'boltzmann': a scene of the Boltzmann equation "
      "has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, let, title, "
-     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, stages, "
+     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "stages, "
      "measure, "
      "output"},
     {"a gas with measures", "measure: []",
      "scene.yaml:6:1: error: 'measure' does not go with 'boltzmann': a scene of the Boltzmann "
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
      "let, title, "
-     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, stages, "
+     "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "stages, "
      "measure, "
      "output"},
     {"more than a million rows by default",

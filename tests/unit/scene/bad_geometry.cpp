@@ -159,6 +159,25 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:9:27: error: outlets.drain.region: no site of the box, 100 wide and 50 high, "
      "lies in [0, -20, 100, -10]",
      Judge::parser},
+    {"a probe that is a map", "probes: {neck: {region: [0, 0, 10, 10]}}",
+     "scene.yaml:13:16: error: probes.neck: expected a list, found a map"},
+    {"a probe that reaches out of the box", "probes: {neck: [0, 0, 101, 10]}",
+     "scene.yaml:13:16: error: probes.neck: expected a region in the box, 100 wide and 50 high, "
+     "found "
+     "[0, 0, 101, 10]",
+     Judge::parser},
+    {"a probe between two columns", "probes: {neck: [1, 0, 1.5, 10]}",
+     "scene.yaml:13:16: error: probes.neck: no site of the box, 100 wide and 50 high, lies in [1, "
+     "0, "
+     "1.5, 10]",
+     Judge::parser},
+    {"a name that cannot be one", "probes: {the neck: [0, 0, 10, 10]}",
+     "scene.yaml:13:10: error: probes: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, found "
+     "'the neck'"},
+    {"probes without rows", "probes: {neck: [0, 0, 10, 10]}\noutput: {}",
+     "scene.yaml:13:9: error: probes: nothing would be written; they have rows at the steps of "
+     "output.series, so give that, or remove them",
+     Judge::parser},
 });
 
 }  // namespace

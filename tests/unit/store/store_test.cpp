@@ -100,7 +100,8 @@ RunSummary full_summary() {
       .stages = {{.name = "flow",
                   .steps = 100,
                   .ended = "settled",
-                  .measures = {{"repose_angle_deg", 41.5}, {"clogged", true}, {"runout_99", {}}}}}};
+                  .measures = {{"repose_angle_deg", 41.5}, {"clogged", true}, {"runout_99", {}}},
+                  .notes = {"runout_99 is null: \"nothing\" is left"}}}};
 }
 
 TEST(Summary, HasTheFieldsThatOtherProgramsRelyOn) {
@@ -126,6 +127,7 @@ TEST_F(ReadSummary, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.seed, summary.seed);
   EXPECT_EQ(read.wall_seconds, summary.wall_seconds);
   EXPECT_EQ(read.stages.at(0).measures, summary.stages.at(0).measures);
+  EXPECT_EQ(read.stages.at(0).notes, summary.stages.at(0).notes);
   EXPECT_FALSE(read.units.has_value());
   summary.units = {.length_unit = "m",
                    .time_unit = "√(spacing/gravity)",

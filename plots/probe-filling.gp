@@ -1,0 +1,9 @@
+# Share of the sites of each probe that particles cover.
+#
+# needs: probes.csv: step, filling
+# groups: probe
+quantity = 'filling'
+set xlabel time_title noenhanced
+set ylabel 'filling'
+set yrange [0:1]
+plot @stages

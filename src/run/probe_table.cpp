@@ -1,0 +1,56 @@
+#include "run/probe_table.hpp"
+
+#include <limits>
+
+#include "clca/measure/probe.hpp"
+
+namespace clca::run {
+
+namespace {
+
+std::vector<std::string> probe_columns(bool has_time) {
+  std::vector<std::string> names = {"step", "stage", "probe",       "filling", "particles",
+                                    "vx",   "vy",    "fluctuation", "flow"};
+  if (has_time) {
+    names.insert(names.begin() + 1, "time");
+  }
+  return names;
+}
+
+}  // namespace
+
+ProbeTable::ProbeTable(const scene::Scene& scene)
+    : probes_(scene.probes),
+      conversion_(scene::conversion(scene)),
+      table_(probe_columns(conversion_.has_value())) {}
+
+void ProbeTable::add(const std::string& stage, const Model& model) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const grains::State& state = model.state();
+  const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
+  const double speed = conversion_ ? conversion_->velocity(1) : 1;
+  std::vector<measure::Displacement> displacements;
+  if (conversion_) {
+    displacements = measure::displacements_in_step(state, model.velocities());
+  } else if (last_) {
+    displacements = last_->displacements(state);
+  }
+  for (const scene::Probe& probe : probes_) {
+    const auto motion = measure::motion_in(probe.region, displacements, conversion_ ? 1 : steps);
+    std::vector<store::Cell> cells = {state.step, stage, probe.name,
+                                      measure::filling(state, probe.region),
+                                      std::uint64_t{motion ? motion->particles : 0}};
+    if (conversion_) {
+      cells.insert(cells.begin() + 1, conversion_->time(state.step));
+    }
+    cells.insert(cells.end(),
+                 {motion ? motion->velocity.x() * speed : kNone,
+                  motion ? motion->velocity.y() * speed : kNone,
+                  motion ? motion->fluctuation * speed * speed : kNone,
+                  last_ ? measure::downward_flow(*last_, state, probe.region) / steps : kNone});
+    table_.add_row(std::move(cells));
+  }
+  last_.emplace(state);
+}
+
+}  // namespace clca::run
