@@ -85,10 +85,6 @@ Automaton& Automaton::operator=(Automaton&&) noexcept = default;
 const grains::State& Automaton::state() const {
   return impl_->world.state;
 }
-grains::State Automaton::release() && {
-  const std::unique_ptr<Impl> impl = std::move(impl_);
-  return std::move(impl->world.state);
-}
 const Rules& Automaton::rules() const {
   return impl_->world.rules;
 }

@@ -37,18 +37,6 @@ double available_bytes() {
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-/// --set and its short forms.
-std::vector<scene::Override> overrides_of(const SceneOptions& options) {
-  std::vector<scene::Override> overrides = options.overrides;
-  if (options.seed) {
-    overrides.push_back(fmt::format("seed={}", *options.seed));
-  }
-  if (options.frames_every.value_or(0) > 0) {
-    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
-  }
-  return overrides;
-}
-
 /// A path on the command line begins at the current folder.
 scene::Override begin_override(const std::string& folder) {
   std::string quoted;
@@ -113,6 +101,21 @@ scene::AnyScene parsed(const SceneOptions& options) {
 
 }  // namespace
 
+std::vector<scene::Override> overrides_of(const SceneOptions& options) {
+  std::vector<scene::Override> overrides;
+  if (options.begin) {  // first, so that --set can add the step
+    overrides.push_back(begin_override(*options.begin));
+  }
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  if (options.seed) {
+    overrides.push_back(fmt::format("seed={}", *options.seed));
+  }
+  if (options.frames_every.value_or(0) > 0) {
+    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
+  }
+  return overrides;
+}
+
 double memory_limit(const SceneOptions& options) {
   return options.memory_limit ? static_cast<double>(*options.memory_limit)
                               : kShareOfMemory * available_bytes();
@@ -153,11 +156,8 @@ void add_scene_and_set(CLI::App& command, SceneOptions& options) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option_function<std::string>(
-          "--begin",
-          [&options](const std::string& folder) {
-            options.overrides.push_back(begin_override(folder));
-          },
+      .add_option(
+          "--begin", options.begin,
           "Begin with the last state of the run in this folder, in place of the scene's begin")
       ->type_name("FOLDER");
 }

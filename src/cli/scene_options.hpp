@@ -17,6 +17,7 @@ inline constexpr double kMebibyte = 1 << 20;
 struct SceneOptions {
   std::string file;
   std::vector<std::string> overrides;
+  std::optional<std::string> begin;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> frames_every;
   std::optional<std::uint64_t> memory_limit;  ///< bytes
@@ -24,10 +25,13 @@ struct SceneOptions {
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// SCENE and --set only.
+/// SCENE, --set and --begin only.
 void add_scene_and_set(CLI::App& command, SceneOptions& options);
 /// --memory-limit only.
 void add_memory_limit(CLI::App& command, SceneOptions& options);
+
+/// --begin, --set and its short forms.
+std::vector<scene::Override> overrides_of(const SceneOptions& options);
 
 /// Memory limit in bytes.
 double memory_limit(const SceneOptions& options);

@@ -33,13 +33,13 @@ struct SweepCommandOptions {
 
 sweep::Plan plan_of(const SweepCommandOptions& options) {
   sweep::Request request = {.scene = options.scene.file,
-                            .overrides = options.scene.overrides,
+                            .overrides = overrides_of(options.scene),
                             .variations = {},
                             .seeds = sweep::parse_seeds(options.seeds)};
   for (const std::string& text : options.variations) {
     request.variations.push_back(sweep::parse_variation(text));
   }
-  return sweep::plan(std::move(request));
+  return sweep::plan(std::move(request), memory_limit(options.scene));
 }
 
 /// Number of parallel runs: as requested and as fit into memory. Throws scene::SceneError if not

@@ -217,10 +217,6 @@ class ContactModel::Impl {
     }
     return state_;
   }
-  State release() {
-    state();
-    return std::move(state_);
-  }
   const grains::State& grains() const { return state_.grains; }
   const grains::OccupancyTable& occupancy() const { return occupancy_; }
   const Vessel& vessel() const { return state_.vessel; }
@@ -417,10 +413,6 @@ ContactModel::~ContactModel() = default;
 ContactModel::ContactModel(ContactModel&&) noexcept = default;
 ContactModel& ContactModel::operator=(ContactModel&&) noexcept = default;
 
-State ContactModel::release() && {
-  const std::unique_ptr<Impl> impl = std::move(impl_);
-  return impl->release();
-}
 const State& ContactModel::state() const {
   return impl_->state();
 }

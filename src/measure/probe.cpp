@@ -1,30 +1,31 @@
 #include "clca/measure/probe.hpp"
 
-#include <algorithm>
-
 #include "measure/particle_sites.hpp"
 #include "measure/wall_sites.hpp"
 
 namespace clca::measure {
 
-double filling(const grains::State& state, const lattice::Rectangle& region) {
-  std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
-  std::sort(sites.begin(), sites.end());
-  const std::vector<lattice::Site> walls = wall_sites(state);
-  std::vector<lattice::Site> free;
-  std::set_difference(sites.begin(), sites.end(), walls.begin(), walls.end(),
-                      std::back_inserter(free));
-  std::vector<bool> covered(free.size(), false);  // a site may have two owners
-  for_each_site(state, [&](lattice::Site site) {
-    if (region.contains(lattice::position(site))) {
-      const auto place = std::lower_bound(free.begin(), free.end(), site);
-      if (place != free.end() && *place == site) {
-        covered[static_cast<std::size_t>(place - free.begin())] = true;
-      }
+std::vector<double> fillings(const grains::State& state,
+                             std::span<const lattice::Rectangle> regions) {
+  const lattice::Lattice& lattice = state.lattice;
+  std::vector<bool> wall(lattice.memory_size(), false);
+  for (const lattice::Site site : wall_sites(state)) {
+    wall[lattice.index(site)] = true;
+  }
+  std::vector<bool> covered(lattice.memory_size(), false);  // a site may have two owners
+  for_each_site(state, [&](lattice::Site site) { covered[lattice.index(site)] = true; });
+  std::vector<double> shares;
+  for (const lattice::Rectangle& region : regions) {
+    double free = 0;
+    double filled = 0;
+    for (const lattice::Site site : lattice::sites_in(lattice, region)) {
+      const std::size_t index = lattice.index(site);
+      free += wall[index] ? 0 : 1;
+      filled += covered[index] && !wall[index] ? 1 : 0;
     }
-  });
-  const auto count = static_cast<double>(std::count(covered.begin(), covered.end(), true));
-  return free.empty() ? 0 : count / static_cast<double>(free.size());
+    shares.push_back(free > 0 ? filled / free : 0);
+  }
+  return shares;
 }
 
 std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,

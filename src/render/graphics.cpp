@@ -372,6 +372,7 @@ Image legend_of(const Image& picture, const PictureParts& parts) {
 }
 
 std::string font_problem() {
+  require_memory();  // fontconfig and Pango end the program where there is none
   const FcFontSet* fonts = FcConfigGetFonts(nullptr, FcSetSystem);
   if (fonts == nullptr || fonts->nfont == 0) {
     return "no font for captions and legends: install DejaVu Sans (fonts-dejavu-core)";

@@ -201,10 +201,10 @@ void Model::set_rules(const scene::Stage& stage) {
   if (rules == rules_) {
     return;
   }
+  // Beside the old one, which the summary of the run needs if there is no memory for another.
+  ModelState state = std::visit([](auto& model) { return ModelState(model.state()); }, model_);
+  model_ = make_model(scene_, rules, std::move(state), options_);
   rules_ = rules;
-  ModelState state =
-      std::visit([](auto& model) { return ModelState(std::move(model).release()); }, model_);
-  model_ = make_model(scene_, rules_, std::move(state), options_);
 }
 
 void Model::mark_origins() {

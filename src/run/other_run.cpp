@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
@@ -34,11 +33,15 @@ struct OtherRun {
 
 OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double max_bytes) {
   if (summary.status != "done") {
-    throw store::StoreError(fmt::format("the run in {} is not done but {}; clca resume goes on",
-                                        folder.string(), summary.status));
+    throw store::StoreError(
+        fmt::format("the run in {} is {}, not done; continue it with clca resume", folder.string(),
+                    summary.status));
   }
   const auto found = store::read_checkpoint(folder, max_bytes);
-  if (!found || found->checkpoint.is_start()) {
+  if (found && found->checkpoint.is_start()) {
+    throw store::StoreError(fmt::format("a new run begins in {}", folder.string()));
+  }
+  if (!found) {
     throw store::StoreError(
         fmt::format("the run in {} has kept no checkpoint of its end (output.checkpoint: none); "
                     "name a step of its trajectory",
@@ -83,15 +86,14 @@ OtherRun other_run(const scene::Begin& begin, double max_bytes) {
     OtherRun run = read_run(begin, max_bytes);
     const std::uint64_t found = hash(run.state);
     if (begin.state && *begin.state != found) {
-      throw store::StoreError(fmt::format("{} has another state by now: {:016x}, not {:016x}",
-                                          begin.run, found, *begin.state));
+      throw store::StoreError(
+          fmt::format("the state in {} has changed: found {:016x}, expected {:016x}", begin.run,
+                      found, *begin.state));
     }
     if (grains::present_count(grains_of(run.state)) == 0) {
       throw store::StoreError(fmt::format("no particles are left in {}", begin.run));
     }
     return run;
-  } catch (const process::StoppedError&) {
-    throw;
   } catch (const std::runtime_error& error) {
     refuse(begin, error.what());
   } catch (const std::invalid_argument& error) {
@@ -120,8 +122,8 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
   });
   if (same == kinds.end()) {
     refuse(*scene.begin,
-           fmt::format("particles of species '{}' in {} have a shape or an orientation that those "
-                       "of the scene have not",
+           fmt::format("particles of species '{}' in {} have a shape or an orientation that the "
+                       "scene does not give this species",
                        species.name, scene.begin->run));
   }
   return {static_cast<std::uint16_t>(same - kinds.begin()),
@@ -175,6 +177,8 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
   const grains::State& there = grains_of(other.state);
   std::vector<std::optional<SameKind>> kinds(there.kinds.size());
   FreeSites free(state);
+  const bool same_period =
+      there.lattice.periodic() && there.lattice.columns() == state.lattice.columns();
   std::size_t without_room = 0;
   Eigen::Vector2d first;
   for (const std::size_t id : ids) {
@@ -192,7 +196,8 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     if (scene.model != other.scene.model) {
       particle.previous = grains::kRest;
     }
-    if (!free.take(state.shape(particle), site)) {
+    const bool inside = same_period || (site.column >= 0 && site.column < state.lattice.columns());
+    if (!inside || !free.take(state.shape(particle), site)) {
       first = without_room++ == 0 ? grains::centre(state, particle) : first;
     }
     state.particles.push_back(particle);

@@ -1,5 +1,7 @@
 #include "run/probe_table.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "clca/measure/probe.hpp"
@@ -35,10 +37,14 @@ void ProbeTable::add(const std::string& stage, const Model& model) {
   } else if (last_) {
     displacements = last_->displacements(state);
   }
-  for (const scene::Probe& probe : probes_) {
+  std::vector<lattice::Rectangle> regions;
+  std::transform(probes_.begin(), probes_.end(), std::back_inserter(regions),
+                 [](const scene::Probe& probe) { return probe.region; });
+  const std::vector<double> fillings = measure::fillings(state, regions);
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    const scene::Probe& probe = probes_[i];
     const auto motion = measure::motion_in(probe.region, displacements, conversion_ ? 1 : steps);
-    std::vector<store::Cell> cells = {state.step, stage, probe.name,
-                                      measure::filling(state, probe.region),
+    std::vector<store::Cell> cells = {state.step, stage, probe.name, fillings[i],
                                       std::uint64_t{motion ? motion->particles : 0}};
     if (conversion_) {
       cells.insert(cells.begin() + 1, conversion_->time(state.step));

@@ -72,7 +72,7 @@ store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double m
                   folder.path().string()));
 }
 
-/// False if a run that reached `now` cannot have recorded what has left in the stage so.
+/// Whether a run that reached `now` can have recorded this history of what has left.
 bool has_left(const StageHistory& history, const grains::State& now, std::size_t species) {
   return history.outflow.precedes(measure::discharge(now)) &&
          std::equal(history.outlets.begin(), history.outlets.end(), now.outlets.begin(),

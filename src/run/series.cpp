@@ -106,7 +106,7 @@ bool SeriesTable::add(const std::string& stage, const Model& model, const Record
       cells.emplace_back(sites[wall]);
     }
   }
-  if (counts_apart(scene_)) {
+  if (!discharge_names(scene_).empty()) {
     const auto particles = measure::discharged_particles(state, scene_.species.size());
     for (const std::uint64_t count : discharge_values(scene_, particles)) {
       cells.emplace_back(count);

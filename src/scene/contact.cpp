@@ -35,7 +35,7 @@ double estimated_fall(const Scene& scene) {
   }
   const bool endless = std::any_of(scene.sources.begin(), scene.sources.end(),
                                    [](const Source& source) { return !source.count; });
-  if (endless || width <= 0) {
+  if (endless || width <= 0 || scene.begin) {
     return std::max(kMinFallHeight, scene.box.height);
   }
   return std::clamp(filled / (kPacking * width), kMinFallHeight,

@@ -128,6 +128,9 @@ void allow_expressions(Json& schema) {
     // The limits hold for numbers only, the pattern for strings only.
     schema["type"] = {schema["type"], "string"};
     schema["pattern"] = "^=";
+  } else if (schema.is_object() && schema.contains("enum") && schema["enum"].front().is_number()) {
+    schema = {{"anyOf", {schema, {{"type", "string"}, {"pattern", "^="}}}}};
+    return;
   }
   if (schema.is_structured()) {
     for (Json& part : schema) {

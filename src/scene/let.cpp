@@ -8,6 +8,7 @@
 
 #include "clca/text/message.hpp"
 #include "scene/keyed_map.hpp"
+#include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
@@ -51,14 +52,14 @@ void Evaluator::define(const Entry& entry) {
   }
   const auto number =
       entry.value.is(Value::Kind::scalar) ? to_number(entry.value.text) : std::nullopt;
-  if (!number || !std::isfinite(*number)) {
+  if (!number || entry.value.quoted) {
     fail(entry.value.location,
          fmt::format("{}: expected a number or an expression like '=2*a', found {}", path,
                      found(entry.value)));
   }
   constexpr const char* kNames =
-      "a name has letters, digits and '_', no digit first, and is no function";
-  if (parser_.GetFunDef().contains(entry.key)) {
+      "a name has up to 64 letters, digits and '_', no digit first, and is no function";
+  if (entry.key.size() > kMaxNameLength || parser_.GetFunDef().contains(entry.key)) {
     refuse_name(kNames);
   }
   try {

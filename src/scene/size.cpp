@@ -174,6 +174,12 @@ double force_windows(const Scene& scene) {
   return (at_end ? 1 : 0) + (in_pictures ? 1 : 0) + (in_frames ? 1 : 0);
 }
 
+/// Whether a stage has other rules, for which a second model is made beside the first.
+bool changes_rules(const Scene& scene) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [](const Stage& stage) { return stage.rules || stage.contact; });
+}
+
 }  // namespace
 
 Size size_of(const Scene& scene) {
@@ -192,12 +198,16 @@ Size size_of(const Scene& scene) {
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == grains::Passive::overlap;
   });
-  double bytes = grains::OccupancyTable::bytes_for(places, overlaps) +
-                 automaton::step_bytes(places) + kParticleBytes * particles + kAwakeBytes * awake +
-                 fill_bytes(scene, lattice) + picture_bytes(scene.output) +
-                 trajectory_bytes(scene, particles);
+  double model_bytes = grains::OccupancyTable::bytes_for(places, overlaps) +
+                       automaton::step_bytes(places) + kParticleBytes * particles +
+                       kAwakeBytes * awake;
   if (scene.model == Model::contact) {
-    bytes += (kContactGrainBytes + kForceWindowBytes * force_windows(scene)) * particles;
+    model_bytes += kContactGrainBytes * particles;
+  }
+  double bytes = model_bytes * (changes_rules(scene) ? 2 : 1) + fill_bytes(scene, lattice) +
+                 picture_bytes(scene.output) + trajectory_bytes(scene, particles);
+  if (scene.model == Model::contact) {
+    bytes += kForceWindowBytes * force_windows(scene) * particles;
   }
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 #include <set>
 
 #include "clca/run/setup.hpp"
@@ -19,6 +18,11 @@ std::string shown(const Variation& variation) {
                      fmt::join(variation.rows.front(), ","));
 }
 
+/// A name under let goes with and without the path.
+std::string plain(const std::string& key) {
+  return key.starts_with("let.") ? key.substr(std::string_view("let.").size()) : key;
+}
+
 void check_keys(const Request& request) {
   std::set<std::string> keys;
   for (const Variation& variation : request.variations) {
@@ -29,13 +33,13 @@ void check_keys(const Request& request) {
       if (key == "seed") {
         refuse("the seeds of a sweep are given by --seeds");
       }
-      if (!keys.insert(key).second) {
+      if (!keys.insert(plain(key)).second) {
         refuse("the key varies twice; give all its values at once, with commas between");
       }
     }
   }
   for (const scene::Override& text : request.overrides) {
-    const std::string key = text.substr(0, text.find('='));
+    const std::string key = plain(text.substr(0, text.find('=')));
     if (key == "seed" || keys.contains(key)) {
       throw scene::SceneError(fmt::format(
           "--set {}: error: {}", text,
@@ -81,8 +85,23 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
   }
   auto scene = std::get<scene::Scene>(std::move(any));
   scene.seed = request.seeds.front();
-  run::find_begin(scene, std::numeric_limits<double>::infinity());
   return {std::move(values), std::move(scene)};
+}
+
+/// Finds the state that the runs begin with, once where it is the same.
+void find_begins(std::vector<Variant>& variants, double max_bytes) {
+  const scene::Begin* last = nullptr;
+  for (Variant& variant : variants) {
+    std::optional<scene::Begin>& begin = variant.scene.begin;
+    if (begin && last != nullptr && begin->run == last->run && begin->step == last->step &&
+        (!begin->state || begin->state == last->state)) {
+      begin->state = last->state;
+      begin->particles = last->particles;
+    } else {
+      run::find_begin(variant.scene, max_bytes);
+    }
+    last = begin ? &*begin : nullptr;
+  }
 }
 
 /// FNV-1a. The names of folders outlive the program, so std::hash will not do.
@@ -112,7 +131,7 @@ std::string file_name(const std::string& text) {
 
 }  // namespace
 
-Plan plan(Request request) {
+Plan plan(Request request, double max_bytes) {
   check_keys(request);
   check_count(request);
   std::size_t combinations = 1;
@@ -125,6 +144,7 @@ Plan plan(Request request) {
     result.variants.push_back(
         parsed(result.request, keys, combination(result.request.variations, number)));
   }
+  find_begins(result.variants, max_bytes);
   return result;
 }
 

@@ -36,7 +36,8 @@ class Splitter {
       return false;
     }
     // A quote begins quoted text only where a value begins: not in `it's`.
-    const bool at_start = std::string_view(" [{,:").find(previous_) != std::string_view::npos;
+    const bool at_start = previous_ == separator_ ||
+                          std::string_view(" [{,:").find(previous_) != std::string_view::npos;
     if ((letter == '"' || letter == '\'') && at_start) {
       quote_ = letter;
     } else if (letter == '[' || letter == '{') {

@@ -57,8 +57,6 @@ class Automaton {
   Automaton& operator=(Automaton&&) noexcept;
 
   const grains::State& state() const;
-  /// The state, from which another automaton goes on. This one can then only be assigned to.
-  grains::State release() &&;
   const Rules& rules() const;
   grains::Occupancy occupancy() const;
 

@@ -81,8 +81,6 @@ class ContactModel {
   ContactModel& operator=(ContactModel&&) noexcept;
 
   const State& state() const;
-  /// The state, from which another model goes on. This one can then only be assigned to.
-  State release() &&;
   /// Part of state(); cheaper, as state() also updates the list of contacts.
   const grains::State& grains() const;
   grains::Occupancy occupancy() const;

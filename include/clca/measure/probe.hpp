@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "clca/grains/state.hpp"
@@ -11,8 +12,9 @@
 
 namespace clca::measure {
 
-/// Share of the sites of the region without walls that particles cover; 0 if walls cover all.
-double filling(const grains::State& state, const lattice::Rectangle& region);
+/// Of each region, share of its sites without walls that particles cover; 0 if walls cover all.
+std::vector<double> fillings(const grains::State& state,
+                             std::span<const lattice::Rectangle> regions);
 
 /// Means over the particles that start in a region, weighted by their sites.
 struct RegionMotion {

@@ -115,7 +115,7 @@ struct Outlet {
   bool operator==(const Outlet&) const = default;
 };
 
-/// A region of the box that is observed; see measure::Probe.
+/// A region of the box that is observed; see clca/measure/probe.hpp.
 struct Probe {
   std::string name;
   lattice::Rectangle region;

@@ -2,6 +2,7 @@
 // A sweep with every scene parsed: its runs, their order and names.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Plan {
   std::string name(std::size_t run) const;
 };
 
-/// Parses every combination. Throws scene::SceneError for the first that is wrong.
-Plan plan(Request request);
+/// Parses every combination. `max_bytes`: for the state of another run that they begin with. Throws
+/// scene::SceneError for the first that is wrong.
+Plan plan(Request request, double max_bytes = std::numeric_limits<double>::infinity());
 
 }  // namespace clca::sweep

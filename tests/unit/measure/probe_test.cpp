@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/states.hpp"
 
 namespace clca::measure {
@@ -24,6 +26,10 @@ State points(const std::vector<lattice::Site>& sites, bool periodic = false) {
 }
 
 constexpr lattice::Rectangle kLow = {0, 0, 100, 10};  // its middle line: y = 5
+
+double filling(const grains::State& state, const lattice::Rectangle& region) {
+  return fillings(state, std::array{region}).front();
+}
 
 TEST(Filling, IsTheShareOfTheSitesWithoutWalls) {
   State state = points({{0, 0}, {0, 1}, {0, 12}});

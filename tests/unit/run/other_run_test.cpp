@@ -114,7 +114,7 @@ TEST_F(OtherRunTest, ItsResolvedSceneGivesTheSameRunAgainAndNoOther) {
   pack({"seed=4"});
   EXPECT_THAT([&] { check_start(again); },
               ::testing::ThrowsMessage<scene::SceneError>(
-                  HasSubstr("begin: " + path("packing").string() + " has another state by now")));
+                  HasSubstr("begin: " + path("packing").string() + " has changed: found")));
 }
 
 TEST_F(OtherRunTest, ResumesWithoutTheOtherRun) {
@@ -209,6 +209,16 @@ TEST_F(OtherRunTest, RefusesWhatItCannotBeginWith) {
   EXPECT_THAT(refusal(), HasSubstr("has kept no checkpoint of its end"));
   pack({"outlets={drain: {region: [0, 0, 60, 60]}}"});
   EXPECT_THAT(refusal(), EndsWith("no particles are left in " + folder));
+}
+
+TEST_F(OtherRunTest, APeriodicBoxTakesNoParticlesFromBeyondItsWidth) {
+  pack({"box.width=80", "walls.gate.box=[40, 0, 41, 60]", "stages.0.fill.region=[0, 0, 40, 60]"});
+  const std::vector<scene::Override> narrow = {"box={width: 26, height: 60, periodic: true}",
+                                               "stages=[{name: flow}]", "walls={}"};
+  EXPECT_THAT(refusal(narrow), HasSubstr("lie outside the box"));
+  EXPECT_EQ(
+      refusal({"box={width: 80, height: 60, periodic: true}", "stages=[{name: flow}]", "walls={}"}),
+      "");
 }
 
 TEST_F(OtherRunTest, DoesNotReplaceTheRunThatItBeginsWith) {

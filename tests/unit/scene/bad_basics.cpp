@@ -14,13 +14,18 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:13:10: error: let.a: expected a number or an expression like '=2*a', found "
      "'wide'"},
     {"a let with a name that is none", "let: {2a: 3}",
-     "scene.yaml:13:7: error: let.2a: a name has letters, digits and '_', no digit first, and is "
+     "scene.yaml:13:7: error: let.2a: a name has up to 64 letters, digits and '_', no digit first, "
+     "and is "
      "no "
      "function"},
     {"a let with the name of a function", "let: {sqrt: 3}",
-     "scene.yaml:13:7: error: let.sqrt: a name has letters, digits and '_', no digit first, and is "
+     "scene.yaml:13:7: error: let.sqrt: a name has up to 64 letters, digits and '_', no digit "
+     "first, and is "
      "no function",
      Judge::parser},
+    {"a let of a number in quotes", "let: {a: '5'}",
+     "scene.yaml:13:10: error: let.a: expected a number or an expression like '=2*a', found '5' in "
+     "quotes"},
     {"a let with the name of a key", "let: {seed: 3}",
      "scene.yaml:13:7: error: let.seed: a key of the scene has this name", Judge::parser},
     {"a let that uses a later one", "let: {a: =b, b: 3}",

@@ -83,6 +83,11 @@ TEST(Variation, KeysVaryTogetherInRows) {
               ElementsAre(ElementsAre("60", "[20,0,21,50]"), ElementsAre("80", "[40,0,41,50]")));
 }
 
+TEST(Variation, OnlySemicolonsOutsideOfQuotesEndARow) {
+  EXPECT_THAT(parse_variation(R"(title,rules.inertia=a,0;"x;y",1)").rows,
+              ElementsAre(ElementsAre("a", "0"), ElementsAre(R"("x;y")", "1")));
+}
+
 TEST(Variation, ARangeStandsForItsNumbers) {
   EXPECT_THAT(values(parse_variation("L0=20:80:20")), ElementsAre("20", "40", "60", "80"));
   EXPECT_THAT(values(parse_variation("a=0:0.9:0.3")), ElementsAre("0", "0.3", "0.6", "0.9"));
