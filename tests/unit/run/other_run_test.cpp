@@ -114,7 +114,7 @@ TEST_F(OtherRunTest, ItsResolvedSceneGivesTheSameRunAgainAndNoOther) {
   pack({"seed=4"});
   EXPECT_THAT([&] { check_start(again); },
               ::testing::ThrowsMessage<scene::SceneError>(
-                  HasSubstr("begin: " + path("packing").string() + " has changed: found")));
+                  HasSubstr("begin: the state in " + path("packing").string() + " has changed")));
 }
 
 TEST_F(OtherRunTest, ResumesWithoutTheOtherRun) {
