@@ -16,8 +16,8 @@ namespace {
 constexpr double kFlankLow = 0.15;
 constexpr double kFlankHigh = 0.80;
 constexpr std::size_t kFlankColumns = 5;
-constexpr double kExplained = 0.5;  // of the variance of the heights, at least
-constexpr double kSiteTop = 1.0;    // from the floor at y = -1/2 to the top of a site at y: y + 1
+constexpr double kExplained = 0.25;  // of the variance of the heights, at least
+constexpr double kSiteTop = 1.0;     // from the floor at y = -1/2 to the top of a site at y: y + 1
 
 /// Lowest and highest row with a particle, per column.
 struct RowBounds {
