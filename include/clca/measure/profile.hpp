@@ -34,8 +34,8 @@ struct ReposeAngle {
 
 /// Least-squares lines through the columns on either side of the top with 15 % to 80 % of the
 /// maximum height, so that a flat top or scattered grains at the toe do not count.
-/// A flank has at least 5 columns, and the line explains at least a quarter of the variance of their
-/// heights; where it explains less the flank is uneven.
+/// A flank has at least 5 columns, and the line explains at least a quarter of the variance of
+/// their heights; where it explains less the flank is uneven.
 ReposeAngle repose_angle(const std::vector<double>& profile);
 
 /// Particle sites divided by the sites available to the bed: per column from the floor or wall
