@@ -51,12 +51,11 @@ class Automaton::Impl {
                       particles_);
   }
 
-  /// `place` puts the particles into a region: fill_region or deposit_in.
-  template <class Place>
-  grains::FillResult fill(Place place, const lattice::Rectangle& region,
-                          std::span<const std::size_t> counts) {
+  /// `place` puts the particles into a region: fill_region, deposit_in or fill_with.
+  template <class Place, class Contents>
+  grains::FillResult fill(Place place, const lattice::Rectangle& region, const Contents& contents) {
     const std::size_t before = world.state.particles.size();
-    grains::FillResult result = place(world.state, world.occupancy, region, counts);
+    grains::FillResult result = place(world.state, world.occupancy, region, contents);
     world.include_new(before);
     for (std::size_t id = before; id < world.state.particles.size(); ++id) {
       remove_at_outlet(world, static_cast<std::uint32_t>(id));
@@ -71,6 +70,16 @@ class Automaton::Impl {
   std::variant<ReferenceStep, Engine> particles_{std::in_place_type<ReferenceStep>, world};
   bool half_changed_ = false;
 };
+
+namespace {
+
+void check_deposition(const Rules& rules) {
+  if (rules.gravity != lattice::Direction::down) {
+    throw std::invalid_argument("particles are deposited along a gravity that points down");
+  }
+}
+
+}  // namespace
 
 double step_bytes(double places) {
   return SiteReservations::bytes_for(places);
@@ -106,10 +115,17 @@ grains::FillResult Automaton::deposit(const lattice::Rectangle& region,
                                       std::span<const std::size_t> counts) {
   check_counts(state(), counts);
   lattice::check(region);
-  if (rules().gravity != lattice::Direction::down) {
-    throw std::invalid_argument("particles are deposited along a gravity that points down");
-  }
+  check_deposition(rules());
   return impl_->whole([&] { return impl_->fill(grains::deposit_in, region, counts); });
+}
+
+grains::FillResult Automaton::fill(const lattice::Rectangle& region,
+                                   const grains::Mixture& mixture) {
+  lattice::check(region);
+  if (mixture.deposited) {
+    check_deposition(rules());
+  }
+  return impl_->whole([&] { return impl_->fill(grains::fill_with, region, mixture); });
 }
 
 void Automaton::remove_wall(std::size_t wall) {

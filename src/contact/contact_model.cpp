@@ -69,8 +69,8 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   }
   if (parameters.rolling != Rolling::none) {
     for (const grains::Kind& kind : state.grains.kinds) {
-      if (!is_hexagon(kind.shape)) {
-        throw std::invalid_argument("only hexagons turn: others need Rolling::none");
+      if (!kind.shape.is_round()) {
+        throw std::invalid_argument("only hexagons and discs turn: others need Rolling::none");
       }
     }
   }
@@ -444,6 +444,14 @@ grains::FillResult ContactModel::deposit(const lattice::Rectangle& region,
   lattice::check(region);
   return impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
     return grains::deposit_in(state, occupancy, region, counts);
+  });
+}
+
+grains::FillResult ContactModel::fill(const lattice::Rectangle& region,
+                                      const grains::Mixture& mixture) {
+  lattice::check(region);
+  return impl_->change([&](grains::State& state, grains::OccupancyTable& occupancy) {
+    return grains::fill_with(state, occupancy, region, mixture);
   });
 }
 

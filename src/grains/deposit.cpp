@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "clca/random/draw.hpp"
 #include "grains/internal/filling.hpp"
 #include "grains/internal/footprint.hpp"
+#include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
@@ -93,6 +95,9 @@ class CoinFlips {
   int left_ = 0;
 };
 
+/// Where particles may come to rest.
+using Accept = std::function<bool(lattice::Site)>;
+
 class Deposit {
  public:
   Deposit(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region)
@@ -103,12 +108,21 @@ class Deposit {
     }
     surface_.resize(static_cast<std::size_t>(state.lattice.columns()));
     for (int column = 0; column < state.lattice.columns(); ++column) {
-      surface_[static_cast<std::size_t>(column)] = highest_taken(column) + 1;
+      const int top = highest_taken(column);
+      surface_[static_cast<std::size_t>(column)] = top + 1;
+      if (in_region(column)) {
+        heights_ += lattice::position(lattice::Site{column, top}).y();
+        ++columns_;
+      }
     }
   }
 
-  /// Returns false and changes nothing if no column has room.
-  bool place(std::uint16_t kind) {
+  /// Mean over the columns of the region of the highest taken site, in lattice spacings.
+  double level() const { return heights_ / columns_; }
+
+  /// Returns false and changes nothing if there is no column where it fits and comes to rest at a
+  /// site that is accepted.
+  bool place(std::uint16_t kind, const Accept& accept) {
     const Room& room = rooms_[kind];
     const auto id = static_cast<std::uint32_t>(state_.particles.size());
     if (room.columns.count() <= 0) {
@@ -122,6 +136,9 @@ class Deposit {
       if (const auto start = landing(room, column)) {
         Particle particle = {.column = column, .row = *start, .kind = kind};
         roll_down(particle, id);
+        if (!accept({state_.lattice.wrapped(particle.column), particle.row})) {
+          continue;
+        }
         insert(state_, occupancy_, particle);
         raise_surface(particle);
         return true;
@@ -131,17 +148,21 @@ class Deposit {
   }
 
  private:
+  bool in_region(int column) const {
+    const double x = lattice::position(lattice::Site{column, 0}).x();
+    return x >= region_.left && x < region_.right;
+  }
+
   Room room_of(const lattice::Shape& shape) const {
     Room room;
     room.ends_by_column = ends_by_column_of(shape);
     const lattice::Lattice& lattice = state_.lattice;
     const auto fits_across = [&](int column) {
-      return std::all_of(
-          room.ends_by_column.begin(), room.ends_by_column.end(), [&](const ColumnEnds& ends) {
-            const int at = lattice.wrapped(column + ends.bottom.x);
-            const double x = lattice::position(lattice::Site{at, 0}).x();
-            return at >= 0 && at < lattice.columns() && x >= region_.left && x < region_.right;
-          });
+      return std::all_of(room.ends_by_column.begin(), room.ends_by_column.end(),
+                         [&](const ColumnEnds& ends) {
+                           const int at = lattice.wrapped(column + ends.bottom.x);
+                           return at >= 0 && at < lattice.columns() && in_region(at);
+                         });
     };
     room.columns = range_where(0, lattice.columns() - 1, fits_across);
     for (const int parity : {0, 1}) {
@@ -229,7 +250,9 @@ class Deposit {
   void raise_surface(const Particle& particle) {
     for (const ColumnEnds& ends : rooms_[particle.kind].ends_by_column) {
       int& surface = surface_[surface_place(particle.column + ends.top.x)];
-      surface = std::max(surface, (particle.site() + ends.top).row + 1);
+      const int raised = std::max(surface, (particle.site() + ends.top).row + 1);
+      heights_ += raised - surface;  // a particle covers columns of the region only
+      surface = raised;
     }
   }
 
@@ -239,28 +262,19 @@ class Deposit {
   FootprintTable footprints_;
   std::vector<Room> rooms_;   // of each kind
   std::vector<int> surface_;  // of each column: above the highest taken row
+  // Of the region: the sum of the heights of the highest taken sites, and the columns.
+  double heights_ = 0;
+  double columns_ = 0;
 };
 
-/// The species of the next particle, drawn in proportion to the numbers still to be placed.
-std::size_t next_species(const State& state, std::span<const std::size_t> left,
-                         std::uint64_t all_left) {
-  const auto id = static_cast<std::uint32_t>(state.particles.size());
-  std::uint64_t drawn =
-      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_species), all_left);
-  std::size_t species = 0;
-  while (drawn >= left[species]) {
-    drawn -= left[species++];
-  }
-  return species;
-}
-
 /// In a random orientation, or the next one that fits.
-bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds) {
+bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds,
+               const Accept& accept) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
   const std::uint64_t drawn =
       random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), kinds.size());
   for (std::size_t tried = 0; tried < kinds.size(); ++tried) {
-    if (deposit.place(kinds[(drawn + tried) % kinds.size()])) {
+    if (deposit.place(kinds[(drawn + tried) % kinds.size()], accept)) {
       return true;
     }
   }
@@ -276,15 +290,11 @@ FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Re
   std::uint64_t all_left = std::accumulate(left.begin(), left.end(), std::uint64_t{0});
   state.particles.reserve(first + all_left);
   state.origins.reserve(first + all_left);
-  std::vector<std::vector<std::uint16_t>> kinds;
-  for (std::size_t species = 0; species < counts.size(); ++species) {
-    kinds.push_back(kinds_of(state, species));
-  }
   FillResult result{.placed = std::vector<std::size_t>(counts.size(), 0), .complete = true};
   Deposit deposit(state, occupancy, region);
   while (all_left > 0) {
-    const std::size_t species = next_species(state, left, all_left);
-    if (place_one(deposit, state, kinds[species])) {
+    const std::size_t species = draw_species(state, left);
+    if (place_one(deposit, state, kinds_of(state, species), [](lattice::Site) { return true; })) {
       ++result.placed[species];
       --left[species];
       --all_left;
@@ -294,6 +304,27 @@ FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Re
     }
   }
   renumber(state, occupancy, first);
+  return result;
+}
+
+FillResult deposit_mixture(State& state, OccupancyTable& occupancy,
+                           const lattice::Rectangle& region, const Parts& parts,
+                           std::optional<double> level) {
+  FillResult result{.placed = std::vector<std::size_t>(parts.weights.front().size(), 0)};
+  Deposit deposit(state, occupancy, region);
+  // A part that has no room may get some where another one grows beneath it.
+  std::size_t full = 0;
+  for (std::size_t part = 0; full < parts.weights.size() && !(level && deposit.level() >= *level);
+       part = (part + 1) % parts.weights.size()) {
+    const std::size_t species = draw_species(state, parts.weights[part]);
+    if (place_one(deposit, state, kinds_of(state, species),
+                  [&](lattice::Site site) { return parts.part_at(site) == part; })) {
+      ++result.placed[species];
+      full = 0;
+    } else {
+      ++full;
+    }
+  }
   return result;
 }
 

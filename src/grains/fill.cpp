@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "clca/random/draw.hpp"
 #include "grains/internal/filling.hpp"
+#include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
@@ -44,22 +46,78 @@ std::vector<Trial> all_trials(const std::vector<lattice::Site>& sites,
 
 /// Tries every position once in random order (Fisher-Yates, as far as needed). A position that has
 /// failed once never fits again.
-std::size_t place_species(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
-                          std::vector<Trial> trials, std::size_t count) {
-  const auto first_id = static_cast<std::uint32_t>(state.particles.size());
-  std::size_t placed = 0;
-  for (std::size_t i = 0; i < trials.size() && placed < count; ++i) {
-    const std::uint64_t bits =
-        random::draw(state.seed, i, first_id, random::Purpose::fill_position);
-    std::swap(trials[i], trials[i + random::below(bits, trials.size() - i)]);
-    const Particle particle = {
-        .column = trials[i].site.column, .row = trials[i].site.row, .kind = trials[i].kind};
-    if (lies_inside(state, particle, region) && fits(state, occupancy, particle)) {
-      insert(state, occupancy, particle);
-      ++placed;
+class Trials {
+ public:
+  /// Different keys give different orders.
+  Trials(std::vector<Trial> trials, std::uint32_t key) : trials_(std::move(trials)), key_(key) {}
+
+  /// False if there is no position left.
+  bool place_one(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region) {
+    while (tried_ < trials_.size()) {
+      const std::uint64_t bits =
+          random::draw(state.seed, tried_, key_, random::Purpose::fill_position);
+      std::swap(trials_[tried_], trials_[tried_ + random::below(bits, trials_.size() - tried_)]);
+      const Trial& trial = trials_[tried_++];
+      const Particle particle = {
+          .column = trial.site.column, .row = trial.site.row, .kind = trial.kind};
+      if (lies_inside(state, particle, region) && fits(state, occupancy, particle)) {
+        insert(state, occupancy, particle);
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::vector<Trial> trials_;
+  std::uint32_t key_;
+  std::size_t tried_ = 0;
+};
+
+std::uint32_t next_id(const State& state) {
+  return static_cast<std::uint32_t>(state.particles.size());
+}
+
+/// Places particles drawn by the weights on these sites until one has no room.
+void fill_part(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+               const std::vector<lattice::Site>& sites, const std::vector<std::size_t>& weights,
+               std::vector<std::size_t>& placed) {
+  std::vector<Trials> trials;
+  for (std::size_t species = 0; species < weights.size(); ++species) {
+    const std::vector<std::uint16_t> kinds =
+        weights[species] > 0 ? kinds_of(state, species) : std::vector<std::uint16_t>();
+    trials.emplace_back(all_trials(sites, kinds),
+                        next_id(state) + static_cast<std::uint32_t>(species));
+  }
+  std::size_t species = draw_species(state, weights);
+  while (trials[species].place_one(state, occupancy, region)) {
+    ++placed[species];
+    species = draw_species(state, weights);
+  }
+}
+
+Parts parts_of(const lattice::Rectangle& region, const Mixture& mixture) {
+  Parts parts;
+  for (const std::vector<std::uint32_t>& weights : mixture.parts) {
+    parts.weights.emplace_back(weights.begin(), weights.end());
+  }
+  if (!mixture.rows.empty()) {
+    parts.picture = {.box = region, .rows = mixture.rows};
+  }
+  return parts;
+}
+
+void check_parts(const State& state, const Mixture& mixture) {
+  for (const std::vector<std::uint32_t>& part : mixture.parts) {
+    const std::vector<std::size_t> weights(part.begin(), part.end());
+    check_counts(state, weights);
+    if (std::all_of(part.begin(), part.end(), [](auto weight) { return weight == 0; })) {
+      throw std::invalid_argument("the weights of a mixture are all zero");
     }
   }
-  return placed;
+  if (mixture.parts.empty() || (mixture.rows.empty() && mixture.parts.size() > 1)) {
+    throw std::invalid_argument("a mixture needs one part, or a picture of its parts");
+  }
 }
 
 }  // namespace
@@ -84,9 +142,33 @@ FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::R
     if (counts[species] == 0) {
       continue;
     }
-    result.placed[species] = place_species(
-        state, occupancy, region, all_trials(sites, kinds_of(state, species)), counts[species]);
+    Trials trials(all_trials(sites, kinds_of(state, species)), next_id(state));
+    while (result.placed[species] < counts[species] && trials.place_one(state, occupancy, region)) {
+      ++result.placed[species];
+    }
     result.complete = result.complete && result.placed[species] == counts[species];
+  }
+  renumber(state, occupancy, first);
+  return result;
+}
+
+FillResult fill_with(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+                     const Mixture& mixture) {
+  check_parts(state, mixture);
+  const std::size_t first = state.particles.size();
+  const Parts parts = parts_of(region, mixture);
+  FillResult result;
+  if (mixture.deposited) {
+    result = deposit_mixture(state, occupancy, region, parts, mixture.level);
+  } else {
+    result.placed.resize(mixture.parts.front().size(), 0);
+    const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
+    for (std::size_t part = 0; part < parts.weights.size(); ++part) {
+      std::vector<lattice::Site> own;
+      std::copy_if(sites.begin(), sites.end(), std::back_inserter(own),
+                   [&](lattice::Site site) { return parts.part_at(site) == part; });
+      fill_part(state, occupancy, region, own, parts.weights[part], result.placed);
+    }
   }
   renumber(state, occupancy, first);
   return result;

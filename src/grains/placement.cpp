@@ -1,6 +1,9 @@
 #include "grains/placement.hpp"
 
 #include <algorithm>
+#include <numeric>
+
+#include "clca/random/draw.hpp"
 
 namespace clca::grains {
 
@@ -38,6 +41,18 @@ void insert(State& state, OccupancyTable& occupancy, const Particle& particle) {
   }
   state.particles.push_back(particle);
   state.origins.push_back(particle.site());
+}
+
+std::size_t draw_species(const State& state, std::span<const std::size_t> weights) {
+  const auto id = static_cast<std::uint32_t>(state.particles.size());
+  const std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
+  std::uint64_t drawn =
+      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_species), all);
+  std::size_t species = 0;
+  while (drawn >= weights[species]) {
+    drawn -= weights[species++];
+  }
+  return species;
 }
 
 void renumber(State& state, OccupancyTable& occupancy, std::size_t first) {

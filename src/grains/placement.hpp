@@ -2,6 +2,7 @@
 // Placement of single particles.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "clca/grains/state.hpp"
@@ -21,6 +22,9 @@ void insert(State& state, OccupancyTable& occupancy, const Particle& particle);
 
 /// The kinds of a species: one for each orientation.
 std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
+
+/// A species, drawn for the next particle in proportion to the weights, which are not all zero.
+std::size_t draw_species(const State& state, std::span<const std::size_t> weights);
 
 /// Renumbers the particles from `first` on, column by column from the left, upwards, so that
 /// neighbours in the box are neighbours in memory.

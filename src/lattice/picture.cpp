@@ -12,15 +12,17 @@ std::size_t part_at(double share, std::size_t count) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
 }
 
-bool is_dark(const Picture& picture, const Eigen::Vector2d& point) {
+}  // namespace
+
+char pixel_at(const Picture& picture, const Eigen::Vector2d& point) {
+  if (picture.rows.empty() || picture.rows.front().empty()) {
+    throw std::invalid_argument("a picture needs pixels");
+  }
   const Rectangle& box = picture.box;
   const std::string& row =
       picture.rows[part_at((box.top - point.y()) / (box.top - box.bottom), picture.rows.size())];
-  return row[part_at((point.x() - box.left) / (box.right - box.left), row.size())] ==
-         Picture::kDark;
+  return row[part_at((point.x() - box.left) / (box.right - box.left), row.size())];
 }
-
-}  // namespace
 
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& picture) {
   if (std::any_of(picture.rows.begin(), picture.rows.end(),
@@ -29,7 +31,8 @@ std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& pictu
     throw std::invalid_argument("a picture needs pixels");
   }
   std::vector<Site> sites = sites_in(swept_region, picture.box);
-  std::erase_if(sites, [&](Site site) { return !is_dark(picture, position(site)); });
+  std::erase_if(sites,
+                [&](Site site) { return pixel_at(picture, position(site)) != Picture::kDark; });
   return sites;
 }
 

@@ -154,6 +154,23 @@ Shape Shape::rod(int radius, int length) {
   return Shape(std::move(sites));
 }
 
+Shape Shape::disc(double radius) {
+  constexpr double kOnEdge = 1e-6;
+  if (!(radius >= 0 && radius <= kMaxSiteCoordinate)) {
+    throw std::invalid_argument("the radius of a disc is negative or too long");
+  }
+  const auto reach = static_cast<int>(radius / kColumnPitch) + 1;
+  std::vector<Axial> sites;
+  for (int x = -reach; x <= reach; ++x) {
+    for (int q = -reach; q <= reach; ++q) {
+      if (position(Axial{x, q}).norm() <= radius + kOnEdge) {
+        sites.push_back({x, q});
+      }
+    }
+  }
+  return Shape(std::move(sites));
+}
+
 Shape Shape::polygon(std::span<const Axial> corners) {
   if (corners.size() < 3) {
     throw std::invalid_argument("a polygon has at least 3 corners");
@@ -198,13 +215,13 @@ bool Shape::congruent(const Shape& other) const {
   return sites_ == shifted(other.sites_, sites_.front() - other.sites_.front());
 }
 
-std::optional<int> Shape::hexagon_radius() const {
-  const int radius = (sites_.back().x - sites_.front().x) / 2;
-  const auto wide = static_cast<std::size_t>(radius);
-  if (size() != 3 * wide * (wide + 1) + 1 || !congruent(hexagon(radius))) {
-    return std::nullopt;
+bool Shape::is_round() const {
+  const auto radius = std::max(sites_.back().x, 0);
+  double reach = 0;
+  for (const Axial site : sites_) {
+    reach = std::max(reach, position(site).norm());
   }
-  return radius;
+  return *this == hexagon(radius) || *this == disc(reach);
 }
 
 Eigen::Vector2d Shape::centroid() const {

@@ -174,6 +174,10 @@ grains::FillResult Model::deposit(const lattice::Rectangle& region,
   return std::visit([&](auto& model) { return model.deposit(region, counts); }, model_);
 }
 
+grains::FillResult Model::fill(const lattice::Rectangle& region, const grains::Mixture& mixture) {
+  return std::visit([&](auto& model) { return model.fill(region, mixture); }, model_);
+}
+
 void Model::remove_wall(std::size_t wall) {
   std::visit([&](auto& model) { model.remove_wall(wall); }, model_);
 }

@@ -71,6 +71,7 @@ class Model {
   Report step();
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
   grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  grains::FillResult fill(const lattice::Rectangle& region, const grains::Mixture& mixture);
   void remove_wall(std::size_t wall);
   bool insert_wall(std::size_t wall);
   void set_motion(std::size_t wall, bool active);

@@ -12,6 +12,17 @@ namespace {
 
 void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
+  if (const auto mixture = scene::mixture_of(fill)) {
+    const grains::FillResult result = model.fill(fill.region, *mixture);
+    if (std::all_of(result.placed.begin(), result.placed.end(),
+                    [](std::size_t placed) { return placed == 0; })) {
+      throw SceneRunError(
+          fmt::format("{}: error: the fill of stage {} has placed nothing; enlarge "
+                      "the region, or raise the level",
+                      fill.location, stage.name));
+    }
+    return;
+  }
   const grains::FillResult result = fill.method == scene::FillMethod::deposition
                                         ? model.deposit(fill.region, fill.counts)
                                         : model.fill(fill.region, fill.counts);

@@ -45,9 +45,9 @@ void check_able(const Value& root) {
 
 void check_rolling(const Scene& scene, const Value& species) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    if (!scene.species[i].shape.hexagon_radius()) {
+    if (!scene.species[i].shape.is_round()) {
       fail(species.entries[i].location,
-           fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
+           fmt::format("species.{}: only hexagons and discs roll; give it the shape of one, or say "
                        "'contact.rolling: none'",
                        scene.species[i].name));
     }

@@ -87,8 +87,10 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
   double wanted = 0;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
-    wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
-    if (fill.counts[i] > 0 && !finds_room(lattice, fill.region, species, free)) {
+    if (!fill.counts.empty()) {
+      wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
+    }
+    if (has_species(fill, i) && !finds_room(lattice, fill.region, species, free)) {
       refuse(fill.location, fmt::format("stages.{}.fill: no {} fits into the region; enlarge it",
                                         stage.name, species.name));
     }

@@ -36,7 +36,7 @@ bool stands_or_moves(const Scene& scene, std::size_t wall) {
 
 bool fills(const Scene& scene, std::size_t species) {
   return std::any_of(scene.stages.begin(), scene.stages.end(), [species](const Stage& stage) {
-    return stage.fill && stage.fill->counts[species] > 0;
+    return stage.fill && has_species(*stage.fill, species);
   });
 }
 

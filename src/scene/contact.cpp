@@ -12,24 +12,32 @@ namespace clca::scene {
 
 namespace {
 
-/// Area of particles in squared lattice spacings.
-double area(const Scene& scene, const std::vector<std::size_t>& counts) {
+constexpr double kPacking = 0.8;
+
+/// Area of the particles of a fill in squared lattice spacings; of a mixture, where it fills its
+/// region as densely as a bed.
+double area(const Scene& scene, const Fill& fill) {
+  if (fill.counts.empty()) {
+    const lattice::Rectangle& region = fill.region;
+    return kPacking * (std::min(region.right, scene.box.width) - std::max(region.left, 0.0)) *
+           (std::min(fill.level.value_or(region.top), scene.box.height) -
+            std::max(region.bottom, 0.0));
+  }
   double sum = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    sum += static_cast<double>(counts[i]) * static_cast<double>(scene.species[i].shape.size());
+  for (std::size_t i = 0; i < fill.counts.size(); ++i) {
+    sum += static_cast<double>(fill.counts[i]) * static_cast<double>(scene.species[i].shape.size());
   }
   return sum * lattice::kColumnPitch;
 }
 
 double estimated_fall(const Scene& scene) {
-  constexpr double kPacking = 0.8;
   constexpr double kMinFallHeight = 10;
   double filled = 0;
   double width = 0;
   for (const Stage& stage : scene.stages) {
     if (stage.fill) {
       const lattice::Rectangle& region = stage.fill->region;
-      filled += area(scene, stage.fill->counts);
+      filled += area(scene, *stage.fill);
       width = std::max(width, std::min(region.right, scene.box.width) - std::max(region.left, 0.0));
     }
   }

@@ -32,15 +32,8 @@ Rows rows_of(const image::Image& picture) {
   return rows;
 }
 
-Rows read_png(const Value& value, const std::string& path, const Scene& scene) {
-  const std::string file = file_path_type().read(value, path, scene);
-  try {
-    return rows_of(
-        image::decode_png(text::read_file(file, kMaxPictureBytes), kMaxPicturePixels).image);
-  } catch (const std::runtime_error& error) {
-    fail(value.location, fmt::format("{}: cannot read {}: {}", path, text::printable(file),
-                                     text::printable(error.what())));
-  }
+bool is_wall_pixel(char pixel) {
+  return pixel == Picture::kDark || pixel == Picture::kLight;
 }
 
 /// The key that stands for `rows`: a run folder has no other file.
@@ -53,58 +46,68 @@ Key<Picture> file_key() {
     constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
     fields.only(kSources);
     if (const Value* value = fields.find("file")) {
-      picture.rows = read_png(*value, fields.path("file"), scene);
+      picture.rows = rows_of(read_picture(*value, fields.path("file"), scene));
     }
   };
   key.text = [](const Picture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
   return key;
 }
 
-Rows read_rows(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  Rows rows;
-  std::size_t pixels = 0;
-  for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
-    const std::string& row = rows.emplace_back(read_text(item, path));
-    if (row.empty() || row.size() != rows.front().size() ||
-        row.find_first_not_of({Picture::kDark, Picture::kLight}) != std::string::npos) {
-      fail(item.location,
-           fmt::format("{}: expected rows of one length of the characters {} and {}, found {}",
-                       path, Picture::kDark, Picture::kLight, found(item)));
-    }
-    pixels += row.size();
-  }
-  if (pixels > kMaxPicturePixels) {
-    fail(value.location,
-         fmt::format("{}: expected at most {} pixels, found {}", path, kMaxPicturePixels, pixels));
-  }
-  return rows;
-}
-
-Type<Rows> rows_type() {
-  return {.allowed = "list of texts",
-          .schema =
-              [] {
-                return Json{{"type", "array"},
-                            {"items", {{"type", "string"}, {"pattern", "^[#.]+$"}}},
-                            {"minItems", 1}};
-              },
-          .read = read_rows,
-          .text =
-              [](const Rows& rows, const Scene& /*scene*/) {
-                Yaml list = Yaml::list({});
-                list.in_lines = true;
-                std::transform(rows.begin(), rows.end(), std::back_inserter(list.items),
-                               quoted_text);
-                return list;
-              }};
-}
-
 }  // namespace
+
+image::Image read_picture(const Value& value, const std::string& path, const Scene& scene) {
+  const std::string file = file_path_type().read(value, path, scene);
+  try {
+    return image::decode_png(text::read_file(file, kMaxPictureBytes), kMaxPicturePixels).image;
+  } catch (const std::runtime_error& error) {
+    fail(value.location, fmt::format("{}: cannot read {}: {}", path, text::printable(file),
+                                     text::printable(error.what())));
+  }
+}
+
+Type<Rows> rows_type(const std::function<bool(char)>& allowed, const std::string& about,
+                     const std::string& pattern) {
+  return {
+      .allowed = "list of texts",
+      .schema =
+          [=] {
+            return Json{{"type", "array"},
+                        {"items", {{"type", "string"}, {"pattern", pattern}}},
+                        {"minItems", 1}};
+          },
+      .read =
+          [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+            Rows rows;
+            std::size_t pixels = 0;
+            for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
+              const std::string& row = rows.emplace_back(read_text(item, path));
+              if (row.empty() || row.size() != rows.front().size() ||
+                  !std::all_of(row.begin(), row.end(), allowed)) {
+                fail(item.location, fmt::format("{}: expected rows of one length of {}, found {}",
+                                                path, about, found(item)));
+              }
+              pixels += row.size();
+            }
+            if (pixels > kMaxPicturePixels) {
+              fail(value.location, fmt::format("{}: expected at most {} pixels, found {}", path,
+                                               kMaxPicturePixels, pixels));
+            }
+            return rows;
+          },
+      .text =
+          [](const Rows& rows, const Scene& /*scene*/) {
+            Yaml list = Yaml::list({});
+            list.in_lines = true;
+            std::transform(rows.begin(), rows.end(), std::back_inserter(list.items), quoted_text);
+            return list;
+          }};
+}
 
 Type<Picture> picture_type() {
   return type_of<Picture>(
       {.keys = {file_key(),
-                key("rows", &Picture::rows, rows_type(),
+                key("rows", &Picture::rows,
+                    rows_type(is_wall_pixel, "the characters # and .", "^[#.]+$"),
                     "the same as text, from the top: `#` for dark pixels, `.` for others", {})
                     .defaults_to("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},

@@ -44,7 +44,9 @@ void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
   }
 }
 
-Type<std::vector<std::uint32_t>> weights() {
+}  // namespace
+
+Type<std::vector<std::uint32_t>> weights_type() {
   auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
   type.schema = [schema = type.schema] {
     Json result = schema();
@@ -61,8 +63,6 @@ Type<std::vector<std::uint32_t>> weights() {
   return type;
 }
 
-}  // namespace
-
 Type<std::vector<Source>> sources_type() {
   const auto place = [](const std::string& name, const auto& type, const std::string& about) {
     return inlined(&Source::place, alternative<Place>(name, type, about));
@@ -73,7 +73,7 @@ Type<std::vector<Source>> sources_type() {
                     .defaults_to("this or `region`"),
                 place("region", region(), "emits at any site of this region of the box")
                     .defaults_to("this or `at`"),
-                key("species", &Source::weights, weights(), "weights of what is emitted", {})
+                key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
                     .defaults_to("all alike"),
                 required("rate", &Source::rate, number(kMinRate, kMaxRate), "particles per step"),
                 key("count", &Source::count, count(1, kMaxParticles),

@@ -73,6 +73,8 @@ Type<ShapeSpec> shape() {
            "hexagon", as(&HexagonSpec::radius, integer(0, kMaxRadius)),
            "all sites within that many steps of the centre: 0 is a single site, 1 "
            "has 7, 2 has 19"),
+       alternative<ShapeSpec>("disc", as(&DiscSpec::radius, number(0, kMaxRadius)),
+                              "all sites within that many spacings of the centre"),
        alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
        alternative<ShapeSpec>("polygon", as(&PolygonSpec::corners, sites(3, kMaxCorners)),
                               "all sites on and inside the outline with these corners"),
@@ -81,6 +83,9 @@ Type<ShapeSpec> shape() {
 
 lattice::Shape build(const HexagonSpec& spec) {
   return lattice::Shape::hexagon(spec.radius);
+}
+lattice::Shape build(const DiscSpec& spec) {
+  return lattice::Shape::disc(spec.radius);
 }
 lattice::Shape build(const SitesSpec& spec) {
   return lattice::Shape(spec.sites);
@@ -176,19 +181,26 @@ Type<std::vector<int>> orientations() {
               }};
 }
 
-Type<Color> color() {
-  return {.allowed = "`\"#rrggbb\"`, in quotes",
-          .schema =
-              [=] {
-                return Json{{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_color(value, path); },
-          .text =
-              [](const Color& color, const Scene& /*scene*/) {
-                return quoted_text(
-                    fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
-              }};
+Key<Species> shape_key() {
+  auto key = required("shape", &Species::shape_spec, shape(), "the sites of a particle")
+                 .defaults_to("this or `sizes`");
+  key.required = false;
+  key.read = [read = key.read](const KeyedMap& fields, Species& species, const Scene& scene) {
+    constexpr std::array<std::string_view, 2> kKeys = {"shape", "sizes"};
+    fields.only(kKeys);
+    read(fields, species, scene);
+  };
+  return key;
+}
+
+/// Replaced by species with shapes before the keys are read; see expand_sizes.
+Key<Species> sizes_key() {
+  auto key = described<Species>("sizes", sizes_type(),
+                                "round particles whose sizes follow a law: [sizes](#sizes)");
+  key.otherwise = "this or `shape`";
+  key.read = [](const KeyedMap& /*fields*/, Species& /*species*/, const Scene& /*scene*/) {};
+  key.text = [](const Species& /*species*/, const Scene& /*scene*/) { return std::nullopt; };
+  return key;
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
@@ -211,14 +223,32 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
 
 }  // namespace
 
+Type<Color> color_type() {
+  return {.allowed = "`\"#rrggbb\"`, in quotes",
+          .schema =
+              [=] {
+                return Json{{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}};
+              },
+          .read = [](const Value& value, const std::string& path,
+                     const Scene& /*scene*/) { return read_color(value, path); },
+          .text =
+              [](const Color& color, const Scene& /*scene*/) {
+                return quoted_text(
+                    fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
+              }};
+}
+
 Type<std::vector<Species>> species_type() {
   Map<Species> map = {
-      .keys = {required("shape", &Species::shape_spec, shape(), "the sites of a particle"),
+      .keys = {shape_key(), sizes_key(),
                key("orientations", &Species::orientations, orientations(),
                    "angles it may start with, clockwise; one of them at random", {0}),
-               key("color", &Species::color, color(), "colour for `color_by: species`")
+               key("color", &Species::color, color_type(), "colour for `color_by: species`")
                    .defaults_to("palette")},
-      .start = {{}, {}, lattice::Shape::hexagon(0), {0}, {}}};
+      .start = {{}, {}, lattice::Shape::hexagon(0), {0}, {}},
+      .conditions = [] {
+        return Json{{"oneOf", {{{"required", {"shape"}}}, {{"required", {"sizes"}}}}}};
+      }};
   map.check = [](const KeyedMap& fields, Species& species, const Scene& scene) {
     try {
       species.shape = build_checked(species.shape_spec);

@@ -7,26 +7,6 @@ namespace clca::scene {
 
 namespace {
 
-Type<Fill> fill_type() {
-  return type_of<Fill>(
-      {.keys = {key("method", &Fill::method, choice(kFillMethodNames),
-                    "a rain that falls in the steps that follow, or a packing at rest"),
-                required("region", &Fill::region, region(), "where: no particle sticks out of it"),
-                required("counts", &Fill::counts, by_species<std::size_t>(kMaxParticles),
-                         "number of particles; 0 for species that are not named")},
-       .check = [](const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
-         fill.location = FileReference(to_string(fields.location()));
-       }});
-}
-
-/// `stages.flow`, or the number where there is no name to go by.
-std::string stage_path(const Value& value, std::size_t number) {
-  const Value* name = value.find("name");
-  return name != nullptr && name->is(Value::Kind::scalar)
-             ? join_path("stages", name->text.substr(0, kMaxNameLength))
-             : fmt::format("stages.{}", number);
-}
-
 void check_stage(const KeyedMap& fields, Stage& stage, const Scene& scene) {
   if (const Value* insert = fields.find("insert")) {
     stage.insert_location = FileReference(to_string(insert->location));
@@ -80,6 +60,13 @@ Map<Stage> stage_map() {
 }
 
 }  // namespace
+
+std::string stage_path(const Value& value, std::size_t number) {
+  const Value* name = value.find("name");
+  return name != nullptr && name->is(Value::Kind::scalar)
+             ? join_path("stages", name->text.substr(0, kMaxNameLength))
+             : fmt::format("stages.{}", number);
+}
 
 Type<std::vector<Stage>> stages_type() {
   const auto map = std::make_shared<const Map<Stage>>(stage_map());

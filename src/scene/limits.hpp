@@ -26,6 +26,10 @@ inline constexpr std::size_t kMaxPicturePixels = 1'000'000;  ///< of a wall
 inline constexpr double kMaxPictureBytes = 1 << 24;
 
 inline constexpr int kMaxRadius = 100;
+inline constexpr double kMaxDiameter = 100;  ///< of a distribution of sizes
+inline constexpr std::size_t kMaxKinds = 64;
+inline constexpr double kMaxShare = 1e9;
+inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
 inline constexpr int kMaxRodLength = 1000;
 inline constexpr int kMaxSiteCoordinate = 1000;  ///< of a coordinate of a shape
 inline constexpr std::size_t kMaxSites = 100'000;

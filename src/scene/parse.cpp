@@ -14,6 +14,7 @@
 #include "scene/limits.hpp"
 #include "scene/override.hpp"
 #include "scene/sections.hpp"
+#include "scene/sizes.hpp"
 #include "scene/source_text.hpp"
 
 namespace clca::scene {
@@ -99,6 +100,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
     apply_override(root, text_of_override, "--vary");
   }
   evaluate_expressions(root);
+  expand_sizes(root);
   if (kind_of(root) == Kind::boltzmann) {
     return read_boltzmann_scene(root, file);
   }

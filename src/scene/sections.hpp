@@ -3,6 +3,7 @@
 
 #include "clca/scene/boltzmann.hpp"
 #include "scene/key.hpp"
+#include "scene/sizes.hpp"
 
 namespace clca::scene {
 
@@ -20,12 +21,16 @@ Type<automaton::Rules> stage_rules_type();
 Type<contact::Parameters> stage_contact_type();
 Type<Units> units_type();
 Type<std::vector<Species>> species_type();
+Type<Sizes> sizes_type();
 Type<std::vector<Wall>> walls_type();
 Type<lattice::Picture> picture_type();
 Type<grains::WallMotion> motion_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();
 Type<std::vector<Probe>> probes_type();
+/// `stages.flow`, or the number where there is no name to go by.
+std::string stage_path(const Value& value, std::size_t number);
+Type<Fill> fill_type();
 Type<std::vector<Stage>> stages_type();
 Type<VesselMotion> vessel_type();
 Type<Until> until_type();

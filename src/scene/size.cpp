@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "clca/automaton/automaton.hpp"
@@ -41,14 +43,43 @@ constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 4
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
 
+/// Sites of the swept region in the rectangle, from above.
+double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
+  const auto share = [](double low, double high, double first, double end) {
+    return std::clamp(high, first, end) - std::clamp(low, first, end);
+  };
+  const double columns =
+      share(rectangle.left / lattice::kColumnPitch - 1, rectangle.right / lattice::kColumnPitch + 1,
+            swept_region.first_column(), swept_region.end_column());
+  const lattice::RowRange rows = swept_region.all_rows();
+  return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
+}
+
+/// Particles of a fill, at most. The proportions of a mixture are kept, but for chance.
+double particles_in(const Scene& scene, const Fill& fill) {
+  const auto mixture = mixture_of(fill);
+  if (!mixture) {
+    return std::accumulate(fill.counts.begin(), fill.counts.end(), 0.0);
+  }
+  double least = std::numeric_limits<double>::infinity();  // sites of a particle, in the mean
+  for (const auto& weights : mixture->parts) {
+    double sites = 0;
+    double all = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      sites += static_cast<double>(scene.species[i].shape.size()) * weights[i];
+      all += weights[i];
+    }
+    least = std::min(least, sites / all);
+  }
+  return std::ceil(max_sites(lattice::SweptRegion(lattice_of(scene.box)), fill.region) / least);
+}
+
 /// By any method, or by one.
 double filled(const Scene& scene, std::optional<FillMethod> method = {}) {
   double sum = 0;
   for (const Stage& stage : scene.stages) {
     if (stage.fill && stage.fill->method == method.value_or(stage.fill->method)) {
-      for (const std::size_t count : stage.fill->counts) {
-        sum += static_cast<double>(count);
-      }
+      sum += particles_in(scene, *stage.fill);
     }
   }
   return sum;
@@ -65,18 +96,6 @@ double emitted(const Scene& scene, std::size_t source) {
   const double most = std::ceil(steps * scene.sources[source].rate);
   const auto& count = scene.sources[source].count;
   return count ? std::min(most, static_cast<double>(*count)) : most;
-}
-
-/// Sites of the swept region in the rectangle, from above.
-double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
-  const auto share = [](double low, double high, double first, double end) {
-    return std::clamp(high, first, end) - std::clamp(low, first, end);
-  };
-  const double columns =
-      share(rectangle.left / lattice::kColumnPitch - 1, rectangle.right / lattice::kColumnPitch + 1,
-            swept_region.first_column(), swept_region.end_column());
-  const lattice::RowRange rows = swept_region.all_rows();
-  return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
 }
 
 /// Area that holds the cells of all sites, those on the edge included.
@@ -123,17 +142,21 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   return sum;
 }
 
-/// The list of places that the largest fill tries.
+/// The lists of places that the largest fill tries: of one species at a time, or of all of a
+/// mixture.
 double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   const lattice::SweptRegion box(lattice);
   double most = 0;
   for (const Stage& stage : scene.stages) {
     const bool tries = stage.fill && stage.fill->method == FillMethod::random;
+    double all = 0;
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
-      const double places = stage.fill->counts[i] > 0 ? max_sites(box, stage.fill->region) : 0;
-      most = std::max(most, places * (sizeof(lattice::Site) + kTrialBytes * kinds));
+      const double places = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
+      const double bytes = places * (sizeof(lattice::Site) + kTrialBytes * kinds);
+      all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
     }
+    most = std::max(most, all);
   }
   return most;
 }

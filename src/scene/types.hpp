@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clca/image/image.hpp"
 #include "scene/key.hpp"
 #include "scene/limits.hpp"
 
@@ -30,6 +31,9 @@ Type<lattice::Rectangle> region();
 /// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
 /// scene.
 Type<std::string> file_path_type();
+
+/// "#rrggbb"
+Type<Color> color_type();
 
 /// A name that the scene gives to something.
 Type<std::string> name_type();
@@ -73,6 +77,16 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
             return map;
           }};
 }
+
+/// The same with at least one above 0.
+Type<std::vector<std::uint32_t>> weights_type();
+
+/// The pixels of a PNG file that the value names. Throws SceneError.
+image::Image read_picture(const Value& value, const std::string& path, const Scene& scene);
+/// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
+/// `pattern` in the schema.
+Type<std::vector<std::string>> rows_type(const std::function<bool(char)>& allowed,
+                                         const std::string& about, const std::string& pattern);
 
 /// `word`, or a number of the type, in messages `phrase`; `word` stands for none.
 template <class T>

@@ -69,6 +69,8 @@ class Automaton {
   /// Deposits `counts` particles per species in `region`, see grains::deposit_in: a packing at
   /// rest. Throws as fill, and unless gravity points down.
   grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Fills `region` with a mixture; see grains::Mixture. Throws as deposit() where it is deposited.
+  grains::FillResult fill(const lattice::Rectangle& region, const grains::Mixture& mixture);
   // Walls and sources by index; of one that is not there these throw std::out_of_range.
 
   /// Removes a wall; no effect if it is already removed.

@@ -1,10 +1,29 @@
 #pragma once
-// What comes of placing particles.
+// What regions are filled with, and what comes of it.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace clca::grains {
+
+/// Species in fixed proportions by number, without an end of their own: a region is filled until
+/// the next particle drawn has no room, or up to a level. A picture divides the region into parts
+/// with proportions of their own; a particle belongs to the part that its reference site lies in.
+struct Mixture {
+  /// Of each part: weights by species, one for each, not all zero.
+  std::vector<std::vector<std::uint32_t>> parts = {};
+  /// Pixels that cover the region, from the top: kFirstPart is the first part, and so on; others
+  /// stay empty. None: the first part is everywhere.
+  std::vector<std::string> rows = {};
+  bool deposited = false;  ///< a packing at rest, in place of particles at random
+  /// Ends the deposition where the surface reaches this mean height, in lattice spacings.
+  std::optional<double> level = {};
+
+  static constexpr char kFirstPart = 'A';
+};
 
 /// How many particles a fill has placed.
 struct FillResult {

@@ -1,5 +1,5 @@
 #pragma once
-// A picture in black and white as a set of sites.
+// A picture made of characters: sites by pixel.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace clca::lattice {
 /// Pixels of equal size that cover a rectangle.
 struct Picture {
   Rectangle box;
-  /// From the top, all of one length, at least one character long; kDark where the pixel is dark.
+  /// From the top, all of one length, at least one character long; of a wall, kDark and kLight.
   std::vector<std::string> rows;
 
   static constexpr char kDark = '#';
@@ -19,6 +19,9 @@ struct Picture {
 
   bool operator==(const Picture&) const = default;
 };
+
+/// The pixel at a point of the box of the picture. Throws std::invalid_argument if there are none.
+char pixel_at(const Picture& picture, const Eigen::Vector2d& point);
 
 /// The sites of the region in the box that lie on a dark pixel, column by column from the left,
 /// upwards. Throws as check(Rectangle), and std::invalid_argument if there are no pixels.

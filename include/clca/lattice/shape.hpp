@@ -19,6 +19,8 @@ class Shape {
 
   /// All sites within `radius` steps of the centre: 3 radius (radius + 1) + 1 sites.
   static Shape hexagon(int radius);
+  /// All sites within `radius` lattice spacings of the centre.
+  static Shape disc(double radius);
   /// All sites on and inside the outline through `corners`.
   static Shape polygon(std::span<const Axial> corners);
   /// Hexagons of `radius` centred on `length` sites in a vertical line.
@@ -39,8 +41,8 @@ class Shape {
   /// True if `other` is a translation of this shape.
   bool congruent(const Shape& other) const;
 
-  /// The radius if this shape is a hexagon, wherever its reference site is.
-  std::optional<int> hexagon_radius() const;
+  /// True for a hexagon or a disc with its reference site in the middle.
+  bool is_round() const;
 
   /// Mean of the sites, in lattice spacings from the reference site.
   Eigen::Vector2d centroid() const;

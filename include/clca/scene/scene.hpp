@@ -12,6 +12,7 @@
 
 #include "clca/automaton/rules.hpp"
 #include "clca/contact/parameters.hpp"
+#include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/lattice/circle.hpp"
 #include "clca/lattice/picture.hpp"
@@ -43,6 +44,11 @@ struct HexagonSpec {
 
   bool operator==(const HexagonSpec&) const = default;
 };
+struct DiscSpec {
+  double radius = 0;
+
+  bool operator==(const DiscSpec&) const = default;
+};
 struct SitesSpec {
   std::vector<lattice::Axial> sites;
 
@@ -59,7 +65,7 @@ struct RodSpec {
 
   bool operator==(const RodSpec&) const = default;
 };
-using ShapeSpec = std::variant<HexagonSpec, SitesSpec, PolygonSpec, RodSpec>;
+using ShapeSpec = std::variant<HexagonSpec, DiscSpec, SitesSpec, PolygonSpec, RodSpec>;
 
 struct Species {
   std::string name;
@@ -127,10 +133,22 @@ struct Probe {
 /// automaton::Automaton::fill and deposit.
 enum class FillMethod : std::uint8_t { random, deposition };
 
+/// Parts of a region, each with weights by species; by pixel.
+struct FillPicture {
+  std::vector<std::string> rows;                       ///< as in grains::Mixture
+  std::map<char, std::vector<std::uint32_t>> weights;  ///< by pixel
+
+  bool operator==(const FillPicture&) const = default;
+};
+
+/// Has counts, or a mix, or a picture: without counts the region is filled until it is full.
 struct Fill {
   FillMethod method = FillMethod::random;
   lattice::Rectangle region;
-  std::vector<std::size_t> counts;  ///< per species
+  std::vector<std::size_t> counts;  ///< per species, or empty
+  std::vector<std::uint32_t> mix;   ///< weights per species, or empty
+  std::optional<FillPicture> picture;
+  std::optional<double> level;  ///< mean height of the surface where a deposited mix ends
   FileReference location;
 
   bool operator==(const Fill&) const = default;
@@ -164,6 +182,11 @@ struct UntilTime {
   bool operator==(const UntilTime&) const = default;
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
+
+/// None if the fill has counts.
+std::optional<grains::Mixture> mixture_of(const Fill& fill);
+/// Whether the fill places particles of the species.
+bool has_species(const Fill& fill, std::size_t species);
 
 /// Number of steps, for ends given by steps or time.
 std::optional<std::uint64_t> steps_of(const Until& until);

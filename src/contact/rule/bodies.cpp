@@ -82,11 +82,6 @@ Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_
   }
 }
 
-bool is_hexagon(const lattice::Shape& shape) {
-  const std::optional<int> radius = shape.hexagon_radius();
-  return radius && shape == lattice::Shape::hexagon(*radius);
-}
-
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
                                          lattice::Axial apart) {
   lattice::Axial blocked;
@@ -100,7 +95,7 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
   if (blocked == lattice::Axial()) {
     return std::nullopt;
   }
-  const bool round = is_hexagon(first) && is_hexagon(second);
+  const bool round = first.is_round() && second.is_round();
   return unit_vector(lattice::Axial() - (round ? apart : blocked));
 }
 

@@ -51,13 +51,10 @@ class Bodies {
   std::vector<std::int32_t> masses_;  // by kind
 };
 
-/// Whether the shape is a hexagon with its reference site in the middle.
-bool is_hexagon(const lattice::Shape& shape);
-
 /// Contact normal of two grains, towards the first, with the second at `apart`; none if they do not
 /// touch.
-/// Two hexagons: the line of centres. Otherwise opposite to the sum of the directions in which the
-/// second blocks the first.
+/// Two round grains: the line of centres. Otherwise opposite to the sum of the directions in which
+/// the second blocks the first.
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
                                          lattice::Axial apart);
 

@@ -28,4 +28,10 @@ FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::R
 FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
                       std::span<const std::size_t> counts);
 
+/// Fills the region with a mixture; at random, or as deposit_in. Where parts of a picture are
+/// deposited, a particle that would come to rest in another part is not placed. Ids as for
+/// fill_region. Throws std::invalid_argument if the mixture is not as described there.
+FillResult fill_with(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+                     const Mixture& mixture);
+
 }  // namespace clca::grains

@@ -1,0 +1,271 @@
+// Fills: what a stage places, and where.
+
+#include <algorithm>
+#include <limits>
+
+#include "clca/text/message.hpp"
+#include "scene/geometry.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr char kEmptyPixel = '.';
+constexpr std::size_t kMaxParts = 26;  // letters
+
+bool is_part(char pixel) {
+  return pixel >= grains::Mixture::kFirstPart && pixel <= 'Z';
+}
+
+/// The name of a species, or weights by species.
+std::vector<std::uint32_t> read_part(const Value& value, const std::string& path,
+                                     const Scene& scene) {
+  if (value.is(Value::Kind::map)) {
+    return weights_type().read(value, path, scene);
+  }
+  std::vector<std::uint32_t> weights(scene.species.size(), 0);
+  weights[read_reference(read_text(value, path), value.location, path, "species",
+                         names_of(scene.species))] = 1;
+  return weights;
+}
+
+Json part_schema() {
+  return {{"anyOf", {{{"type", "string"}}, weights_type().schema()}}};
+}
+
+char letter(std::size_t part) {
+  return static_cast<char>(grains::Mixture::kFirstPart + static_cast<char>(part));
+}
+
+/// The nearest colour, of which white is empty; of equally near ones the first.
+char pixel_of(image::Rgb color, const std::vector<Color>& colors) {
+  const auto distance = [&](const Color& other) {
+    const int red = color.red - other.red;
+    const int green = color.green - other.green;
+    const int blue = color.blue - other.blue;
+    return red * red + green * green + blue * blue;
+  };
+  char pixel = kEmptyPixel;
+  int nearest = distance({255, 255, 255});
+  for (std::size_t part = 0; part < colors.size(); ++part) {
+    if (distance(colors[part]) < nearest) {
+      nearest = distance(colors[part]);
+      pixel = letter(part);
+    }
+  }
+  return pixel;
+}
+
+void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
+  const std::string path = fields.path("colors");
+  const std::vector<Entry>& entries = read_map(fields.at("colors"), path);
+  if (entries.empty() || entries.size() > kMaxParts) {
+    fail(fields.at("colors").location,
+         fmt::format("{}: expected 1 to {} colours, found {}", path, kMaxParts, entries.size()));
+  }
+  std::vector<Color> colors;
+  for (const Entry& entry : entries) {
+    const Value color = {
+        .kind = Value::Kind::scalar, .location = entry.location, .text = entry.key};
+    picture.weights[letter(colors.size())] =
+        read_part(entry.value, join_path(path, entry.key), scene);
+    colors.push_back(color_type().read(color, path, scene));
+  }
+  const image::Image image = read_picture(fields.at("file"), fields.path("file"), scene);
+  for (int y = 0; y < image.height; ++y) {
+    std::string& row = picture.rows.emplace_back();
+    for (int x = 0; x < image.width; ++x) {
+      row += pixel_of(image.at(x, y), colors);
+    }
+  }
+}
+
+/// The keys that stand for `rows` and `pixels`: a run folder has no other file.
+Key<FillPicture> parts_file_key() {
+  auto key = described<FillPicture>(
+      "file", file_path_type(),
+      "a PNG of up to 1000000 pixels; a relative path begins at the folder of the scene");
+  key.otherwise = "this or `rows`";
+  key.read = [](const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
+    constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
+    if (fields.only(kSources) == "file") {
+      read_file(fields, picture, scene);
+    }
+  };
+  key.text = [](const FillPicture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
+  return key;
+}
+
+Key<FillPicture> colors_key() {
+  Key<FillPicture> key;
+  key.name = "colors";
+  key.about =
+      "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a pixel has "
+      "the nearest of these colours, or is white and stays empty";
+  key.allowed = "map of colours";
+  key.otherwise = "none";
+  key.schema = [] {
+    return Json{{"type", "object"},
+                {"propertyNames", {{"pattern", "^#[0-9A-Fa-f]{6}$"}}},
+                {"additionalProperties", part_schema()},
+                {"minProperties", 1},
+                {"maxProperties", kMaxParts}};
+  };
+  key.read = [](const KeyedMap& /*fields*/, FillPicture& /*picture*/, const Scene& /*scene*/) {};
+  key.text = [](const FillPicture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
+  return key;
+}
+
+Type<std::map<char, std::vector<std::uint32_t>>> pixels_type() {
+  return {.allowed = "map of letters",
+          .schema =
+              [] {
+                return Json{{"type", "object"},
+                            {"propertyNames", {{"pattern", "^[A-Z]$"}}},
+                            {"additionalProperties", part_schema()},
+                            {"minProperties", 1}};
+              },
+          .read =
+              [](const Value& value, const std::string& path, const Scene& scene) {
+                std::map<char, std::vector<std::uint32_t>> weights;
+                for (const Entry& entry : read_map(value, path)) {
+                  if (entry.key.size() != 1 || !is_part(entry.key.front())) {
+                    fail(entry.location, fmt::format("{}: expected a letter from A to Z, found {}",
+                                                     path, text::shown(entry.key)));
+                  }
+                  weights[entry.key.front()] =
+                      read_part(entry.value, join_path(path, entry.key), scene);
+                }
+                return weights;
+              },
+          .text =
+              [](const std::map<char, std::vector<std::uint32_t>>& weights, const Scene& scene) {
+                Yaml map = Yaml::map({});
+                for (const auto& [pixel, part] : weights) {
+                  map.entries.push_back({std::string(1, pixel), weights_type().text(part, scene)});
+                }
+                return map;
+              }};
+}
+
+void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& /*scene*/) {
+  const bool file = fields.find("file") != nullptr;
+  if (const Value* foreign = fields.find(file ? "pixels" : "colors")) {
+    fail(foreign->location,
+         fmt::format("{}: goes with '{}'", fields.path(file ? "pixels" : "colors"),
+                     file ? "rows" : "file"));
+  }
+  if (!file) {
+    fields.at("pixels");
+  }
+  for (const std::string& row : picture.rows) {
+    for (const char pixel : row) {
+      if (pixel != kEmptyPixel && !picture.weights.contains(pixel)) {
+        fail(fields.at("pixels").location,
+             fmt::format("{}: no species for the pixels {}", fields.path("pixels"), pixel));
+      }
+    }
+  }
+}
+
+Type<FillPicture> picture() {
+  const auto allowed = [](char pixel) { return pixel == kEmptyPixel || is_part(pixel); };
+  return type_of<FillPicture>(
+      {.keys = {parts_file_key(), colors_key(),
+                key("rows", &FillPicture::rows,
+                    rows_type(allowed, "the letters A to Z and .", "^[A-Z.]+$"),
+                    "the same as text, from the top: a letter for each part, `.` for what stays "
+                    "empty",
+                    {})
+                    .defaults_to("this or `file`"),
+                key("pixels", &FillPicture::weights, pixels_type(),
+                    "of rows: by letter, a species or weights by species", {})
+                    .defaults_to("none")},
+       .check = check_picture,
+       .conditions = [] {
+         return Json{
+             {"oneOf", {{{"required", {"file", "colors"}}}, {{"required", {"rows", "pixels"}}}}}};
+       }});
+}
+
+void check_fill(const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
+  fill.location = FileReference(to_string(fields.location()));
+  constexpr std::array<std::string_view, 3> kContents = {"counts", "mix", "picture"};
+  fields.only(kContents);
+  if (!fill.level) {
+    return;
+  }
+  const TextLocation& location = fields.at("level").location;
+  if (fill.mix.empty() || fill.method != FillMethod::deposition) {
+    fail(location, fmt::format("{}: needs a mix and 'method: deposition'", fields.path("level")));
+  }
+  if (*fill.level > fill.region.top || *fill.level <= fill.region.bottom) {
+    fail(location,
+         fmt::format("{}: expected a height in the region, above {} and up to {}, found {}",
+                     fields.path("level"), fill.region.bottom, fill.region.top, *fill.level));
+  }
+}
+
+}  // namespace
+
+Type<Fill> fill_type() {
+  return type_of<Fill>(
+      {.keys = {key("method", &Fill::method, choice(kFillMethodNames),
+                    "a rain that falls in the steps that follow, or a packing at rest"),
+                required("region", &Fill::region, region(), "where: no particle sticks out of it"),
+                list_key("counts", &Fill::counts, by_species<std::size_t>(kMaxParticles),
+                         "number of particles; 0 for species that are not named")
+                    .defaults_to("one of these three"),
+                list_key("mix", &Fill::mix, weights_type(),
+                         "weights by species: fills the region until the next particle has no room")
+                    .defaults_to("one of these three"),
+                key("picture", &Fill::picture, picture(),
+                    "covers the region and says where which species are; each part is filled until "
+                    "the next particle has no room")
+                    .defaults_to("one of these three"),
+                key("level", &Fill::level, number(0, kMaxBoxHeight),
+                    "of a deposited mix: mean height of its surface where the filling ends")
+                    .defaults_to("until the region is full")},
+       .check = check_fill,
+       .conditions = [] {
+         return Json{
+             {"oneOf",
+              {{{"required", {"counts"}}}, {{"required", {"mix"}}}, {{"required", {"picture"}}}}}};
+       }});
+}
+
+std::optional<grains::Mixture> mixture_of(const Fill& fill) {
+  if (!fill.counts.empty()) {
+    return std::nullopt;
+  }
+  grains::Mixture mixture = {.deposited = fill.method == FillMethod::deposition,
+                             .level = fill.level};
+  if (!fill.picture) {
+    mixture.parts = {fill.mix};
+    return mixture;
+  }
+  mixture.rows = fill.picture->rows;
+  std::map<char, char> renamed;
+  for (const auto& [pixel, weights] : fill.picture->weights) {
+    renamed[pixel] = letter(mixture.parts.size());
+    mixture.parts.push_back(weights);
+  }
+  for (std::string& row : mixture.rows) {
+    for (char& pixel : row) {
+      pixel = renamed.contains(pixel) ? renamed[pixel] : pixel;
+    }
+  }
+  return mixture;
+}
+
+bool has_species(const Fill& fill, std::size_t species) {
+  if (const auto mixture = mixture_of(fill)) {
+    return std::any_of(mixture->parts.begin(), mixture->parts.end(),
+                       [&](const auto& weights) { return weights[species] > 0; });
+  }
+  return fill.counts[species] > 0;
+}
+
+}  // namespace clca::scene

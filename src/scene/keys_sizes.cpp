@@ -1,0 +1,97 @@
+// Distributions of sizes.
+
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr std::array<Named<SizeLaw>, 3> kLawNames = {
+    {{"uniform", SizeLaw::uniform}, {"lognormal", SizeLaw::lognormal}, {"list", SizeLaw::list}}};
+constexpr std::array<Named<SharesBy>, 2> kSharesByNames = {
+    {{"number", SharesBy::number}, {"area", SharesBy::area}}};
+constexpr std::array<Named<RoundShape>, 2> kRoundShapeNames = {
+    {{"hexagon", RoundShape::hexagon}, {"disc", RoundShape::disc}}};
+
+Type<std::vector<double>> numbers(double high) {
+  const Type<double> number = above_zero(high);
+  return {.allowed = fmt::format("list of numbers {}", number.allowed),
+          .schema =
+              [=] {
+                return Json{{"type", "array"},
+                            {"items", number.schema()},
+                            {"minItems", 1},
+                            {"maxItems", kMaxKinds}};
+              },
+          .read =
+              [=](const Value& value, const std::string& path, const Scene& scene) {
+                std::vector<double> result;
+                for (const Value& item : read_list(value, path, 1, kMaxKinds)) {
+                  result.push_back(number.read(item, path, scene));
+                }
+                return result;
+              },
+          .text =
+              [=](const std::vector<double>& values, const Scene& /*scene*/) {
+                return Yaml::scalar(fmt::format("[{}]", fmt::join(values, ", ")));
+              }};
+}
+
+void check(const KeyedMap& fields, Sizes& sizes, const Scene& /*scene*/) {
+  const bool list = sizes.law == SizeLaw::list;
+  for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
+    const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
+    if (const Value* value = fields.find(key); value != nullptr && list != of_list) {
+      fail(value->location, fmt::format("{}: goes with 'law: {}'", fields.path(key),
+                                        of_list ? "list" : "uniform' or 'law: lognormal"));
+    }
+  }
+  if (list) {
+    fields.at("diameters");
+    if (sizes.diameters.size() != fields.at("shares").items.size()) {
+      fail(fields.at("shares").location,
+           fmt::format("{}: expected a share for each of the {} diameters, found {}",
+                       fields.path("shares"), sizes.diameters.size(), sizes.shares.size()));
+    }
+    return;
+  }
+  fields.at("mean");
+  const double sd = fields.find("sd") != nullptr ? *sizes.sd : 0;
+  fields.at("sd");
+  // Of a uniform law, the smallest diameter has to be above zero.
+  if (sizes.law == SizeLaw::uniform && *sizes.mean <= sd * std::sqrt(3.0)) {
+    fail(fields.at("sd").location,
+         fmt::format("{}: expected less than {:.4g}, so that all diameters are above 0, found {}",
+                     fields.path("sd"), *sizes.mean / std::sqrt(3.0), sd));
+  }
+}
+
+}  // namespace
+
+Type<Sizes> sizes_type() {
+  return type_of<Sizes>(
+      {.keys = {required("law", &Sizes::law, choice(kLawNames), "how diameters are distributed"),
+                key("mean", &Sizes::mean, above_zero(kMaxDiameter),
+                    "mean diameter, in spacings: that of the circle of the same area")
+                    .defaults_to("none; required but for a list"),
+                key("sd", &Sizes::sd, above_zero(kMaxDiameter),
+                    "standard deviation of the diameter")
+                    .defaults_to("none; required but for a list"),
+                key("by", &Sizes::by, choice(kSharesByNames),
+                    "whether the law is that of the number of particles or of the area they cover"),
+                key("kinds", &Sizes::kinds, count(1, kMaxKinds),
+                    "classes of equal width that the law is divided into, at most"),
+                key("diameters", &Sizes::diameters, numbers(kMaxDiameter), "of a list", {})
+                    .defaults_to("none; required for a list"),
+                key("shares", &Sizes::shares, numbers(kMaxShare),
+                    "of a list: one for each diameter, "
+                    "of any sum",
+                    {})
+                    .defaults_to("none; required for a list"),
+                key("shape", &Sizes::shape, choice(kRoundShapeNames),
+                    "hexagons, or discs: of more sizes, but notched")},
+       .check = check});
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,353 @@
+#include "scene/sizes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "clca/lattice/shape.hpp"
+#include "scene/limits.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
+// Functions of the machine's library may differ in the last bits.
+constexpr double kShareUnit = 1e-6;
+
+struct Diameter {
+  double value = 0;
+  double share = 0;
+};
+
+double normal_below(double quantile) {
+  return std::erfc(-quantile / std::sqrt(2.0)) / 2;
+}
+
+/// Diameters in the middle of classes of equal width between `low` and `high`.
+template <class Below>
+std::vector<Diameter> classes(double low, double high, std::uint64_t count, Below below) {
+  std::vector<Diameter> result;
+  const double width = (high - low) / static_cast<double>(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const double start = low + width * static_cast<double>(i);
+    result.push_back({start + width / 2, below(start + width) - below(start)});
+  }
+  return result;
+}
+
+std::vector<Diameter> diameters_of(const Sizes& sizes) {
+  std::vector<Diameter> result;
+  if (sizes.law == SizeLaw::list) {
+    for (std::size_t i = 0; i < sizes.diameters.size(); ++i) {
+      result.push_back({sizes.diameters[i], sizes.shares[i]});
+    }
+    return result;
+  }
+  const double mean = *sizes.mean;
+  const double sd = *sizes.sd;
+  if (sizes.law == SizeLaw::uniform) {
+    const double half = sd * std::sqrt(3.0);
+    return classes(mean - half, mean + half, sizes.kinds, [](double diameter) { return diameter; });
+  }
+  // Of the logarithm.
+  const double spread = std::sqrt(std::log1p(sd * sd / (mean * mean)));
+  const double middle = std::log(mean) - spread * spread / 2;
+  return classes(std::exp(middle - kCutQuantile * spread), std::exp(middle + kCutQuantile * spread),
+                 sizes.kinds, [=](double diameter) {
+                   return normal_below((std::log(diameter) - middle) / spread);
+                 });
+}
+
+struct RoundKind {
+  ShapeSpec spec;
+  double sites = 0;
+  double diameter = 0;
+};
+
+RoundKind round_kind(const ShapeSpec& spec, const lattice::Shape& shape) {
+  return {spec, static_cast<double>(shape.size()), shape.diameter()};
+}
+
+/// All discs or hexagons up to the first one that is larger than the diameter.
+std::vector<RoundKind> round_kinds(RoundShape shape, double largest) {
+  std::vector<RoundKind> kinds;
+  for (int square = 0; kinds.empty() || kinds.back().diameter < largest; ++square) {
+    if (shape == RoundShape::hexagon) {
+      kinds.push_back(round_kind(HexagonSpec{square}, lattice::Shape::hexagon(square)));
+      continue;
+    }
+    // Squares of distances between sites are whole numbers. Two digits keep them apart.
+    const double radius = std::ceil(std::sqrt(square) * 100) / 100;
+    const RoundKind disc = round_kind(DiscSpec{radius}, lattice::Shape::disc(radius));
+    if (kinds.empty() || disc.sites > kinds.back().sites) {
+      kinds.push_back(disc);
+    }
+  }
+  return kinds;
+}
+
+Value scalar(const std::string& text, const TextLocation& location) {
+  return {.kind = Value::Kind::scalar, .location = location, .text = text};
+}
+
+/// From light to dark.
+std::string shade(const Color& color, double place) {
+  constexpr double kLightest = 0.6;  // share of white
+  constexpr double kDarkest = 0.5;   // of black
+  const double white = std::max(0.0, kLightest * (1 - 2 * place));
+  const double black = std::max(0.0, kDarkest * (2 * place - 1));
+  const auto mixed = [&](double part) {
+    return static_cast<int>(std::lround((part + (255 - part) * white) * (1 - black)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(color.red), mixed(color.green),
+                     mixed(color.blue));
+}
+
+class Expansion {
+ public:
+  explicit Expansion(Value& species) {
+    std::vector<Entry> entries;
+    for (Entry& entry : species.entries) {
+      const Value* sizes = entry.value.find("sizes");
+      if (sizes == nullptr || entry.value.find("shape") != nullptr) {
+        plain_.push_back(entry.key);
+        entries.push_back(std::move(entry));
+        continue;
+      }
+      add_kinds(entry, *sizes, entries);
+    }
+    for (const Entry& entry : entries) {
+      if (std::count_if(entries.begin(), entries.end(),
+                        [&](const Entry& other) { return other.key == entry.key; }) > 1) {
+        fail(entry.location,
+             fmt::format("species.{}: a kind of a species with sizes has this name", entry.key));
+      }
+    }
+    species.entries = std::move(entries);
+  }
+
+  bool empty() const { return families_.empty(); }
+
+  /// Divides a count among the kinds in whole numbers: by the largest remainder.
+  void divide_counts(Value& counts, const std::string& path) const {
+    change(counts, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
+      const auto all = static_cast<double>(
+          read_count(entry.value, join_path(path, entry.key), 0, kMaxParticles));
+      std::vector<double> numbers;
+      std::vector<std::size_t> order(family.kinds.size());
+      double left = all;
+      for (const SizeClass& kind : family.kinds) {
+        numbers.push_back(std::floor(kind.share * all));
+        left -= numbers.back();
+      }
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+        return family.kinds[one].share * all - numbers[one] >
+               family.kinds[other].share * all - numbers[other];
+      });
+      for (std::size_t i = 0; i < order.size() && left > 0; ++i, --left) {
+        ++numbers[order[i]];
+      }
+      append(entry, family, numbers, result);
+    });
+  }
+
+  /// Weights are whole numbers; those of kinds are thousandths of that of the species, at least 1.
+  void divide_weights(Value& weights, const std::string& path) const {
+    constexpr double kScale = 1000;
+    for (Entry& entry : weights.entries) {
+      if (!families_.contains(entry.key)) {
+        const std::uint64_t weight =
+            read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes);
+        entry.value = scalar(fmt::format("{:.0f}", kScale * static_cast<double>(weight)),
+                             entry.value.location);
+      }
+    }
+    change(weights, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
+      const auto weight = static_cast<double>(
+          read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes));
+      std::vector<double> numbers;
+      for (const SizeClass& kind : family.kinds) {
+        numbers.push_back(weight * std::max(1.0, std::round(kScale * kind.share)));
+      }
+      append(entry, family, numbers, result);
+    });
+  }
+
+  /// Each species once.
+  Value all_alike(const TextLocation& location) const {
+    Value weights = {.kind = Value::Kind::map, .location = location};
+    for (const std::string& name : plain_) {
+      weights.entries.push_back({name, location, scalar("1", location)});
+    }
+    for (const auto& [name, family] : families_) {
+      weights.entries.push_back({name, location, scalar("1", location)});
+    }
+    return weights;
+  }
+
+  /// A species by its name becomes weights, too.
+  void divide_part(Value& part, const std::string& path) const {
+    if (part.is(Value::Kind::scalar) && families_.contains(part.text)) {
+      Value weights = {.kind = Value::Kind::map, .location = part.location};
+      weights.entries.push_back({part.text, part.location, scalar("1", part.location)});
+      part = weights;
+    }
+    if (part.is(Value::Kind::map)) {
+      divide_weights(part, path);
+    }
+  }
+
+ private:
+  struct Family {
+    std::vector<std::string> names;
+    std::vector<SizeClass> kinds;
+  };
+
+  void add_kinds(const Entry& entry, const Value& sizes, std::vector<Entry>& entries) {
+    const std::string path = join_path("species", entry.key);
+    check_name(entry.key, entry.location, "species");
+    Family& family = families_[entry.key];
+    family.kinds = size_classes(sizes_type().read(sizes, join_path(path, "sizes"), Scene()));
+    constexpr std::array<Color, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
+    Color color = kColors[(families_.size() - 1) % kColors.size()];
+    if (const Value* own = entry.value.find("color")) {
+      color = color_type().read(*own, join_path(path, "color"), Scene());
+    }
+    const std::size_t count = family.kinds.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      family.names.push_back(fmt::format("{}-{}", entry.key, i + 1));
+      Entry kind = {family.names.back(), entry.location, entry.value};
+      const TextLocation& location = sizes.location;
+      std::erase_if(kind.value.entries,
+                    [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
+      const auto* disc = std::get_if<DiscSpec>(&family.kinds[i].shape);
+      const auto* hexagon = std::get_if<HexagonSpec>(&family.kinds[i].shape);
+      Value shape = {.kind = Value::Kind::map, .location = location};
+      shape.entries.push_back({disc != nullptr ? "disc" : "hexagon", location,
+                               scalar(disc != nullptr ? fmt::format("{}", disc->radius)
+                                                      : fmt::format("{}", hexagon->radius),
+                                      location)});
+      Value shaded = scalar(
+          shade(color, count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5),
+          location);
+      shaded.quoted = true;
+      kind.value.entries.push_back({"shape", location, std::move(shape)});
+      kind.value.entries.push_back({"color", location, std::move(shaded)});
+      entries.push_back(std::move(kind));
+    }
+  }
+
+  template <class Change>
+  void change(Value& map, Change change) const {
+    std::vector<Entry> result;
+    for (Entry& entry : map.entries) {
+      const auto family = families_.find(entry.key);
+      if (family == families_.end()) {
+        result.push_back(std::move(entry));
+      } else {
+        change(entry, family->second, result);
+      }
+    }
+    map.entries = std::move(result);
+  }
+
+  static void append(const Entry& entry, const Family& family, const std::vector<double>& numbers,
+                     std::vector<Entry>& result) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      result.push_back({family.names[i], entry.location,
+                        scalar(fmt::format("{:.0f}", numbers[i]), entry.value.location)});
+    }
+  }
+
+  std::vector<std::string> plain_;
+  std::map<std::string, Family> families_;
+};
+
+void expand_fill(const Expansion& expansion, Value& fill, const std::string& path) {
+  if (Value* counts = fill.find("counts")) {
+    expansion.divide_counts(*counts, path + ".counts");
+  }
+  if (Value* mix = fill.find("mix")) {
+    expansion.divide_weights(*mix, path + ".mix");
+  }
+  if (Value* picture = fill.find("picture")) {
+    for (const char* key : {"colors", "pixels"}) {
+      if (Value* parts = picture->find(key)) {
+        for (Entry& part : parts->entries) {
+          expansion.divide_part(part.value, fmt::format("{}.picture.{}.{}", path, key, part.key));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SizeClass> size_classes(const Sizes& sizes) {
+  const std::vector<Diameter> diameters = diameters_of(sizes);
+  double largest = 0;
+  for (const Diameter& diameter : diameters) {
+    largest = std::max(largest, diameter.value);
+  }
+  const std::vector<RoundKind> kinds = round_kinds(sizes.shape, largest);
+  std::map<std::size_t, double> shares;  // by number, of the kinds
+  double all = 0;
+  for (const Diameter& diameter : diameters) {
+    const auto nearest =
+        std::min_element(kinds.begin(), kinds.end(), [&](const auto& one, const auto& other) {
+          return std::abs(one.diameter - diameter.value) <
+                 std::abs(other.diameter - diameter.value);
+        });
+    const double share =
+        sizes.by == SharesBy::area ? diameter.share / nearest->sites : diameter.share;
+    shares[static_cast<std::size_t>(nearest - kinds.begin())] += share;
+    all += share;
+  }
+  std::vector<SizeClass> result;
+  for (const auto& [kind, share] : shares) {
+    result.push_back(
+        {kinds[kind].spec, kShareUnit * std::max(1.0, std::round(share / all / kShareUnit))});
+  }
+  return result;
+}
+
+void expand_sizes(Value& root) {
+  Value* species = root.find("species");
+  if (species == nullptr || !species->is(Value::Kind::map)) {
+    return;
+  }
+  const Expansion expansion(*species);
+  if (expansion.empty()) {
+    return;
+  }
+  if (Value* stages = root.find("stages")) {
+    for (std::size_t i = 0; i < stages->items.size(); ++i) {
+      if (Value* fill = stages->items[i].find("fill")) {
+        expand_fill(expansion, *fill, stage_path(stages->items[i], i) + ".fill");
+      }
+    }
+  }
+  if (Value* sources = root.find("sources")) {
+    for (Entry& source : sources->entries) {
+      if (!source.value.is(Value::Kind::map)) {
+        continue;
+      }
+      if (source.value.find("species") == nullptr) {
+        source.value.entries.push_back(
+            {"species", source.location, expansion.all_alike(source.location)});
+      }
+      expansion.divide_weights(*source.value.find("species"),
+                               join_path(join_path("sources", source.key), "species"));
+    }
+  }
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,42 @@
+#pragma once
+// Species whose particles differ in size by a law.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/scene/scene.hpp"
+#include "scene/value.hpp"
+
+namespace clca::scene {
+
+enum class SizeLaw : std::uint8_t { uniform, lognormal, list };
+enum class SharesBy : std::uint8_t { number, area };
+enum class RoundShape : std::uint8_t { disc, hexagon };
+
+/// Diameters are those of circles of the same area, in lattice spacings.
+struct Sizes {
+  SizeLaw law = SizeLaw::lognormal;
+  std::optional<double> mean;  ///< of uniform and lognormal
+  std::optional<double> sd;    ///< standard deviation, likewise
+  SharesBy by = SharesBy::number;
+  std::uint64_t kinds = 8;
+  std::vector<double> diameters;  ///< of a list
+  std::vector<double> shares;     ///< likewise
+  RoundShape shape = RoundShape::hexagon;
+};
+
+struct SizeClass {
+  ShapeSpec shape;
+  double share = 0;  ///< of the particles, by number; the sum is 1
+};
+
+/// The kinds of particles that come nearest to the law, from the smallest to the largest. Of
+/// uniform and lognormal: diameters in the middle of `kinds` classes of equal width, which cover
+/// the law, of lognormal without half a percent at each end. Those with the same sites are one.
+std::vector<SizeClass> size_classes(const Sizes& sizes);
+
+/// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,
+/// and its counts and weights in fills and sources by theirs. Throws SceneError.
+void expand_sizes(Value& root);
+
+}  // namespace clca::scene
