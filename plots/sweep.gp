@@ -1,4 +1,4 @@
-# A measure of a sweep against the first varied key, with standard errors; a line for each combination
+# A measure of a sweep against the first varied key, with the intervals of one standard error; a line for each combination
 # of the other keys.
 #
 # needs: measures.csv: mean
@@ -15,6 +15,9 @@ if (has_words) {
 } else {
   set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
 }
+if (measure[1:21] eq 'discharged_until_clog') {
+  set logscale y
+}
 set xlabel varied noenhanced
 set ylabel measure noenhanced
 set title titled(stage) noenhanced
@@ -22,5 +25,5 @@ plot for [g = 1:|lines|] means using (xs[$1]):(of_line(g, $1, means[$1])) \
          with linespoints linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb color(g, |lines|) \
          title lines[g], \
      for [g = 1:|lines|] means \
-         using (xs[$1]):(of_line(g, $1, means[$1] - errors[$1])):(0):(2 * errors[$1]) \
+         using (xs[$1]):(of_line(g, $1, lows[$1])):(0):(highs[$1] - lows[$1]) \
          @bar_style linecolor rgb color(g, |lines|) notitle

@@ -79,13 +79,15 @@ std::string position_of(const Cells& all, const std::string& one) {
 struct Points {
   Cells xs;
   Cells means;
-  Cells errors;
+  Cells lows;
+  Cells highs;
   Cells lines;  ///< numbers of lines, from 1
 };
 
 std::string setting_of(const Points& points) {
   return number_array_text("xs", points.xs) + number_array_text("means", points.means) +
-         number_array_text("errors", points.errors) + number_array_text("of_lines", points.lines);
+         number_array_text("lows", points.lows) + number_array_text("highs", points.highs) +
+         number_array_text("of_lines", points.lines);
 }
 
 }  // namespace
@@ -100,11 +102,12 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
   const Cells* stages = table.find("stage");
   const Cells* measures = table.find("measure");
   const Cells* means = table.find("mean");
-  const Cells* errors = table.find("standard_error");
+  const Cells* lows = table.find("low");
+  const Cells* highs = table.find("high");
   const auto keys = static_cast<std::size_t>(
       std::find(table.names.begin(), table.names.end(), "stage") - table.names.begin());
-  if (stages == nullptr || measures == nullptr || means == nullptr || errors == nullptr ||
-      keys == 0) {
+  if (stages == nullptr || measures == nullptr || means == nullptr || lows == nullptr ||
+      highs == nullptr || keys == 0) {
     return {};  // only the seed varies
   }
   const Cells& values = table.cells.front();
@@ -126,7 +129,9 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
     Points& points = found[at->second].second;
     points.xs.push_back(has_words ? position_of(words, values[row]) : values[row]);
     points.means.push_back((*means)[row]);
-    points.errors.push_back(is_number((*errors)[row]) ? (*errors)[row] : "0");
+    const bool has_errors = is_number((*lows)[row]) && is_number((*highs)[row]);
+    points.lows.push_back(has_errors ? (*lows)[row] : (*means)[row]);
+    points.highs.push_back(has_errors ? (*highs)[row] : (*means)[row]);
     points.lines.push_back(position_of(lines, lines_of_all[row]));
   }
   std::vector<Figure> result;

@@ -40,6 +40,8 @@ constexpr auto kMeasureNames = std::to_array<MeasureName>({
     {"outflow_sites_per_time", "Outflow over time", "sites/time", "the same"},
     {"discharged_share", "Share discharged", "", "of the particles, through outlets, in the stage"},
     {"discharged", "Discharged", "particles", "through an outlet, in the stage"},
+    {"discharged_until_clog", "Discharged until a clog", "particles",
+     "all that left in the runs, over the number of clogs"},
     {"clogged", "Clogged", "", "at rest, and nothing can fall out"},
     {"overlap_depth_max", "Deepest overlap", "moves",
      "moves that the deepest overlap would take back"},

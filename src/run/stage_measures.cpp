@@ -104,6 +104,8 @@ void add_outflow(Results& results, const scene::Scene& scene, const Model& model
   add_rate(results, "", history.outflow, scene::conversion(scene));
   const grains::State& state = model.state();
   if (!state.outlets.empty()) {
+    results.emplace_back("discharged",
+                         static_cast<double>(history.outflow.during_stage().particles));
     results.emplace_back("discharged_share", history.discharged_share());
     results.emplace_back(
         "clogged", history.settled && measure::blocked(state, model.occupancy(), state.outlets));

@@ -38,4 +38,11 @@ Sample sample(const std::vector<double>& values) {
   return result;
 }
 
+std::pair<double, double> share_interval(double share, std::size_t count) {
+  const auto n = static_cast<double>(count);
+  const double middle = (share + 1 / (2 * n)) / (1 + 1 / n);
+  const double half = std::sqrt(share * (1 - share) / n + 1 / (4 * n * n)) / (1 + 1 / n);
+  return {std::clamp(middle - half, 0.0, share), std::clamp(middle + half, share, 1.0)};
+}
+
 }  // namespace clca::statistics

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "clca/statistics/sample.hpp"
@@ -32,12 +34,12 @@ double number(const store::MeasureValue& value) {
 template <class Use>
 void for_each_measure(const Result& result, Use use) {
   for (const store::StageSummary& stage : result.summary.stages) {
-    use(Key(stage.name, "steps"), static_cast<double>(stage.steps));
+    use(Key(stage.name, "steps"), store::MeasureValue(static_cast<double>(stage.steps)));
     if (const auto& units = result.summary.units) {
-      use(Key(stage.name, "time"), units->time(stage.steps));
+      use(Key(stage.name, "time"), store::MeasureValue(units->time(stage.steps)));
     }
     for (const auto& [name, value] : stage.measures) {
-      use(Key(stage.name, name), number(value));
+      use(Key(stage.name, name), value);
     }
   }
 }
@@ -48,12 +50,17 @@ class Measures {
   Measures(const std::vector<Result>& results, std::size_t first, std::size_t last) {
     for (std::size_t run = first; run < last; ++run) {
       if (results[run].status == Status::done) {
-        for_each_measure(results[run], [this](const Key& key, double /*value*/) { add(key); });
+        for_each_measure(results[run], [this](const Key& key, const auto& /*value*/) { add(key); });
       }
     }
   }
   const std::vector<Key>& keys() const { return keys_; }
   std::size_t place(const Key& key) const { return places_.at(key); }
+  /// Null if there is no such measure.
+  const std::size_t* find(const Key& key) const {
+    const auto at = places_.find(key);
+    return at == places_.end() ? nullptr : &at->second;
+  }
 
  private:
   void add(const Key& key) {
@@ -91,32 +98,71 @@ std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result
   const std::size_t first = row.size();
   row.resize(first + measures.keys().size(), kNone);
   if (done) {
-    for_each_measure(
-        result, [&](const Key& key, double value) { row[first + measures.place(key)] = value; });
+    for_each_measure(result, [&](const Key& key, const store::MeasureValue& value) {
+      row[first + measures.place(key)] = number(value);
+    });
   }
   row.insert(row.end(), {"runs/" + plan.name(run), result.error});
   return row;
 }
 
+/// A measure over the completed runs of a combination.
+struct Column {
+  std::vector<double> values;
+  bool answers = false;  ///< of yes and no
+};
+
+/// Grains that left until the outlet clogged. A run that ended without a clog has seen a part of an
+/// avalanche. Each grain that leaves clogs with one probability (Zuriguel et al. 2005, Phys. Rev. E
+/// 71, 051303: avalanches have an exponential distribution), so the estimate of greatest likelihood
+/// is all that left over the number of clogs, and its relative error is 1/sqrt(clogs).
+void add_until_clog(store::Table& table, std::vector<store::Cell> row, const std::string& name,
+                    const Column& clogged, const Column& discharged) {
+  const double clogs = std::reduce(clogged.values.begin(), clogged.values.end());
+  const double left = std::reduce(discharged.values.begin(), discharged.values.end());
+  if (clogs > 0) {
+    const double mean = left / clogs;
+    const double error = mean / std::sqrt(clogs);
+    row.insert(row.end(), {name, mean, kNone, error, static_cast<std::uint64_t>(clogs), kNone,
+                           kNone, mean - error, mean + error});
+    table.add_row(std::move(row));
+  }
+}
+
 void add_statistics(store::Table& table, const std::vector<std::string>& values,
                     const std::vector<Result>& results, std::size_t first, std::size_t last) {
   const Measures measures(results, first, last);
-  std::vector<std::vector<double>> columns(measures.keys().size());
+  std::vector<Column> columns(measures.keys().size());
   for (std::size_t run = first; run < last; ++run) {
     if (results[run].status == Status::done) {
-      for_each_measure(results[run], [&](const Key& key, double value) {
-        columns[measures.place(key)].push_back(value);
+      for_each_measure(results[run], [&](const Key& key, const store::MeasureValue& value) {
+        Column& column = columns[measures.place(key)];
+        column.values.push_back(number(value));
+        column.answers = column.answers || std::holds_alternative<bool>(value);
       });
     }
   }
+  constexpr std::string_view kClogged = "clogged";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto& [stage, measure] = measures.keys()[i];
-    const statistics::Sample found = statistics::sample(columns[i]);
-    std::vector<store::Cell> row(values.begin(), values.end());
-    row.insert(row.end(),
-               {stage, measure, found.mean, found.standard_deviation, found.standard_error,
-                std::uint64_t{found.count}, found.least, found.most});
+    const statistics::Sample found = statistics::sample(columns[i].values);
+    const auto [low, high] =
+        columns[i].answers
+            ? statistics::share_interval(found.mean, found.count)
+            : std::pair(found.mean - found.standard_error, found.mean + found.standard_error);
+    std::vector<store::Cell> beginning(values.begin(), values.end());
+    beginning.emplace_back(stage);
+    std::vector<store::Cell> row = beginning;
+    row.insert(row.end(), {measure, found.mean, found.standard_deviation, found.standard_error,
+                           std::uint64_t{found.count}, found.least, found.most, low, high});
     table.add_row(std::move(row));
+    if (measure.starts_with(kClogged)) {
+      const std::string of = measure.substr(kClogged.size());
+      if (const auto* discharged = measures.find({stage, "discharged" + of})) {
+        add_until_clog(table, std::move(beginning), "discharged_until_clog" + of, columns[i],
+                       columns[*discharged]);
+      }
+    }
   }
 }
 
@@ -140,7 +186,7 @@ std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
 std::string measures_table(const Plan& plan, const std::vector<Result>& results) {
   std::vector<std::string> columns = plan.keys();
   columns.insert(columns.end(), {"stage", "measure", "mean", "standard_deviation", "standard_error",
-                                 "runs", "min", "max"});
+                                 "runs", "min", "max", "low", "high"});
   store::Table table(std::move(columns));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {

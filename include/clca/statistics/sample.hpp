@@ -2,6 +2,7 @@
 // Mean and spread of a sample.
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace clca::statistics {
@@ -18,5 +19,10 @@ struct Sample {
 
 /// Over the finite values, in order.
 Sample sample(const std::vector<double>& values);
+
+/// Lower and upper end of the interval of one standard error for a share found among `count`
+/// answers of yes and no. By E. B. Wilson, J. Am. Stat. Assoc. 22, 209 (1927): within 0 and 1, and
+/// not empty where all answers are the same. NaN for none.
+std::pair<double, double> share_interval(double share, std::size_t count);
 
 }  // namespace clca::statistics

@@ -216,26 +216,27 @@ class SweepFiguresTest : public FiguresTest {
 };
 
 constexpr const char* kSweepColumns =
-    "stage,measure,mean,standard_deviation,standard_error,runs,min,max\n";
+    "stage,measure,mean,standard_deviation,standard_error,runs,min,max,low,high\n";
 
 TEST_F(SweepFiguresTest, ThereIsOneForEachStageAndMeasureWithAMean) {
-  write("measures.csv", std::string("rules.inertia,") + kSweepColumns +
-                            "0,flow,slope,40,1,0.5,4,39,41\n0,flow,mixed,,,,0,,\n"
-                            "0.9,flow,slope,30,1,0.25,4,29,31\n0,end,slope,50,,,1,50,50\n");
+  write("measures.csv",
+        std::string("rules.inertia,") + kSweepColumns +
+            "0,flow,slope,40,1,0.5,4,39,41,39.5,40.5\n0,flow,mixed,,,,0,,,,\n"
+            "0.9,flow,slope,30,1,0.25,4,29,31,29.75,30.25\n0,end,slope,50,,,1,50,50,,\n");
   EXPECT_THAT(names(), ElementsAre("sweep-flow-slope", "sweep-end-slope"));
   const std::string setting = found().front().setting;
   EXPECT_THAT(setting, HasSubstr("varied = 'rules.inertia';"));
   EXPECT_THAT(setting, HasSubstr("array xs[2] = [0, 0.9];"));
   EXPECT_THAT(setting, HasSubstr("array means[2] = [40, 30];"));
-  EXPECT_THAT(setting, HasSubstr("array errors[2] = [0.5, 0.25];"));
-  EXPECT_THAT(found().back().setting, HasSubstr("array errors[1] = [0];"));
+  EXPECT_THAT(setting, HasSubstr("array lows[2] = [39.5, 29.75];array highs[2] = [40.5, 30.25];"));
+  EXPECT_THAT(found().back().setting, HasSubstr("array lows[1] = [50];array highs[1] = [50];"));
 }
 
 TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
   write("measures.csv", std::string("model,a,b,") + kSweepColumns +
-                            "automaton,1,x,flow,slope,40,1,1,4,39,41\n"
-                            "automaton,2,x,flow,slope,41,1,1,4,39,41\n"
-                            "contact,1,x,flow,slope,20,1,1,4,19,21\n");
+                            "automaton,1,x,flow,slope,40,1,1,4,39,41,39,41\n"
+                            "automaton,2,x,flow,slope,41,1,1,4,39,41,40,42\n"
+                            "contact,1,x,flow,slope,20,1,1,4,19,21,19,21\n");
   const std::string setting = found().front().setting;
   EXPECT_THAT(setting, HasSubstr("has_words = 1;"));
   EXPECT_THAT(setting, HasSubstr("array words[2] = ['automaton', 'contact'];"));
@@ -245,7 +246,7 @@ TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
 }
 
 TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {
-  write("measures.csv", std::string(kSweepColumns) + "flow,slope,40,1,0.5,4,39,41\n");
+  write("measures.csv", std::string(kSweepColumns) + "flow,slope,40,1,0.5,4,39,41,39.5,40.5\n");
   EXPECT_THAT([&] { names(); }, ThrowsMessage<text::InputError>(HasSubstr("no tables")));
 }
 

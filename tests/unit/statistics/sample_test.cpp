@@ -44,5 +44,19 @@ TEST(Sample, OfEqualValuesHasASpreadOfExactlyZero) {
   EXPECT_EQ(sample(std::vector<double>(16, 0.1)).mean, 0.1);
 }
 
+TEST(ShareInterval, IsThatOfWilson) {
+  // The ends are the shares p with (p - share)^2 = p (1 - p) / n.
+  for (const double share : {0.0, 0.1, 0.5, 1.0}) {
+    const auto [low, high] = share_interval(share, 10);
+    for (const double end : {low, high}) {
+      EXPECT_NEAR((end - share) * (end - share), end * (1 - end) / 10, 1e-15) << share;
+    }
+    EXPECT_LE(low, share);
+    EXPECT_GE(high, share);
+    EXPECT_LT(low, high);
+  }
+  EXPECT_TRUE(std::isnan(share_interval(kNan, 0).first));
+}
+
 }  // namespace
 }  // namespace clca::statistics

@@ -49,11 +49,27 @@ TEST(Tables, HaveARowForEachRunAndForEachMeasure) {
             "1,1,failed,,,,,,\"runs/rules.inertia=1,seed=1\",\"a.yaml:1:1: error: too much, by "
             "far\"\n"
             "1,2,waiting,,,,,,\"runs/rules.inertia=1,seed=2\",\n");
-  EXPECT_EQ(measures_table(plan, results),
-            "rules.inertia,stage,measure,mean,standard_deviation,standard_error,runs,min,max\n"
-            "0,flow,steps,5,0,0,2,5,5\n"
-            "0,flow,slope,40.5,,,1,40.5,40.5\n"
-            "0,flow,clogged,0.5,0.7071067811865476,0.5,2,0,1\n");
+  EXPECT_EQ(
+      measures_table(plan, results),
+      "rules.inertia,stage,measure,mean,standard_deviation,standard_error,runs,min,max,low,high\n"
+      "0,flow,steps,5,0,0,2,5,5,5,5\n"
+      "0,flow,slope,40.5,,,1,40.5,40.5,,\n"
+      "0,flow,clogged,0.5,0.7071067811865476,0.5,2,0,1,0.21132486540518713,0.7886751345948129\n");
+}
+
+TEST(Tables, HaveWhatLeftUntilAClogFromAllRunsAlsoThoseThatDidNotClog) {
+  const Plan plan = bare_plan(1, 4);
+  const std::string measures = measures_table(
+      plan, {done({{"discharged", 30.0}, {"clogged", true}}),
+             done({{"discharged", 500.0}, {"clogged", false}}),
+             done({{"discharged", 10.0}, {"clogged", true}}),
+             done({{"discharged", 60.0}, {"clogged", true}, {"clogged.left", true}})});
+  EXPECT_THAT(measures, ::testing::HasSubstr("\n0,flow,discharged_until_clog,200,,"
+                                             "115.47005383792516,3,,,84.52994616207484,"
+                                             "315.4700538379251"));
+  EXPECT_THAT(measures, ::testing::Not(::testing::HasSubstr("until_clog.left")));
+  EXPECT_THAT(measures_table(bare_plan(1, 1), {done({{"discharged", 9.0}, {"clogged", false}})}),
+              ::testing::Not(::testing::HasSubstr("until_clog")));
 }
 
 TEST(Overview, ShowsTheFirstSeedsOfEachCombinationUpToABound) {
