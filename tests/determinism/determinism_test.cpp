@@ -84,14 +84,13 @@ TEST_P(Determinism, EverySceneEndsInTheSameStateByBothEnginesForEveryThreadCount
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
-                         ::testing::Values("wall-removal", "silo-collapse", "heap",
-                                           "silo-discharge", "two-orifices", "hopper",
-                                           "collapse-aspect", "brazil-nut", "segregation",
-                                           "convection", "avalanche-taps", "plate-penetration",
-                                           "piston", "boltzmann-case1", "boltzmann-case2",
-                                           "boltzmann-epsilon-sweep", "boltzmann-late",
-                                           "boltzmann-shear"));
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Determinism,
+    ::testing::Values("wall-removal", "silo-collapse", "heap", "silo-discharge", "two-orifices",
+                      "hopper", "hopper-sizes", "pattern", "clogging", "collapse-aspect",
+                      "brazil-nut", "segregation", "convection", "avalanche-taps",
+                      "plate-penetration", "piston", "boltzmann-case1", "boltzmann-case2",
+                      "boltzmann-epsilon-sweep", "boltzmann-late", "boltzmann-shear"));
 
 /// A run of wall-removal by the contact model, under the name that the list of hashes has for it.
 struct ContactRun {

@@ -1,8 +1,6 @@
-// Clogging of a silo by the automaton: wider orifices clog less, and ln <s>, s the grains that
-// leave until a clog, is linear in the square of the width. That is the law of Thomas & Durian,
-// Phys. Rev. Lett. 114, 178001 (2015), in two dimensions; To, Lai & Pak, Phys. Rev. Lett. 86, 71
-// (2001): in two dimensions hoppers clog always at 2 diameters and hardly ever at 5. The slope is
-// this program's own.
+// Clogging of a silo by the automaton: wider orifices clog less, and more grains leave until then,
+// as To, Lai & Pak, Phys. Rev. Lett. 86, 71 (2001), found in a hopper. The numbers are this
+// program's own; docs/phenomena.md has them beside the law of Thomas & Durian (2015).
 
 #include <cmath>
 
@@ -35,7 +33,7 @@ Clogging clogging(int columns) {
 // 100 seeds clog 100, 70, 20 and 6 times at 13, 15, 18 and 20 columns; ln <s> is 5.94 +- 0.12 at 15
 // and 8.16 +- 0.22 at 18. With 30 seeds errors of ln <s> are 0.22 and 0.41, of a share 0.09 at
 // most. Bounds are 4 errors of 30 seeds.
-TEST(Clogging, IsRarerInWiderOrificesWithTheExponentialOfTheSquareOfTheWidth) {
+TEST(Clogging, IsRarerInWiderOrificesAndMoreGrainsLeaveUntilThen) {
   EXPECT_EQ(clogging(13).clogs, kSeeds);
   const Clogging narrow = clogging(15);
   const Clogging wide = clogging(18);

@@ -117,15 +117,16 @@ TEST(ANormalTable, SaysWhatTheShapesSay) {
   }
 }
 
-TEST(OnlyAHexagonAboutItsReferenceSite, IsAHexagon) {
-  EXPECT_TRUE(is_hexagon(Shape::hexagon(0)));
-  EXPECT_TRUE(is_hexagon(Shape::hexagon(4)));
-  EXPECT_FALSE(is_hexagon(Shape::rod(0, 7)));
+TEST(OnlyHexagonsAndDiscsAboutTheirReferenceSite, AreRound) {
+  EXPECT_TRUE(Shape::hexagon(0).is_round());
+  EXPECT_TRUE(Shape::hexagon(6).is_round());
+  EXPECT_TRUE(Shape::disc(6.3).is_round());
+  EXPECT_FALSE(Shape::rod(0, 7).is_round());
   std::vector<Axial> shifted = Shape::hexagon(1).sites();
   for (Axial& site : shifted) {
     site = site + times(1, unit(Direction::up));
   }
-  EXPECT_FALSE(is_hexagon(Shape(shifted)));
+  EXPECT_FALSE(Shape(shifted).is_round());
 }
 
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {

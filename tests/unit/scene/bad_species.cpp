@@ -13,7 +13,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a list of species", "species: [small, large]",
      "scene.yaml:5:10: error: species: expected a map, found a list"},
     {"a species without a shape", R"(species: {small: {color: "#ffffff"}})",
-     "scene.yaml:5:18: error: species.small: key 'shape' is missing"},
+     "scene.yaml:5:18: error: species.small: expected exactly one of shape, sizes, found none"},
     {"a species with nothing",
      "species:\n"
      "  small:\n"
@@ -28,17 +28,44 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:5:18: error: species.small: 41 columns wide at 0 degrees, too wide for a periodic "
      "box of 36 columns",
      Judge::parser},
+    {"a species with a shape and sizes",
+     "species: {small: {shape: {hexagon: 1}, sizes: {law: uniform, mean: 3, sd: 1}}}",
+     "scene.yaml:5:18: error: species.small: expected exactly one of shape, sizes, found shape and "
+     "sizes"},
+    {"sizes by an unknown law", "species: {small: {sizes: {law: normal, mean: 3, sd: 1}}}",
+     "scene.yaml:5:32: error: species.small.sizes.law: expected one of uniform, lognormal, list, "
+     "found 'normal'; did you mean 'lognormal'?"},
+    {"sizes without a spread", "species: {small: {sizes: {law: uniform, mean: 3}}}",
+     "scene.yaml:5:26: error: species.small.sizes: key 'sd' is missing", Judge::parser},
+    {"sizes below zero", "species: {small: {sizes: {law: uniform, mean: 3, sd: 2}}}",
+     "scene.yaml:5:54: error: species.small.sizes.sd: expected less than 1.732, so that all "
+     "diameters are above 0, found 2",
+     Judge::parser},
+    {"a list of sizes with a mean",
+     "species: {small: {sizes: {law: list, diameters: [2], shares: [1], mean: 2}}}",
+     "scene.yaml:5:73: error: species.small.sizes.mean: goes with 'law: uniform' or 'law: "
+     "lognormal'",
+     Judge::parser},
+    {"a list of sizes with a share too few",
+     "species: {small: {sizes: {law: list, diameters: [2, 3], shares: [1]}}}",
+     "scene.yaml:5:65: error: species.small.sizes.shares: expected a share for each of the 2 "
+     "diameters, found 1",
+     Judge::parser},
+    {"a kind with the name of a species",
+     "species: {small: {sizes: {law: uniform, mean: 3, sd: 1}}, small-1: {shape: {hexagon: 1}}}",
+     "scene.yaml:5:11: error: species.small-1: a kind of a species with sizes has this name",
+     Judge::parser},
     {"an unknown key of a species", R"(species: {small: {shape: {hexagon: 1}, colour: "#ffffff"}})",
-     "scene.yaml:5:40: error: unknown key 'colour' in species.small (allowed: shape, "
+     "scene.yaml:5:40: error: unknown key 'colour' in species.small (allowed: shape, sizes, "
      "orientations, color); did you mean 'color'?"},
     {"an unknown shape", "species: {small: {shape: {hexagn: 1}}}",
      "scene.yaml:5:27: error: unknown key 'hexagn' in species.small.shape (allowed: hexagon, "
-     "sites, polygon, rod); did you mean 'hexagon'?"},
+     "disc, sites, polygon, rod); did you mean 'hexagon'?"},
     {"a shape in two ways", "species: {small: {shape: {hexagon: 1, rod: {radius: 1, length: 2}}}}",
-     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, sites, "
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, sites, "
      "polygon, rod, found hexagon and rod"},
     {"a shape in no way", "species: {small: {shape: {}}}",
-     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, sites, "
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, sites, "
      "polygon, rod, found none"},
     {"a hexagon too large", "species: {small: {shape: {hexagon: 101}}}",
      "scene.yaml:5:36: error: species.small.shape.hexagon: expected a whole number from 0 to "

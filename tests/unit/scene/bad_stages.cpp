@@ -57,7 +57,44 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:10:39: error: stages.first.fill.method: expected one of random, deposition, found "
      "'rain'"},
     {"a fill without counts", "stages: [{name: first, fill: {region: [0, 0, 50, 50]}}]",
-     "scene.yaml:10:30: error: stages.first.fill: key 'counts' is missing"},
+     "scene.yaml:10:30: error: stages.first.fill: expected exactly one of counts, mix, picture, "
+     "found "
+     "none"},
+    {"a fill with counts and a mix",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 5}, mix: {small: 1}}}]",
+     "scene.yaml:10:30: error: stages.first.fill: expected exactly one of counts, mix, picture, "
+     "found "
+     "counts and mix"},
+    {"a mix of nothing", "stages: [{name: first, fill: {region: [0, 0, 50, 50], mix: {small: 0}}}]",
+     "scene.yaml:10:60: error: stages.first.fill.mix: expected a weight above 0", Judge::parser},
+    {"a level of a fill at random",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], mix: {small: 1}, level: 20}}]",
+     "scene.yaml:10:79: error: stages.first.fill.level: needs a mix and 'method: deposition'",
+     Judge::parser},
+    {"a level above the region",
+     "stages: [{name: first, fill: {method: deposition, region: [0, 0, 50, 50], mix: {small: 1}, "
+     "level: 51}}]",
+     "scene.yaml:10:99: error: stages.first.fill.level: expected a height in the region, above 0 "
+     "and up to 50, found 51",
+     Judge::parser},
+    {"a picture of species without species",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], picture: {rows: [A]}}}]",
+     "scene.yaml:10:64: error: stages.first.fill.picture: key 'pixels' is missing"},
+    {"a picture with a letter of no species",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], picture: {rows: [AB], pixels: {A: "
+     "small}}}}]",
+     "scene.yaml:10:85: error: stages.first.fill.picture.pixels: no species for the pixels B",
+     Judge::parser},
+    {"a picture of an unknown species",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], picture: {rows: [A], pixels: {A: "
+     "smal}}}}]",
+     "scene.yaml:10:88: error: stages.first.fill.picture.pixels.A: unknown species 'smal' (known: "
+     "small, large); did you mean 'small'?",
+     Judge::parser},
+    {"rows of a picture with colours",
+     "stages: [{name: first, fill: {region: [0, 0, 50, 50], picture: {rows: [A], pixels: {A: "
+     "small}, colors: {\"#d55e00\": small}}}}]",
+     "scene.yaml:10:104: error: stages.first.fill.picture.colors: goes with 'file'", Judge::parser},
     {"a fill outside the box",
      "stages: [{name: first, fill: {region: [0, 50, 50, 60], counts: {small: 5}}}]",
      "scene.yaml:10:39: error: stages.first.fill.region: no site of the box, 100 wide and 50 "

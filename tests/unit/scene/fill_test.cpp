@@ -1,0 +1,68 @@
+// Fills with a mixture, and pictures of species.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "bad_scenes.hpp"
+#include "clca/image/png.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+#include "support/runs.hpp"
+
+namespace clca::scene {
+namespace {
+
+Scene scene_with_fill(const std::string& fill, const std::string& file = "scene.yaml") {
+  return parse(
+      testing::scene_with("stages: [{name: a, fill: {region: [0, 0, 100, 50], " + fill + "}}]"),
+      file);
+}
+
+TEST(Fill, OfAMixHasOnePartAndALevel) {
+  const Scene scene = scene_with_fill("method: deposition, mix: {small: 2, large: 1}, level: 30");
+  const auto mixture = mixture_of(*scene.stages[0].fill);
+  ASSERT_TRUE(mixture);
+  EXPECT_EQ(mixture->parts, (std::vector<std::vector<std::uint32_t>>{{2, 1}}));
+  EXPECT_TRUE(mixture->deposited);
+  EXPECT_EQ(mixture->level, 30);
+  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+}
+
+TEST(Fill, OfAPictureHasAPartForEachLetter) {
+  const Scene scene =
+      scene_with_fill("picture: {rows: [X.B, BBX], pixels: {X: large, B: {small: 1, large: 3}}}");
+  const auto mixture = mixture_of(*scene.stages[0].fill);
+  ASSERT_TRUE(mixture);
+  EXPECT_EQ(mixture->rows, (std::vector<std::string>{"B.A", "AAB"}));
+  EXPECT_EQ(mixture->parts, (std::vector<std::vector<std::uint32_t>>{{1, 3}, {0, 1}}));
+  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+}
+
+TEST(Fill, PixelsOfAFileHaveTheNearestColourOrAreEmpty) {
+  const clca::testing::ScratchFolder folder;
+  image::Image picture(2, 2, {250, 250, 250});
+  picture.at(0, 0) = {220, 90, 10};
+  picture.at(1, 1) = {0, 100, 160};
+  const std::vector<std::uint8_t> bytes = image::encode_png(picture, {});
+  std::ofstream(folder.path() / "a.png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  const Scene scene =
+      scene_with_fill("picture: {file: a.png, colors: {\"#0072b2\": small, \"#d55e00\": large}}",
+                      (folder.path() / "scene.yaml").string());
+  EXPECT_EQ(scene.stages[0].fill->picture->rows, (std::vector<std::string>{"B.", ".A"}));
+  // The resolved scene needs no file.
+  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+}
+
+TEST(Fill, OfAMixCountsInTheEstimateOfMemory) {
+  const Scene scene = scene_with_fill("mix: {small: 1, large: 1}");
+  const Size size = size_of(scene);
+  EXPECT_GT(size.particles, 100U);
+  EXPECT_LT(size.particles, 1000U);  // of 13 sites in the mean
+}
+
+}  // namespace
+}  // namespace clca::scene
