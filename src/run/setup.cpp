@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "clca/lattice/centred.hpp"
 #include "clca/scene/walls.hpp"
 
 namespace clca::run {
@@ -12,37 +13,11 @@ namespace {
 
 constexpr int kDegreesPerTurn = 60;
 
-/// The shape with the site nearest to its centre of mass as reference, so that the origin of the
-/// scene's coordinates does not matter.
-lattice::Shape centred(const lattice::Shape& shape) {
-  const auto& sites = shape.sites();
-  const auto count = static_cast<long long>(sites.size());
-  long long sum_x = 0;
-  long long sum_q = 0;
-  for (const lattice::Axial site : sites) {
-    sum_x += site.x;
-    sum_q += site.q;
-  }
-  // Squared distance from the centre of mass, times count squared: exact.
-  const auto distance = [&](lattice::Axial site) {
-    const long long x = count * site.x - sum_x;
-    const long long q = count * site.q - sum_q;
-    return x * x + x * q + q * q;
-  };
-  const lattice::Axial reference = *std::min_element(
-      sites.begin(), sites.end(),
-      [&](lattice::Axial a, lattice::Axial b) { return distance(a) < distance(b); });
-  std::vector<lattice::Axial> moved;
-  for (const lattice::Axial site : sites) {
-    moved.push_back(site - reference);
-  }
-  return lattice::Shape(std::move(moved));
-}
-
 std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t number) {
   std::vector<grains::Kind> kinds;
   for (const int degrees : species.orientations) {
-    grains::Kind kind = {centred(species.shape.rotated(degrees / kDegreesPerTurn)), number};
+    grains::Kind kind = {lattice::centred(species.shape.rotated(degrees / kDegreesPerTurn)),
+                         number};
     const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const grains::Kind& other) {
       return other.shape.congruent(kind.shape);
     });

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "clca/contact/contact_model.hpp"
+#include "clca/lattice/centred.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/sections.hpp"
@@ -45,7 +46,7 @@ void check_able(const Value& root) {
 
 void check_rolling(const Scene& scene, const Value& species) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    if (!scene.species[i].shape.is_round()) {
+    if (!lattice::centred(scene.species[i].shape).is_round()) {
       fail(species.entries[i].location,
            fmt::format("species.{}: only hexagons and discs roll; give it the shape of one, or say "
                        "'contact.rolling: none'",

@@ -67,11 +67,9 @@ void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene)
   }
   std::vector<Color> colors;
   for (const Entry& entry : entries) {
-    const Value color = {
-        .kind = Value::Kind::scalar, .location = entry.location, .text = entry.key};
     picture.weights[letter(colors.size())] =
         read_part(entry.value, join_path(path, entry.key), scene);
-    colors.push_back(color_type().read(color, path, scene));
+    colors.push_back(color_type().read(scalar_at(entry.location, entry.key), path, scene));
   }
   const image::Image image = read_picture(fields.at("file"), fields.path("file"), scene);
   for (int y = 0; y < image.height; ++y) {

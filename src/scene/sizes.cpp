@@ -93,10 +93,6 @@ std::vector<RoundKind> round_kinds(RoundShape shape, double largest) {
   return kinds;
 }
 
-Value scalar(const std::string& text, const TextLocation& location) {
-  return {.kind = Value::Kind::scalar, .location = location, .text = text};
-}
-
 /// From light to dark.
 std::string shade(const Color& color, double place) {
   constexpr double kLightest = 0.6;  // share of white
@@ -166,8 +162,8 @@ class Expansion {
       if (!families_.contains(entry.key)) {
         const std::uint64_t weight =
             read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes);
-        entry.value = scalar(fmt::format("{:.0f}", kScale * static_cast<double>(weight)),
-                             entry.value.location);
+        entry.value = scalar_at(entry.value.location,
+                                fmt::format("{:.0f}", kScale * static_cast<double>(weight)));
       }
     }
     change(weights, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
@@ -183,12 +179,12 @@ class Expansion {
 
   /// Each species once.
   Value all_alike(const TextLocation& location) const {
-    Value weights = {.kind = Value::Kind::map, .location = location};
+    Value weights = map_at(location);
     for (const std::string& name : plain_) {
-      weights.entries.push_back({name, location, scalar("1", location)});
+      weights.entries.push_back({name, location, scalar_at(location, "1")});
     }
     for (const auto& [name, family] : families_) {
-      weights.entries.push_back({name, location, scalar("1", location)});
+      weights.entries.push_back({name, location, scalar_at(location, "1")});
     }
     return weights;
   }
@@ -196,8 +192,8 @@ class Expansion {
   /// A species by its name becomes weights, too.
   void divide_part(Value& part, const std::string& path) const {
     if (part.is(Value::Kind::scalar) && families_.contains(part.text)) {
-      Value weights = {.kind = Value::Kind::map, .location = part.location};
-      weights.entries.push_back({part.text, part.location, scalar("1", part.location)});
+      Value weights = map_at(part.location);
+      weights.entries.push_back({part.text, part.location, scalar_at(part.location, "1")});
       part = weights;
     }
     if (part.is(Value::Kind::map)) {
@@ -230,14 +226,14 @@ class Expansion {
                     [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
       const auto* disc = std::get_if<DiscSpec>(&family.kinds[i].shape);
       const auto* hexagon = std::get_if<HexagonSpec>(&family.kinds[i].shape);
-      Value shape = {.kind = Value::Kind::map, .location = location};
-      shape.entries.push_back({disc != nullptr ? "disc" : "hexagon", location,
-                               scalar(disc != nullptr ? fmt::format("{}", disc->radius)
-                                                      : fmt::format("{}", hexagon->radius),
-                                      location)});
-      Value shaded = scalar(
-          shade(color, count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5),
-          location);
+      Value shape = map_at(location);
+      shape.entries.push_back(
+          {disc != nullptr ? "disc" : "hexagon", location,
+           scalar_at(location, disc != nullptr ? fmt::format("{}", disc->radius)
+                                               : fmt::format("{}", hexagon->radius))});
+      Value shaded = scalar_at(
+          location,
+          shade(color, count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5));
       shaded.quoted = true;
       kind.value.entries.push_back({"shape", location, std::move(shape)});
       kind.value.entries.push_back({"color", location, std::move(shaded)});
@@ -263,7 +259,7 @@ class Expansion {
                      std::vector<Entry>& result) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       result.push_back({family.names[i], entry.location,
-                        scalar(fmt::format("{:.0f}", numbers[i]), entry.value.location)});
+                        scalar_at(entry.value.location, fmt::format("{:.0f}", numbers[i]))});
     }
   }
 

@@ -30,6 +30,21 @@ Value* Value::find(std::string_view key) {
   return const_cast<Value*>(std::as_const(*this).find(key));
 }
 
+Value scalar_at(const TextLocation& location, const std::string& text) {
+  Value value;
+  value.kind = Value::Kind::scalar;
+  value.location = location;
+  value.text = text;
+  return value;
+}
+
+Value map_at(const TextLocation& location) {
+  Value value;
+  value.kind = Value::Kind::map;
+  value.location = location;
+  return value;
+}
+
 std::string found(const Value& value) {
   switch (value.kind) {
     case Value::Kind::nothing:

@@ -35,16 +35,20 @@ struct Value {
   Kind kind = Kind::nothing;
   bool quoted = false;
   TextLocation location;
-  std::string text = {};            ///< of a scalar
-  std::string expression = {};      ///< that the text is the value of; empty if it was written so
-  std::vector<Value> items = {};    ///< of a list
-  std::vector<Entry> entries = {};  ///< of a map, in the order of the text
+  std::string text;            ///< of a scalar
+  std::string expression;      ///< that the text is the value of; empty if it was written so
+  std::vector<Value> items;    ///< of a list
+  std::vector<Entry> entries;  ///< of a map, in the order of the text
 
   bool is(Kind other) const { return kind == other; }
   /// The value of `key`, null when there is none.
   const Value* find(std::string_view key) const;
   Value* find(std::string_view key);
 };
+
+/// A scalar as if it were written there, and a map without entries.
+Value scalar_at(const TextLocation& location, const std::string& text);
+Value map_at(const TextLocation& location);
 
 struct Entry {
   std::string key;

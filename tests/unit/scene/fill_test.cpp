@@ -15,9 +15,9 @@ namespace clca::scene {
 namespace {
 
 Scene scene_with_fill(const std::string& fill, const std::string& file = "scene.yaml") {
-  return parse(
-      testing::scene_with("stages: [{name: a, fill: {region: [0, 0, 100, 50], " + fill + "}}]"),
-      file);
+  return parse(testing::scene_with("stages: [{name: a, fill: {region: [0, 0, 100, 50], " + fill +
+                                   "}, sources: [spout]}]"),
+               file);
 }
 
 TEST(Fill, OfAMixHasOnePartAndALevel) {

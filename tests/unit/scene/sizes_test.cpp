@@ -2,6 +2,7 @@
 
 #include "scene/sizes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -100,12 +101,14 @@ constexpr const char* kSpecies =
     "species: {small: {sizes: {law: list, diameters: [2.8, 4.6], shares: [2, 1]}}, "
     "large: {shape: {hexagon: 3}}}\n";
 
+Scene scene_with_rest(std::string_view rest) {
+  return parse(testing::scene_with(fmt::format("{}{}", kSpecies, rest)), "scene.yaml");
+}
+
 TEST(Sizes, DivideCountsWithoutALoss) {
-  const Scene scene = parse(
-      testing::scene_with(std::string(kSpecies) +
-                          "stages: [{name: a, fill: {region: [0, 0, 100, 50], counts: {small: 10, "
-                          "large: 2}}}]"),
-      "scene.yaml");
+  const Scene scene = scene_with_rest(
+      "sources: {}\nstages: [{name: a, fill: {region: [0, 0, 100, 50], counts: {small: 10, large: "
+      "2}}}]");
   ASSERT_EQ(scene.species.size(), 3U);
   EXPECT_EQ(scene.species[0].name, "small-1");
   EXPECT_EQ(scene.species[1].name, "small-2");
@@ -114,16 +117,12 @@ TEST(Sizes, DivideCountsWithoutALoss) {
 }
 
 TEST(Sizes, DivideWeightsOfMixesPicturesAndSources) {
-  const Scene scene = parse(
-      testing::scene_with(
-          std::string(kSpecies) +
-          "sources: {tap: {at: [50, 40], rate: 1}}\n"
-          "stages:\n"
-          "  - {name: a, sources: [tap], fill: {region: [0, 0, 100, 50], mix: {small: 1, large: "
-          "2}}}\n"
-          "  - {name: b, fill: {region: [0, 0, 100, 50], picture: {rows: [AB], pixels: {A: small, "
-          "B: large}}}}"),
-      "scene.yaml");
+  const Scene scene = scene_with_rest(
+      "sources: {tap: {at: [50, 40], rate: 1, count: 9}}\n"
+      "stages:\n"
+      "  - {name: a, sources: [tap], fill: {region: [0, 0, 100, 50], mix: {small: 1, large: 2}}}\n"
+      "  - {name: b, fill: {region: [0, 0, 100, 50], picture: {rows: [AB], pixels: {A: small, B: "
+      "large}}}}");
   const std::vector<std::uint32_t> alike = {667, 333, 1000};
   EXPECT_EQ(scene.sources[0].weights, alike);
   EXPECT_EQ(scene.stages[0].fill->mix, (std::vector<std::uint32_t>{667, 333, 2000}));
