@@ -216,12 +216,15 @@ bool Shape::congruent(const Shape& other) const {
 }
 
 bool Shape::is_round() const {
-  const auto radius = std::max(sites_.back().x, 0);
+  const int radius = std::max(sites_.back().x, 0);
   double reach = 0;
   for (const Axial site : sites_) {
     reach = std::max(reach, position(site).norm());
   }
-  return *this == hexagon(radius) || *this == disc(reach);
+  // Long and large shapes are told apart by their number of sites, before others are built.
+  const auto count = static_cast<double>(size());
+  return (count == 3.0 * radius * (radius + 1.0) + 1 && *this == hexagon(radius)) ||
+         (count >= 2 * reach * reach && *this == disc(reach));
 }
 
 Eigen::Vector2d Shape::centroid() const {

@@ -259,11 +259,11 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill) {
 }
 
 bool has_species(const Fill& fill, std::size_t species) {
-  if (const auto mixture = mixture_of(fill)) {
-    return std::any_of(mixture->parts.begin(), mixture->parts.end(),
-                       [&](const auto& weights) { return weights[species] > 0; });
+  if (fill.picture) {
+    return std::any_of(fill.picture->weights.begin(), fill.picture->weights.end(),
+                       [&](const auto& part) { return part.second[species] > 0; });
   }
-  return fill.counts[species] > 0;
+  return fill.counts.empty() ? fill.mix[species] > 0 : fill.counts[species] > 0;
 }
 
 }  // namespace clca::scene

@@ -1,5 +1,7 @@
 // Distributions of sizes.
 
+#include <cmath>
+
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -57,13 +59,16 @@ void check(const KeyedMap& fields, Sizes& sizes, const Scene& /*scene*/) {
     return;
   }
   fields.at("mean");
-  const double sd = fields.find("sd") != nullptr ? *sizes.sd : 0;
-  fields.at("sd");
-  // Of a uniform law, the smallest diameter has to be above zero.
-  if (sizes.law == SizeLaw::uniform && *sizes.mean <= sd * std::sqrt(3.0)) {
-    fail(fields.at("sd").location,
+  const Value& sd = fields.at("sd");
+  if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
+    fail(sd.location,
          fmt::format("{}: expected less than {:.4g}, so that all diameters are above 0, found {}",
-                     fields.path("sd"), *sizes.mean / std::sqrt(3.0), sd));
+                     fields.path("sd"), *sizes.mean / std::sqrt(3.0), *sizes.sd));
+  }
+  if (const double largest = largest_diameter(sizes); largest > kMaxDiameter) {
+    fail(sd.location, fmt::format("{}: expected less, so that all diameters are up to {}; the "
+                                  "largest would be {:.4g}",
+                                  fields.path("sd"), kMaxDiameter, largest));
   }
 }
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 
-#include "clca/lattice/shape.hpp"
+#include "clca/lattice/lattice.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -68,26 +68,41 @@ std::vector<Diameter> diameters_of(const Sizes& sizes) {
 struct RoundKind {
   ShapeSpec spec;
   double sites = 0;
-  double diameter = 0;
+
+  double diameter() const {
+    return std::sqrt(4 * lattice::kColumnPitch * sites / std::numbers::pi);
+  }
 };
 
-RoundKind round_kind(const ShapeSpec& spec, const lattice::Shape& shape) {
-  return {spec, static_cast<double>(shape.size()), shape.diameter()};
+/// Up to the first one that is not smaller.
+std::vector<RoundKind> hexagons(double largest) {
+  std::vector<RoundKind> kinds;
+  for (int radius = 0; kinds.empty() || kinds.back().diameter() < largest; ++radius) {
+    kinds.push_back({HexagonSpec{radius}, 3.0 * radius * (radius + 1) + 1});
+  }
+  return kinds;
 }
 
-/// All discs or hexagons up to the first one that is larger than the diameter.
-std::vector<RoundKind> round_kinds(RoundShape shape, double largest) {
-  std::vector<RoundKind> kinds;
-  for (int square = 0; kinds.empty() || kinds.back().diameter < largest; ++square) {
-    if (shape == RoundShape::hexagon) {
-      kinds.push_back(round_kind(HexagonSpec{square}, lattice::Shape::hexagon(square)));
-      continue;
+/// Likewise. Squares of distances between sites are whole numbers.
+std::vector<RoundKind> discs(double largest) {
+  const int reach = static_cast<int>(largest) + 2;  // more than the radius
+  std::vector<int> sites(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach), 0);
+  for (int x = -2 * reach; x <= 2 * reach; ++x) {
+    for (int q = -2 * reach; q <= 2 * reach; ++q) {
+      const auto square = static_cast<std::size_t>(x * x + x * q + q * q);
+      if (square < sites.size()) {
+        ++sites[square];
+      }
     }
-    // Squares of distances between sites are whole numbers. Two digits keep them apart.
-    const double radius = std::ceil(std::sqrt(square) * 100) / 100;
-    const RoundKind disc = round_kind(DiscSpec{radius}, lattice::Shape::disc(radius));
-    if (kinds.empty() || disc.sites > kinds.back().sites) {
-      kinds.push_back(disc);
+  }
+  std::vector<RoundKind> kinds;
+  double inside = 0;
+  for (std::size_t square = 0; kinds.empty() || kinds.back().diameter() < largest; ++square) {
+    if (sites[square] > 0) {
+      inside += sites[square];
+      // Two digits keep them apart.
+      kinds.push_back(
+          {DiscSpec{std::ceil(std::sqrt(static_cast<double>(square)) * 100) / 100}, inside});
     }
   }
   return kinds;
@@ -106,6 +121,7 @@ std::string shade(const Color& color, double place) {
                      mixed(color.blue));
 }
 
+/// Species with sizes, each replaced by its kinds.
 class Expansion {
  public:
   explicit Expansion(Value& species) {
@@ -202,6 +218,7 @@ class Expansion {
   }
 
  private:
+  /// A species with sizes.
   struct Family {
     std::vector<std::string> names;
     std::vector<SizeClass> kinds;
@@ -212,6 +229,7 @@ class Expansion {
     check_name(entry.key, entry.location, "species");
     Family& family = families_[entry.key];
     family.kinds = size_classes(sizes_type().read(sizes, join_path(path, "sizes"), Scene()));
+    // Blue, vermilion and green of the palette.
     constexpr std::array<Color, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
     Color color = kColors[(families_.size() - 1) % kColors.size()];
     if (const Value* own = entry.value.find("color")) {
@@ -287,30 +305,40 @@ void expand_fill(const Expansion& expansion, Value& fill, const std::string& pat
 
 }  // namespace
 
-std::vector<SizeClass> size_classes(const Sizes& sizes) {
-  const std::vector<Diameter> diameters = diameters_of(sizes);
+double largest_diameter(const Sizes& sizes) {
   double largest = 0;
-  for (const Diameter& diameter : diameters) {
+  for (const Diameter& diameter : diameters_of(sizes)) {
     largest = std::max(largest, diameter.value);
   }
-  const std::vector<RoundKind> kinds = round_kinds(sizes.shape, largest);
+  return largest;
+}
+
+std::vector<SizeClass> size_classes(const Sizes& sizes) {
+  const double largest = largest_diameter(sizes);
+  const std::vector<RoundKind> kinds =
+      sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
   std::map<std::size_t, double> shares;  // by number, of the kinds
   double all = 0;
-  for (const Diameter& diameter : diameters) {
-    const auto nearest =
-        std::min_element(kinds.begin(), kinds.end(), [&](const auto& one, const auto& other) {
-          return std::abs(one.diameter - diameter.value) <
-                 std::abs(other.diameter - diameter.value);
-        });
+  for (const Diameter& diameter : diameters_of(sizes)) {
+    const auto distance = [&](const RoundKind& kind) {
+      return std::abs(kind.diameter() - diameter.value);
+    };
+    const auto nearest = std::min_element(
+        kinds.begin(), kinds.end(),
+        [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
     const double share =
         sizes.by == SharesBy::area ? diameter.share / nearest->sites : diameter.share;
     shares[static_cast<std::size_t>(nearest - kinds.begin())] += share;
     all += share;
   }
+  double units = 0;
+  for (auto& [kind, share] : shares) {
+    share = std::max(1.0, std::round(share / all / kShareUnit));
+    units += share;
+  }
   std::vector<SizeClass> result;
   for (const auto& [kind, share] : shares) {
-    result.push_back(
-        {kinds[kind].spec, kShareUnit * std::max(1.0, std::round(share / all / kShareUnit))});
+    result.push_back({kinds[kind].spec, share / units});
   }
   return result;
 }

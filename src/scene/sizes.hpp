@@ -27,8 +27,11 @@ struct Sizes {
 
 struct SizeClass {
   ShapeSpec shape;
-  double share = 0;  ///< of the particles, by number; the sum is 1
+  double share = 0;  ///< of the particles, by number; the sum is 1 but for rounding
 };
+
+/// Of the classes of the law.
+double largest_diameter(const Sizes& sizes);
 
 /// The kinds of particles that come nearest to the law, from the smallest to the largest. Of
 /// uniform and lognormal: diameters in the middle of `kinds` classes of equal width, which cover

@@ -116,6 +116,17 @@ TEST(Sizes, DivideCountsWithoutALoss) {
   EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
 }
 
+TEST(Sizes, DivideLargeCountsWithoutALossToo) {
+  const Scene scene =
+      parse(testing::scene_with("box: {width: 20000, height: 20000}\nsources: {}\noutlets: {}\n"
+                                "species: {small: {sizes: {law: lognormal, mean: 5, sd: 2}}}\n"
+                                "stages: [{name: a, fill: {region: [0, 0, 19000, 19000], counts: "
+                                "{small: 12345679}}}]"),
+            "scene.yaml");
+  const auto& counts = scene.stages[0].fill->counts;
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), 12345679U);
+}
+
 TEST(Sizes, DivideWeightsOfMixesPicturesAndSources) {
   const Scene scene = scene_with_rest(
       "sources: {tap: {at: [50, 40], rate: 1, count: 9}}\n"
