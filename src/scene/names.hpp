@@ -69,8 +69,12 @@ inline constexpr std::array<Named<ColorBy>, 6> kColorByNames = {
      {"force", ColorBy::force}}};
 inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
     {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
-inline constexpr std::array<Named<Overlay>, 3> kOverlayNames = {
-    {{"none", Overlay::none}, {"forces", Overlay::forces}, {"arrows", Overlay::arrows}}};
+inline constexpr std::array<Named<Overlay>, 4> kOverlayNames = {{{"none", Overlay::none},
+                                                                 {"forces", Overlay::forces},
+                                                                 {"arrows", Overlay::arrows},
+                                                                 {"velocity", Overlay::velocity}}};
+inline constexpr std::array<Named<PictureStyle>, 2> kPictureStyleNames = {
+    {{"screen", PictureStyle::screen}, {"print", PictureStyle::print}}};
 
 inline constexpr std::array<Named<boltzmann::Initial>, 2> kInitialNames = {
     {{"gaussian", boltzmann::Initial::gaussian},

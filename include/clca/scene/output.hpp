@@ -38,7 +38,10 @@ enum class Measure : std::uint8_t {
 
 enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, id, force };
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
-enum class Overlay : std::uint8_t { none, forces, arrows };
+/// `velocity`: mean since the last picture.
+enum class Overlay : std::uint8_t { none, forces, arrows, velocity };
+/// `print`: for papers, without title and moment.
+enum class PictureStyle : std::uint8_t { screen, print };
 
 /// The values at the ends of a colour bar.
 struct ColorRange {
@@ -59,6 +62,7 @@ struct Frames {
   Drawing drawing = Drawing::automatic;
   int supersampling = 2;
   bool caption = true;
+  PictureStyle style = PictureStyle::screen;
   bool upright = false;  ///< of Model::contact: turned as the vessel is
   /// Contact model: force of the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};

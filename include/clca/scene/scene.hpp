@@ -129,6 +129,17 @@ struct Probe {
   bool operator==(const Probe&) const = default;
 };
 
+/// A straight line from `from` to `to` across which velocities are measured, in parts of equal
+/// length; see clca/measure/line.hpp.
+struct Line {
+  std::string name;
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+  int parts = 20;
+
+  bool operator==(const Line&) const = default;
+};
+
 /// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
 /// automaton::Automaton::fill and deposit.
 enum class FillMethod : std::uint8_t { random, deposition };
@@ -267,6 +278,7 @@ struct Scene {
   std::vector<Source> sources;
   std::vector<Outlet> outlets;
   std::vector<Probe> probes;  ///< none without Output::series
+  std::vector<Line> lines;    ///< likewise
   std::vector<Stage> stages;
   std::vector<Measure> measures;
   Output output;
