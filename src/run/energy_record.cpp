@@ -8,7 +8,7 @@ namespace clca::run {
 namespace {
 
 constexpr std::uint64_t kEvery = 100;  // steps from one look to the next
-constexpr double kTolerance = 0.005;   // of the energy at the start
+constexpr double kTolerance = 0.005;
 
 double sum(const contact::Energy& energy) {
   return energy.kinetic + energy.potential;
@@ -40,12 +40,18 @@ void EnergyRecord::look(const Model& model) {
   if (!is_closed_) {
     return;
   }
-  const double now = sum(*model.energy()) - gained_;
+  const contact::Energy energy = *model.energy();
+  const double now = sum(energy) - gained_;
   lowest_ = std::min(lowest_, now);
-  growth_ = std::max(growth_, now - lowest_);
-  if (!has_warned_ && growth_ > kTolerance * start_) {
+  // On a slope without end the potential energy falls without end, below 0.
+  const double scale = std::max({start_, start_ - lowest_, energy.kinetic});
+  if (scale <= 0) {
+    return;
+  }
+  growth_ = std::max(growth_, (now - lowest_) / scale);
+  if (!has_warned_ && growth_ > kTolerance) {
     has_warned_ = true;
-    warning_ = {.start = start_, .lowest = lowest_, .now = now};
+    warning_ = {.scale = scale, .lowest = lowest_, .now = now};
   }
 }
 
@@ -58,7 +64,7 @@ std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {
 }
 
 std::optional<double> EnergyRecord::growth() const {
-  return is_closed_ && start_ > 0 ? std::optional(growth_ / start_) : std::nullopt;
+  return is_closed_ ? std::optional(growth_) : std::nullopt;
 }
 
 }  // namespace clca::run

@@ -22,15 +22,15 @@ class EnergyRecord {
   /// outlets and the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// A warning if the energy has grown by more than 0.5 % of its initial value. Given once per run.
+  /// A warning if the energy has grown by more than 0.5 % of the scale. Given once per run.
   struct Growth {
-    double start = 0;   ///< of the stage
-    double lowest = 0;  ///< since then
+    double scale = 0;   ///< most of the initial, the dissipated and the kinetic energy
+    double lowest = 0;  ///< of the stage
     double now = 0;
   };
   std::optional<Growth> take_warning();
-  /// Largest rise above an earlier minimum, relative to the initial energy. None if sources, walls
-  /// or the vessel did work, or there was no energy.
+  /// Largest rise above an earlier minimum, relative to the scale. None if sources, walls or the
+  /// vessel did work.
   std::optional<double> growth() const;
 
   static constexpr auto fields() {

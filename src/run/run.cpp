@@ -217,9 +217,10 @@ void Run::warn_of_energy() {
   if (growth) {
     log().warning(fmt::format(
         "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
-        "{:.1f} % of the {:.0f} at the start of the stage; choose a smaller contact.resolution",
+        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
+        "contact.resolution",
         stage().name, model_.state().step, growth->lowest, growth->now,
-        100 * (growth->now - growth->lowest) / growth->start, growth->start));
+        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
   }
 }
 
