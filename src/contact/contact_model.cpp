@@ -69,8 +69,8 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   }
   if (parameters.rolling != Rolling::none) {
     for (const grains::Kind& kind : state.grains.kinds) {
-      if (!kind.shape.is_round()) {
-        throw std::invalid_argument("only hexagons and discs turn: others need Rolling::none");
+      if (!kind.shape.is_hexagon()) {
+        throw std::invalid_argument("only hexagons turn: others need Rolling::none");
       }
     }
   }

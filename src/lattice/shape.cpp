@@ -215,16 +215,11 @@ bool Shape::congruent(const Shape& other) const {
   return sites_ == shifted(other.sites_, sites_.front() - other.sites_.front());
 }
 
-bool Shape::is_round() const {
+bool Shape::is_hexagon() const {
   const int radius = std::max(sites_.back().x, 0);
-  double reach = 0;
-  for (const Axial site : sites_) {
-    reach = std::max(reach, position(site).norm());
-  }
-  // Long and large shapes are told apart by their number of sites, before others are built.
-  const auto count = static_cast<double>(size());
-  return (count == 3.0 * radius * (radius + 1.0) + 1 && *this == hexagon(radius)) ||
-         (count >= 2 * reach * reach && *this == disc(reach));
+  // Long shapes are told apart by their number of sites, before a large hexagon is built.
+  return static_cast<double>(size()) == 3.0 * radius * (radius + 1.0) + 1 &&
+         *this == hexagon(radius);
 }
 
 Eigen::Vector2d Shape::centroid() const {

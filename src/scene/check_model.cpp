@@ -44,13 +44,21 @@ void check_able(const Value& root) {
   }
 }
 
-void check_rolling(const Scene& scene, const Value& species) {
+void check_shapes(const Scene& scene, const Value& species) {
+  const bool rolling = scene.contact.rolling != contact::Rolling::none;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    if (!lattice::centred(scene.species[i].shape).is_round()) {
-      fail(species.entries[i].location,
-           fmt::format("species.{}: only hexagons and discs roll; give it the shape of one, or say "
-                       "'contact.rolling: none'",
-                       scene.species[i].name));
+    const Species& one = scene.species[i];
+    const TextLocation& location = species.entries[i].location;
+    if (std::holds_alternative<DiscSpec>(one.shape_spec)) {
+      fail(location,
+           fmt::format("species.{}: model contact takes no discs, whose notches interlock; give it "
+                       "the shape of a hexagon",
+                       one.name));
+    }
+    if (rolling && !lattice::centred(one.shape).is_hexagon()) {
+      fail(location, fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
+                                 "'contact.rolling: none'",
+                                 one.name));
     }
   }
 }
@@ -87,9 +95,7 @@ void check_model(const Scene& scene, const Value& root) {
     return;
   }
   check_able(root);
-  if (scene.contact.rolling != contact::Rolling::none) {
-    check_rolling(scene, *root.find("species"));
-  }
+  check_shapes(scene, *root.find("species"));
 }
 
 void check_time_step(const Scene& scene, const Value& root) {

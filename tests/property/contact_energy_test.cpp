@@ -41,7 +41,7 @@ RC_GTEST_PROP(ContactEnergyProperty, EnergyDoesNotGrow, ()) {
   ContactRun run = any_contact_run(false, kSteps);
   RC_PRE(run.state.grains.walls.empty() && !touch_across_the_seam(run.state.grains));
   RC_PRE(std::all_of(run.state.grains.kinds.begin(), run.state.grains.kinds.end(),
-                     [](const auto& kind) { return kind.shape.is_round(); }));
+                     [](const auto& kind) { return kind.shape.is_hexagon(); }));
   run.parameters.restitution = std::min(run.parameters.restitution, 0.5);
   run.parameters.friction = std::clamp(run.parameters.friction, 0.1, 1.0);
   run.parameters.wall_friction = std::min(run.parameters.wall_friction, 1.0);

@@ -41,8 +41,8 @@ class Shape {
   /// True if `other` is a translation of this shape.
   bool congruent(const Shape& other) const;
 
-  /// True for a hexagon or a disc with its reference site in the middle.
-  bool is_round() const;
+  /// True for a hexagon with its reference site in the middle.
+  bool is_hexagon() const;
 
   /// Mean of the sites, in lattice spacings from the reference site.
   Eigen::Vector2d centroid() const;

@@ -117,16 +117,17 @@ TEST(ANormalTable, SaysWhatTheShapesSay) {
   }
 }
 
-TEST(OnlyHexagonsAndDiscsAboutTheirReferenceSite, AreRound) {
-  EXPECT_TRUE(Shape::hexagon(0).is_round());
-  EXPECT_TRUE(Shape::hexagon(6).is_round());
-  EXPECT_TRUE(Shape::disc(6.3).is_round());
-  EXPECT_FALSE(Shape::rod(0, 7).is_round());
+TEST(OnlyHexagons, AboutTheirReferenceSiteAreHexagons) {
+  EXPECT_TRUE(Shape::hexagon(0).is_hexagon());
+  EXPECT_TRUE(Shape::hexagon(6).is_hexagon());
+  EXPECT_TRUE(Shape::disc(2).is_hexagon());
+  EXPECT_FALSE(Shape::disc(6.3).is_hexagon());
+  EXPECT_FALSE(Shape::rod(0, 7).is_hexagon());
   std::vector<Axial> shifted = Shape::hexagon(1).sites();
   for (Axial& site : shifted) {
     site = site + times(1, unit(Direction::up));
   }
-  EXPECT_FALSE(Shape(shifted).is_round());
+  EXPECT_FALSE(Shape(shifted).is_hexagon());
 }
 
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
