@@ -45,7 +45,7 @@ struct Subject {
                  .height = width * 9 / 16,
                  .drawing = drawing,
                  .view = {},
-                 .annotations = false,
+                 .annotations = render::Annotations::none,
                  .threads = threads},
                 subject.state().lattice, subject.state().kinds) {}
 

@@ -1,4 +1,4 @@
-// clca render: draws a run from its trajectory.
+// clca render: draws runs from their trajectories.
 
 #include <fmt/format.h>
 
@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RenderOptions {
+  std::vector<fs::path> runs;
   run::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
   SceneOptions scene;
@@ -46,8 +47,7 @@ scene::Scene unpainted(scene::Scene scene) {
 }
 
 /// The scene of the run with the picture options applied.
-scene::Scene scene_of(const RenderOptions& options) {
-  const fs::path& run = options.redraw.run;
+scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   const store::RunSummary summary = store::read_summary(run / "run.json");
   if (summary.kind != "automaton" && summary.kind != "contact") {
     throw run::RedrawError(fmt::format(
@@ -71,18 +71,31 @@ scene::Scene scene_of(const RenderOptions& options) {
   return scene;
 }
 
-/// Where pictures go, if they are wanted one by one.
-void set_folder(RenderOptions& options) {
-  run::RedrawOptions& redraw = options.redraw;
-  if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
-    redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
+std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
+  if (options.runs.size() > 1 && !options.folder.empty()) {
+    throw run::RedrawError(
+        "--output goes with one run; pictures of several, one by one, go into the folder render of "
+        "each");
   }
+  std::vector<run::RunToDraw> runs;
+  for (const fs::path& folder : options.runs) {
+    run::RunToDraw& run = runs.emplace_back(scene_of(folder, options), folder);
+    if (!options.folder.empty() || (options.redraw.movie.empty() && options.redraw.sheet.empty())) {
+      run.pictures = store::named_folder(options.folder, folder, store::kRedrawnFolder);
+    }
+  }
+  return runs;
 }
 
-void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
-  print_out("{} of {} pictures drawn\n", drawn, pictures);
-  const fs::path folder = options.folder ? options.folder->path() : fs::path();
-  for (const fs::path& place : {folder, options.movie, options.sheet}) {
+void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOptions& options,
+                  std::size_t drawn, std::size_t moments) {
+  print_out("{} of {} {} drawn\n", drawn, moments, runs.size() > 1 ? "moments" : "pictures");
+  std::vector<fs::path> places;
+  for (const run::RunToDraw& run : runs) {
+    places.push_back(run.pictures ? run.pictures->path() : fs::path());
+  }
+  places.insert(places.end(), {options.movie, options.sheet});
+  for (const fs::path& place : places) {
     if (!place.empty() && drawn > 0) {
       print_out("{}\n", place.string());
     }
@@ -94,9 +107,8 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
-  const scene::Scene scene = as_input([&] { return scene_of(options); });
-  set_folder(options);
-  const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(scene, redraw); });
+  const std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
+  const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(runs, redraw); });
   ProgressLine line;
   run::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
@@ -105,10 +117,10 @@ int render_run(RenderOptions options) {
   }
   const std::size_t drawn = drawing->draw(events);
   if (!options.quiet) {
-    print_totals(redraw, drawn, drawing->pictures());
+    print_totals(runs, redraw, drawn, drawing->moments());
   }
-  return drawn == drawing->pictures() ? static_cast<int>(ExitCode::done)
-                                      : static_cast<int>(ExitCode::signal_base) + stop;
+  return drawn == drawing->moments() ? static_cast<int>(ExitCode::done)
+                                     : static_cast<int>(ExitCode::signal_base) + stop;
 }
 
 /// An option that stands for `--set output.frames.KEY=VALUE`.
@@ -127,7 +139,9 @@ void add_frames_option(CLI::App& command, RenderOptions& options, const char* na
 void add_look_options(CLI::App& command, RenderOptions& options) {
   add_frames_option(command, options, "--color-by", "color_by", "WHAT",
                     "species, stage_layer, displacement, speed, id or force");
-  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none or forces");
+  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none, forces or velocity");
+  add_frames_option(command, options, "--style", "style", "STYLE",
+                    "screen, or print: without title, stage and step or time");
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
   command
@@ -154,6 +168,12 @@ void add_target_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.folder,
                      "Folder for the pictures [DIR/render; none with --movie or --sheet]");
   command
+      .add_option_function<std::string>(
+          "--format", [&options](const std::string& name) { options.redraw.pdf = name == "pdf"; },
+          "Of these pictures: png, or pdf (vector graphics) [png]")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"png", "pdf"}));
+  command
       .add_option("--movie", options.redraw.movie,
                   "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
       ->type_name("FILE");
@@ -173,9 +193,12 @@ void add_target_options(CLI::App& command, RenderOptions& options) {
 
 void add_render_command(CLI::App& app, int& code) {
   CLI::App* command =
-      app.add_subcommand("render", "Draw a run again from its trajectory: pictures, a movie");
+      app.add_subcommand("render", "Draw runs again from their trajectories: pictures, a movie");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("DIR", options->redraw.run, "Folder that a run with output.trajectory left")
+  command
+      ->add_option("DIR", options->runs,
+                   "Folder that a run with output.trajectory left. Several have the same colour "
+                   "bar, and stand side by side in --movie and --sheet")
       ->required();
   add_target_options(*command, *options);
   add_look_options(*command, *options);

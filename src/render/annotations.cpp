@@ -73,7 +73,9 @@ class Annotator {
 
   PictureParts draw(const Caption& caption, const Legend& legend) {
     fade_ = legend.fade;
-    draw_caption(caption);
+    if (layout_.captions) {
+      draw_caption(caption);
+    }
     const double bar_left = draw_scale_bar(caption.spacing);
     const double right = bar_left - em(kGap);
     double left = layout_.text_left;

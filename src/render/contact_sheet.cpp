@@ -194,6 +194,26 @@ Tile tile(const Image& picture, const PictureParts& parts, int width, std::strin
           trimmed(legend_of(picture, parts)), std::move(label)};
 }
 
+Image side_by_side(const std::vector<Image>& pictures) {
+  int width = 0;
+  int height = 0;
+  for (const Image& picture : pictures) {
+    width += picture.width;
+    height = std::max(height, picture.height);
+  }
+  Image row(width, height, kPaper);
+  int left = 0;
+  for (const Image& picture : pictures) {
+    for (int y = 0; y < picture.height; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        row.at(left + x, y) = picture.at(x, y);
+      }
+    }
+    left += picture.width;
+  }
+  return row;
+}
+
 Image contact_sheet(const std::vector<Tile>& tiles, int columns, int cell_width,
                     const std::string& title) {
   if (columns < 1 || cell_width < 1) {

@@ -47,7 +47,9 @@ Style completed(Style style, const lattice::Lattice& lattice) {
   if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) {
     throw RenderError("the view to draw is empty or without bounds");
   }
-  style.annotations = style.annotations && font_problem().empty();
+  if (style.annotations != Annotations::none && !font_problem().empty()) {
+    style.annotations = Annotations::none;
+  }
   const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
   style.width = size.width;
   style.height = size.height;

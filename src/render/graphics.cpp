@@ -1,5 +1,6 @@
 #include "render/graphics.hpp"
 
+#include <cairo-pdf.h>
 #include <fmt/format.h>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
@@ -35,10 +36,7 @@ struct DestroySurface {
 };
 using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
 
-Surface surface_of(int width, int height) {
-  require_memory();
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  const cairo_status_t status = cairo_surface_status(surface.get());
+void require_success(cairo_status_t status, int width, int height) {
   if (status == CAIRO_STATUS_NO_MEMORY) {
     throw std::bad_alloc();
   }
@@ -46,6 +44,36 @@ Surface surface_of(int width, int height) {
     throw RenderError(fmt::format("Cairo draws no picture of {} x {} pixels: {}", width, height,
                                   cairo_status_to_string(status)));
   }
+}
+
+Surface surface_of(int width, int height) {
+  require_memory();
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  require_success(cairo_surface_status(surface.get()), width, height);
+  return surface;
+}
+
+constexpr double kPoints = 0.75;  // of 1/72 inch in a pixel of a page
+
+/// For Cairo. `pdf`: a std::vector of bytes.
+cairo_status_t append(void* pdf, const unsigned char* bytes, unsigned count) {
+  try {
+    auto& whole = *static_cast<std::vector<std::uint8_t>*>(pdf);
+    whole.insert(whole.end(), bytes, bytes + count);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const std::bad_alloc&) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+}
+
+/// A page whose bytes go to the end of `pdf`.
+Surface page_of(int width, int height, std::vector<std::uint8_t>& pdf) {
+  require_memory();
+  Surface surface(
+      cairo_pdf_surface_create_for_stream(append, &pdf, kPoints * width, kPoints * height));
+  require_success(cairo_surface_status(surface.get()), width, height);
+  // The same page has the same bytes at any time.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   return surface;
 }
 
@@ -187,6 +215,20 @@ Graphics::Graphics(int width, int height)
   cairo_paint(cairo_of(cairo_));
 }
 
+Graphics::Graphics(Page /*page*/, int width, int height) : width_(width), height_(height) {
+  cairo_.reset(cairo_create(page_of(width, height, pdf_).get()), cairo_destroy);
+  cairo_scale(cairo_of(cairo_), kPoints, kPoints);
+  fill_box(0, 0, width, height, kPaper);
+}
+
+std::vector<std::uint8_t> Graphics::pdf(const std::string& title) {
+  cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, printable(title).c_str());
+  cairo_surface_finish(surface);
+  require_success(cairo_surface_status(surface), width_, height_);
+  return std::move(pdf_);
+}
+
 Image Graphics::image() const {
   cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
   cairo_surface_flush(surface);
@@ -325,23 +367,28 @@ void Graphics::draw_text(const Text& text, double left, double baseline, Rgb col
   cairo_new_path(cairo_of(cairo_));
 }
 
-Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width, double height,
-                       double turn)
+Graphics::Clip::Clip(Graphics& graphics, double left, double top, double width, double height)
     : graphics_(graphics) {
   cairo_t* cairo = cairo_of(graphics.cairo_);
   cairo_save(cairo);
   cairo_rectangle(cairo, left, top, width, height);
   cairo_clip(cairo);
+}
+
+Graphics::Clip::~Clip() {
+  cairo_restore(cairo_of(graphics_.cairo_));
+}
+
+Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width, double height,
+                       double turn)
+    : clip_(graphics, left, top, width, height) {
+  cairo_t* cairo = cairo_of(graphics.cairo_);
   cairo_translate(cairo, left, top);
   if (turn != 0) {
     cairo_translate(cairo, width / 2, height / 2);
     cairo_rotate(cairo, -turn * std::numbers::pi / 180);
     cairo_translate(cairo, -width / 2, -height / 2);
   }
-}
-
-Graphics::Panel::~Panel() {
-  cairo_restore(cairo_of(graphics_.cairo_));
 }
 
 Image scaled(const Image& image, int width, int height) {

@@ -9,9 +9,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "clca/render/image.hpp"
 #include "clca/render/overlay.hpp"
+#include "clca/render/painter.hpp"
 
 namespace clca::render {
 
@@ -19,8 +21,14 @@ class Graphics {
  public:
   /// A white picture. Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
   Graphics(int width, int height);
+  /// A white page of vector graphics, with pixels of 1/96 inch. Throws likewise.
+  enum class Page : std::uint8_t { pdf };
+  Graphics(Page page, int width, int height);
 
+  /// What is drawn on a picture.
   Image image() const;
+  /// The PDF with the page, and a title for viewers. Nothing can be drawn afterwards.
+  std::vector<std::uint8_t> pdf(const std::string& title);
 
   void fill_box(double left, double top, double right, double bottom, Rgb color);
   /// A box with colours from left to right, at equal distances.
@@ -51,22 +59,32 @@ class Graphics {
             double room = std::numeric_limits<double>::infinity());
   void draw_text(const Text& text, double left, double baseline, Rgb color);
 
-  /// All that is drawn in its lifetime is clipped to a box, with its upper left corner as origin,
-  /// and turned anticlockwise by `turn` degrees about the middle of the box.
-  class Panel {
+  /// All that is drawn in its lifetime is clipped to a box.
+  class Clip {
    public:
-    Panel(Graphics& graphics, double left, double top, double width, double height, double turn);
-    ~Panel();
-    Panel(const Panel&) = delete;
-    Panel& operator=(const Panel&) = delete;
+    Clip(Graphics& graphics, double left, double top, double width, double height);
+    ~Clip();
+    Clip(const Clip&) = delete;
+    Clip& operator=(const Clip&) = delete;
 
    private:
     Graphics& graphics_;
   };
 
+  /// The same, with the upper left corner of the box as origin, and turned anticlockwise by `turn`
+  /// degrees about the middle of the box.
+  class Panel {
+   public:
+    Panel(Graphics& graphics, double left, double top, double width, double height, double turn);
+
+   private:
+    Clip clip_;
+  };
+
  private:
   void set_color(Rgb color);
 
+  std::vector<std::uint8_t> pdf_;  ///< so far
   int width_;
   int height_;
   std::shared_ptr<void> cairo_;  ///< cairo_t, whose header only graphics.cpp includes

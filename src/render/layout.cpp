@@ -18,12 +18,18 @@ constexpr int kMinTextSize = 9;  // pixels, below which letters cannot be read
 constexpr double kTextSizesInHeight = 42;
 constexpr double kTextSizesInWidth = 50;  // matters in pictures narrower than 6:5
 
-Layout fit(int width, int height, const lattice::Rectangle& view, int text_size) {
+/// Height above the view.
+double top_strip(Annotations annotations) {
+  return annotations == Annotations::all ? kTopStrip : kMargin;
+}
+
+Layout fit(int width, int height, const lattice::Rectangle& view, Annotations annotations,
+           int text_size) {
   const auto pixels = [&](double text_sizes) {
     return static_cast<int>(std::lround(text_sizes * text_size));
   };
   const int margin = pixels(kMargin);
-  const int top = pixels(kTopStrip);
+  const int top = pixels(top_strip(annotations));
   const int room_width = width - 2 * margin;
   const int room_height = height - top - pixels(kBottomStrip);
   const double view_width = view.right - view.left;
@@ -31,6 +37,7 @@ Layout fit(int width, int height, const lattice::Rectangle& view, int text_size)
 
   Layout layout;
   layout.text_size = text_size;
+  layout.captions = annotations == Annotations::all;
   layout.scale = std::min(room_width / view_width, room_height / view_height);
   PixelBox& panel = layout.panel;
   panel.width = std::max(1, static_cast<int>(std::lround(view_width * layout.scale)));
@@ -46,14 +53,16 @@ Layout fit(int width, int height, const lattice::Rectangle& view, int text_size)
 
 }  // namespace
 
-PictureSize picture_size(int width, int height, const lattice::Rectangle& view, bool annotations) {
+PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
+                         Annotations annotations) {
   constexpr double kArea = 1280.0 * 720.0;
   constexpr double kMinAspect = 0.4;  // width over height
   constexpr double kMaxAspect = 4;
   const double view_aspect = (view.right - view.left) / (view.top - view.bottom);
   double aspect = view_aspect;
-  if (annotations) {  // the same as in fit(), with the text size that follows from height or width
-    const double strips = kTopStrip + kBottomStrip;
+  if (annotations != Annotations::none) {  // the same as in fit(), with the text size that follows
+                                           // from height or width
+    const double strips = top_strip(annotations) + kBottomStrip;
     aspect = (1 - strips / kTextSizesInHeight) * view_aspect + 2 * kMargin / kTextSizesInHeight;
     if (aspect < kTextSizesInWidth / kTextSizesInHeight) {
       aspect =
@@ -71,12 +80,13 @@ PictureSize picture_size(int width, int height, const lattice::Rectangle& view, 
                     : PictureSize{even(std::sqrt(kArea * aspect)), even(std::sqrt(kArea / aspect))};
 }
 
-Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations) {
+Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
   const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
   const int text_size = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));
   const bool room = width >= (2 * kMargin + kMinPanel) * text_size &&
-                    height >= (kTopStrip + kBottomStrip + kMinPanel) * text_size;
-  return fit(width, height, view, annotations && room ? text_size : 0);
+                    height >= (top_strip(annotations) + kBottomStrip + kMinPanel) * text_size;
+  return fit(width, height, view, annotations,
+             annotations != Annotations::none && room ? text_size : 0);
 }
 
 }  // namespace clca::render

@@ -2,7 +2,7 @@
 // Layout of view and annotations in a picture.
 
 #include "clca/lattice/region.hpp"
-#include "clca/render/image.hpp"
+#include "clca/render/painter.hpp"
 
 namespace clca::render {
 
@@ -12,6 +12,7 @@ struct Layout {
   int text_size = 0;  ///< pixels; 0: no annotations, or no room for them
   int text_left = 0;  ///< bounds of captions and legends
   int text_right = 0;
+  bool captions = true;
 };
 
 struct PictureSize {
@@ -21,9 +22,10 @@ struct PictureSize {
 
 /// A size in which the view fills the picture, with space for annotations if requested: even
 /// numbers, an area of about 1280 x 720. What is given (not 0) is kept, the other follows.
-PictureSize picture_size(int width, int height, const lattice::Rectangle& view, bool annotations);
+PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
+                         Annotations annotations);
 
 /// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
-Layout arrange(int width, int height, const lattice::Rectangle& view, bool annotations);
+Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations);
 
 }  // namespace clca::render

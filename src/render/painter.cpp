@@ -1,5 +1,7 @@
 #include "clca/render/painter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
 #include "render/polygon_painter.hpp"
+#include "render/projection.hpp"
 #include "render/site_lookup.hpp"
 #include "render/wall_appearance.hpp"
 
@@ -18,16 +21,11 @@ namespace clca::render {
 
 namespace {
 
-void draw_overlay(Graphics& graphics, const Overlay& overlay, const Projection& projection,
-                  double scale, int height) {
+void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& panel) {
   graphics.fade(overlay.fade);
-  const auto pixel = [&](const Eigen::Vector2d& place) {
-    const Eigen::Vector2d from_corner = scale * (place - projection.corner);
-    return Eigen::Vector2d(from_corner.x(), height - from_corner.y());
-  };
   for (const Stroke& stroke : overlay.strokes) {
-    graphics.draw_stroke(
-        {pixel(stroke.from), pixel(stroke.to), stroke.width * scale, stroke.color, stroke.arrow});
+    graphics.draw_stroke({panel.pixel(stroke.from), panel.pixel(stroke.to),
+                          stroke.width * panel.scale, stroke.color, stroke.arrow});
   }
 }
 
@@ -92,16 +90,18 @@ class Painter::Impl {
   Image rasterize(const Capture::Content& captured, const Caption& caption, const Overlay& overlay,
                   double turn) {
     Graphics graphics(style_.width, style_.height);
-    const PixelBox& panel = layout_.panel;
-    {
-      const Graphics::Panel clip(graphics, panel.x, panel.y, panel.width, panel.height, turn);
-      graphics.draw_image(rasterized_panel(captured), 0, 0, panel.width, panel.height);
-      draw_overlay(graphics, overlay, projection_, layout_.scale, panel.height);
-    }
-    Legend legend = captured.legend;
-    legend.fade = overlay.fade;
-    parts_ = annotate(graphics, layout_, caption, legend);
+    parts_ = draw(graphics, captured, caption, overlay, turn, [&] {
+      graphics.draw_image(rasterized_panel(captured), 0, 0, layout_.panel.width,
+                          layout_.panel.height);
+    });
     return graphics.image();
+  }
+
+  std::vector<std::uint8_t> pdf(const Capture::Content& captured, const Caption& caption,
+                                const Overlay& overlay, double turn) const {
+    Graphics graphics(Graphics::Page::pdf, style_.width, style_.height);
+    draw(graphics, captured, caption, overlay, turn, [&] { draw_panel(graphics, captured); });
+    return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
   }
 
   Image legend(const Caption& caption, const Legend& legend) const {
@@ -121,6 +121,43 @@ class Painter::Impl {
     const std::size_t colors = coloring.palette.size();
     if ((colors == 0 && !state.particles.empty()) || colors > kMaxShades) {
       throw std::invalid_argument("particles need a coloring of 1 to 32000 colours");
+    }
+  }
+
+  /// The picture around what `draw_particles` draws into the panel.
+  template <class DrawParticles>
+  PictureParts draw(Graphics& graphics, const Capture::Content& captured, const Caption& caption,
+                    const Overlay& overlay, double turn, DrawParticles draw_particles) const {
+    const PixelBox& box = layout_.panel;
+    {
+      const Graphics::Panel panel(graphics, box.x, box.y, box.width, box.height, turn);
+      draw_particles();
+      draw_overlay(graphics, overlay, panel_scale());
+    }
+    Legend legend = captured.legend;
+    legend.fade = overlay.fade;
+    return annotate(graphics, layout_, caption, legend);
+  }
+
+  PanelScale panel_scale() const {
+    return {projection_.corner, layout_.scale, layout_.panel.height};
+  }
+
+  /// As vector graphics, but for what was looked up: that is a picture with a pixel for each
+  /// sample.
+  void draw_panel(Graphics& graphics, const Capture::Content& captured) const {
+    const PixelBox& panel = layout_.panel;
+    const SampleGrid& samples = *captured.samples;
+    const std::vector<Rgb> colors = colors_by_code(captured.palette, projection_.outline_strength);
+    graphics.draw_image(mean_picture(projection_.width, projection_.height, 1,
+                                     [&](int x, int y) { return colors[samples.at(x, y)]; }),
+                        0, 0, panel.width, panel.height);
+    if (captured.polygons) {
+      const lattice::Rectangle box = whole_box(lattice_);
+      const Eigen::Vector2d low = panel_scale().pixel({box.left, box.top});
+      const Eigen::Vector2d high = panel_scale().pixel({box.right, box.bottom});
+      const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
+      polygons_->draw(graphics, projection_, panel_scale(), *captured.polygons);
     }
   }
 
@@ -219,6 +256,11 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
 Image Painter::rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay,
                          double turn) {
   return impl_->rasterize(captured.content(), caption, overlay, turn);
+}
+
+std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& caption,
+                                       const Overlay& overlay, double turn) {
+  return impl_->pdf(captured.content(), caption, overlay, turn);
 }
 
 Image Painter::legend(const Caption& caption, const Legend& legend) const {

@@ -78,6 +78,7 @@ PolygonPainter::PolygonPainter(const Gl& gl, const lattice::Lattice& lattice,
 PolygonPainter::Model PolygonPainter::model(const lattice::Shape& shape) const {
   Model result;
   result.mesh = mesh(shape);
+  result.outline = outlines(shape).front();
   result.vertex_array = gl_->vertex_array();
   gl_->BindVertexArray(result.vertex_array);
   const auto fill_buffer = [&](GLenum target, const auto& values) {
@@ -182,6 +183,24 @@ void PolygonPainter::draw(const Projection& projection, const Instances& instanc
     draw(models_[kind], index_count(models_[kind].mesh, projection), instances[kind]);
   }
   gl_->check("drawing polygons");
+}
+
+void PolygonPainter::draw(Graphics& graphics, const Projection& projection, const PanelScale& panel,
+                          const Instances& instances) const {
+  const GridPoint anchor = grid_point(projection.anchor);
+  const double line = projection.outline_width * panel.scale;
+  std::vector<Eigen::Vector2d> corners;
+  for (std::size_t kind = 0; kind < models_.size(); ++kind) {
+    for (const Instance& body : instances[kind]) {
+      corners.clear();
+      for (const GridPoint corner : models_[kind].outline) {
+        corners.push_back(panel.pixel(
+            position(GridPoint{anchor.u + body.u + corner.u, anchor.v + body.v + corner.v})));
+      }
+      const Rgb fill = {body.red, body.green, body.blue};
+      graphics.fill_polygon(corners, fill, line, outline_color(fill, projection.outline_strength));
+    }
+  }
 }
 
 }  // namespace clca::render

@@ -8,6 +8,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "render/gl.hpp"
+#include "render/graphics.hpp"
 #include "render/mesh.hpp"
 #include "render/projection.hpp"
 
@@ -33,10 +34,14 @@ class PolygonPainter {
   Instances instances(const Projection& projection, const grains::State& state,
                       const grains::Occupancy& occupancy, const Coloring& coloring) const;
   void draw(const Projection& projection, const Instances& instances) const;
+  /// The same as vector graphics.
+  void draw(Graphics& graphics, const Projection& projection, const PanelScale& panel,
+            const Instances& instances) const;
 
  private:
   struct Model {
     Mesh mesh;
+    Outline outline;
     GLuint vertex_array = 0;
     GLuint instance_buffer = 0;
   };

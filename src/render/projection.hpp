@@ -59,4 +59,17 @@ struct Projection {
   }
 };
 
+/// From the plane of the lattice to the pixels of the panel.
+struct PanelScale {
+  Eigen::Vector2d corner;  ///< of the panel, lower left, in lattice spacings
+  double scale = 1;        ///< pixels a lattice spacing
+  int height = 0;          ///< of the panel, pixels
+
+  /// From the upper left corner of the panel.
+  Eigen::Vector2d pixel(const Eigen::Vector2d& place) const {
+    const Eigen::Vector2d from_corner = scale * (place - corner);
+    return {from_corner.x(), height - from_corner.y()};
+  }
+};
+
 }  // namespace clca::render

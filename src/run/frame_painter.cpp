@@ -28,6 +28,14 @@ render::Drawing drawing_of(scene::Drawing drawing) {
   return render::Drawing::automatic;
 }
 
+render::Annotations annotations_of(const scene::Frames& frames) {
+  if (!frames.caption) {
+    return render::Annotations::none;
+  }
+  return frames.style == scene::PictureStyle::print ? render::Annotations::legend
+                                                    : render::Annotations::all;
+}
+
 render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads) {
   const scene::Frames& frames = *scene.output.frames;
   const render::Style style = {.width = frames.width.value_or(0),
@@ -35,7 +43,7 @@ render::Painter make_painter(const scene::Scene& scene, const grains::State& sta
                                .supersampling = frames.supersampling,
                                .drawing = drawing_of(frames.drawing),
                                .view = frames.view.value_or(render::whole_box(state.lattice)),
-                               .annotations = frames.caption,
+                               .annotations = annotations_of(frames),
                                .threads = threads};
   try {
     return {style, state.lattice, state.kinds};
@@ -129,6 +137,10 @@ Picture FramePainter::rasterize(const CapturedFrame& frame) {
   picture.text["Legend"] = box_text(picture.parts.legend);
   picture.text["Scale bar"] = box_text(picture.parts.scale_bar);
   return picture;
+}
+
+std::vector<std::uint8_t> FramePainter::pdf(const CapturedFrame& frame) {
+  return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn);
 }
 
 render::Image FramePainter::legend(const render::Legend& legend) const {

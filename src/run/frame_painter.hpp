@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clca/contact/force.hpp"
 #include "clca/contact/vessel.hpp"
@@ -79,6 +80,7 @@ class FramePainter {
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
   Picture rasterize(const CapturedFrame& frame);
+  std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
 
   /// A picture of a legend alone.
   render::Image legend(const render::Legend& legend) const;

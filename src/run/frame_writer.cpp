@@ -3,9 +3,6 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/image/png.hpp"
-#include "clca/store/file.hpp"
-
 namespace clca::run {
 
 namespace {
@@ -32,8 +29,8 @@ FrameWriter::~FrameWriter() {
 }
 
 void FrameWriter::write(store::OutputFolder folder, std::string name,
-                        std::function<Picture()> picture) {
-  Job job = {std::move(folder), std::move(name), std::move(picture)};
+                        std::function<std::vector<std::uint8_t>()> bytes) {
+  Job job = {std::move(folder), std::move(name), std::move(bytes)};
   if (!thread_.joinable()) {
     carry_out(job);
     return;
@@ -52,8 +49,7 @@ void FrameWriter::finish() {
 }
 
 void FrameWriter::carry_out(const Job& job) {
-  const Picture picture = job.picture();
-  job.folder.write(job.name, image::encode_png(picture.image, picture.text));
+  job.folder.write(job.name, job.bytes());
 }
 
 void FrameWriter::work() {

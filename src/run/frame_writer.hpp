@@ -1,16 +1,17 @@
 #pragma once
-// Rasterizes, encodes and writes pictures in the background.
+// Makes and writes files of pictures in the background.
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "clca/store/output_folder.hpp"
-#include "run/frame_painter.hpp"
 
 namespace clca::run {
 
@@ -24,9 +25,10 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Calls `picture` once, on that thread. Rethrows the error of an earlier picture or, without a
+  /// Calls `bytes` once, on that thread. Rethrows the error of an earlier picture or, without a
   /// thread, of this one.
-  void write(store::OutputFolder folder, std::string name, std::function<Picture()> picture);
+  void write(store::OutputFolder folder, std::string name,
+             std::function<std::vector<std::uint8_t>()> bytes);
   /// Waits until everything is written. Rethrows likewise.
   void finish();
 
@@ -34,7 +36,7 @@ class FrameWriter {
   struct Job {
     store::OutputFolder folder;
     std::string name;
-    std::function<Picture()> picture;
+    std::function<std::vector<std::uint8_t>()> bytes;
   };
 
   static void carry_out(const Job& job);

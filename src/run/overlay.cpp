@@ -115,6 +115,7 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, double stronge
       return view.forces != nullptr ? contact_forces(view, strongest_force) : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
+    case scene::Overlay::velocity:
     case scene::Overlay::none:
       break;
   }

@@ -35,22 +35,32 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
 
 }  // namespace
 
-FilesTarget::FilesTarget(const scene::Scene& scene, store::OutputFolder folder, std::uint64_t step)
-    : folder_(std::move(folder)), scene_(scene.name) {
-  folder_.create(store::frame_name(scene_, step));  // throws where it cannot be written
+FilesTarget::FilesTarget(const scene::Scene& scene, store::OutputFolder folder, bool pdf,
+                         std::uint64_t step)
+    : folder_(std::move(folder)), scene_(scene.name), pdf_(pdf) {
+  folder_.create(name(step));  // throws where it cannot be written
 }
 
-void FilesTarget::add(Picture picture, std::uint64_t step) {
-  writer_.write(folder_, store::frame_name(scene_, step),
-                [picture = std::move(picture)] { return picture; });
+std::string FilesTarget::name(std::uint64_t step) const {
+  return store::frame_name(scene_, step, pdf_ ? ".pdf" : ".png");
 }
 
-MovieTarget::MovieTarget(const FramePainter& painter, const std::filesystem::path& file,
+void FilesTarget::add(FramePainter& painter, const CapturedFrame& frame, const Picture& picture,
+                      std::uint64_t step) {
+  if (pdf_) {
+    folder_.write(name(step), painter.pdf(frame));
+  } else {
+    writer_.write(folder_, name(step),
+                  [picture] { return image::encode_png(picture.image, picture.text); });
+  }
+}
+
+MovieTarget::MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
                          int frames_per_second, const std::atomic<int>* stop)
     : path_(file),
       file_(store::named_file(file).create()),
-      movie_(file_.temporary_path(), format_of(file), painter.width(), painter.height(),
-             frames_per_second, stop) {}
+      movie_(file_.temporary_path(), format_of(file), size.width, size.height, frames_per_second,
+             stop) {}
 
 void MovieTarget::add(const render::Image& image) {
   naming_file([&] { movie_.add(image); });
@@ -71,13 +81,12 @@ void MovieTarget::finish() {
   file_.finish();
 }
 
-SheetTarget::SheetTarget(const scene::Scene& scene, const FramePainter& painter,
-                         std::filesystem::path file, int columns, std::size_t pictures)
-    : scene_(scene),
-      painter_(painter),
+SheetTarget::SheetTarget(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
+                         std::filesystem::path file, int columns, std::size_t moments)
+    : drawings_(drawings),
       file_(std::move(file)),
-      columns_(columns),
-      pictures_(pictures) {
+      columns_(drawings.size() > 1 ? static_cast<int>(drawings.size()) : columns),
+      moments_(moments) {
   if (file_.extension() != ".png") {
     throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
   }
@@ -85,64 +94,92 @@ SheetTarget::SheetTarget(const scene::Scene& scene, const FramePainter& painter,
 }
 
 bool SheetTarget::shows(std::size_t number) const {
-  return is_among(number, pictures_, kMaxRows * static_cast<std::size_t>(columns_));
+  return is_among(number, moments_,
+                  kMaxRows * static_cast<std::size_t>(columns_) / drawings_.size());
 }
 
-void SheetTarget::add(const Picture& picture) {
+void SheetTarget::add(const Picture& picture, const std::string& label) {
   if (tiles_.empty()) {
     legend_ = picture.legend;
   } else if (legend_) {
     legend_ = render::common_legend(*legend_, picture.legend);
   }
-  tiles_.push_back(
-      render::tile(picture.image, picture.parts, cell_width(columns_), picture.moment));
+  tiles_.push_back(render::tile(picture.image, picture.parts, cell_width(columns_), label));
 }
 
 void SheetTarget::finish() {
   if (legend_) {
-    const render::Image legend = painter_.legend(*legend_);
+    const render::Image legend = drawings_.front()->painter().legend(*legend_);
     for (render::Tile& tile : tiles_) {
       tile.legend = legend;
     }
   }
-  const render::Image sheet =
-      render::contact_sheet(tiles_, columns_, cell_width(columns_), scene_.title);
-  store::write_whole(file_, image::encode_png(sheet, scene_text(scene_)));
+  const scene::Scene& scene = drawings_.front()->scene();
+  const render::Image sheet = render::contact_sheet(tiles_, columns_, cell_width(columns_),
+                                                    drawings_.size() > 1 ? "" : scene.title);
+  store::write_whole(file_, image::encode_png(sheet, scene_text(scene)));
 }
 
-PictureTargets::PictureTargets(const scene::Scene& scene, const FramePainter& painter,
-                               const RedrawOptions& options, std::size_t pictures,
-                               std::uint64_t step) {
+PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
+                               const std::vector<std::optional<store::OutputFolder>>& folders,
+                               const RedrawOptions& options, std::size_t moments)
+    : drawings_(drawings), pictures_(drawings.size()), files_(drawings.size()) {
   if (!options.movie.empty()) {
-    movie_.emplace(painter, options.movie, options.frames_per_second, options.stop);
+    render::PixelBox size;
+    for (const auto& drawing : drawings) {
+      size.width += drawing->painter().width();
+      size.height = std::max(size.height, drawing->painter().height());
+    }
+    movie_.emplace(size, options.movie, options.frames_per_second, options.stop);
   }
   if (!options.sheet.empty()) {
-    sheet_.emplace(scene, painter, options.sheet, options.columns, pictures);
+    sheet_.emplace(drawings, options.sheet, options.columns, moments);
   }
-  if (options.folder) {
-    files_.emplace(scene, *options.folder, step);
+  for (std::size_t run = 0; run < drawings.size(); ++run) {
+    if (folders[run]) {
+      files_[run] = std::make_unique<FilesTarget>(drawings[run]->scene(), *folders[run],
+                                                  options.pdf, drawings[run]->step(0));
+    }
   }
 }
 
 bool PictureTargets::want(std::size_t number) const {
-  return files_ || movie_ || (sheet_ && sheet_->shows(number));
+  return std::any_of(files_.begin(), files_.end(), [](const auto& files) { return bool{files}; }) ||
+         movie_ || (sheet_ && sheet_->shows(number));
 }
 
-void PictureTargets::add(Picture picture, std::size_t number, std::uint64_t step) {
+void PictureTargets::add(std::size_t run, std::size_t picture) {
+  FramePainter& painter = drawings_[run]->painter();
+  const CapturedFrame frame = drawings_[run]->capture(picture);
+  pictures_[run] = painter.rasterize(frame);
+  if (files_[run]) {
+    files_[run]->add(painter, frame, pictures_[run], drawings_[run]->step(picture));
+  }
+}
+
+void PictureTargets::end_moment(std::size_t number) {
   if (movie_) {
-    movie_->add(picture.image);
+    std::vector<render::Image> images;
+    for (const Picture& picture : pictures_) {
+      images.push_back(picture.image);
+    }
+    movie_->add(render::side_by_side(images));
   }
   if (sheet_ && sheet_->shows(number)) {
-    sheet_->add(picture);
-  }
-  if (files_) {
-    files_->add(std::move(picture), step);
+    for (std::size_t run = 0; run < pictures_.size(); ++run) {
+      const std::string& moment = pictures_[run].moment;
+      sheet_->add(pictures_[run], pictures_.size() > 1
+                                      ? fmt::format("{}: {}", drawings_[run]->name(), moment)
+                                      : moment);
+    }
   }
 }
 
 void PictureTargets::finish() {
-  if (files_) {
-    files_->finish();
+  for (const auto& files : files_) {
+    if (files) {
+      files->finish();
+    }
   }
   if (movie_) {
     movie_->finish();

@@ -2,6 +2,7 @@
 // Targets for redrawn pictures: files, a movie, a contact sheet.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,20 +12,26 @@
 #include "clca/store/output_folder.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_writer.hpp"
+#include "run/run_drawing.hpp"
 
 namespace clca::run {
 
-/// Writes each picture to its own file.
+/// Writes each picture of a run to its own file.
 class FilesTarget {
  public:
   /// `step`: of the first picture, to check that it can be written. Throws store::StoreError.
-  FilesTarget(const scene::Scene& scene, store::OutputFolder folder, std::uint64_t step);
-  void add(Picture picture, std::uint64_t step);
+  FilesTarget(const scene::Scene& scene, store::OutputFolder folder, bool pdf, std::uint64_t step);
+  /// `picture`: rasterized from `frame`.
+  void add(FramePainter& painter, const CapturedFrame& frame, const Picture& picture,
+           std::uint64_t step);
   void finish() { writer_.finish(); }
 
  private:
+  std::string name(std::uint64_t step) const;
+
   store::OutputFolder folder_;
   std::string scene_;
+  bool pdf_;
   FrameWriter writer_;
 };
 
@@ -33,8 +40,9 @@ class MovieTarget {
  public:
   /// Throws RedrawError for a file ending that is no movie format, render::MovieError,
   /// store::StoreError.
-  MovieTarget(const FramePainter& painter, const std::filesystem::path& file, int frames_per_second,
-              const std::atomic<int>* stop);
+  /// All pictures are `size` large.
+  MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
+              int frames_per_second, const std::atomic<int>* stop);
   void add(const render::Image& image);
   void finish();
 
@@ -47,42 +55,47 @@ class MovieTarget {
   render::Movie movie_;
 };
 
-/// A contact sheet; of many pictures a selection.
+/// A contact sheet; of many moments a selection. Of several runs each has a column.
 class SheetTarget {
  public:
-  /// `pictures`: their total number. Throws RedrawError for an ending other than .png,
-  /// store::StoreError.
-  SheetTarget(const scene::Scene& scene, const FramePainter& painter, std::filesystem::path file,
-              int columns, std::size_t pictures);
-  /// Whether this picture (numbered from 0) is on the sheet.
+  /// `moments`: their number. Throws RedrawError for an ending other than .png, store::StoreError.
+  SheetTarget(const std::vector<std::unique_ptr<RunDrawing>>& drawings, std::filesystem::path file,
+              int columns, std::size_t moments);
+  /// Whether this moment (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const;
-  void add(const Picture& picture);
+  void add(const Picture& picture, const std::string& label);
   void finish();
 
  private:
-  const scene::Scene& scene_;
-  const FramePainter& painter_;
+  const std::vector<std::unique_ptr<RunDrawing>>& drawings_;
   std::filesystem::path file_;
   int columns_;
-  std::size_t pictures_;
+  std::size_t moments_;
   std::vector<render::Tile> tiles_;
   std::optional<render::Legend> legend_;  ///< of all, if they have one
 };
 
 class PictureTargets {
  public:
-  /// `step`: of the first picture; `pictures`: their number. Throws as the targets.
-  PictureTargets(const scene::Scene& scene, const FramePainter& painter,
-                 const RedrawOptions& options, std::size_t pictures, std::uint64_t step);
+  /// `folders`: by run, for its pictures one by one. `moments`: their number. Throws as the
+  /// targets.
+  PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
+                 const std::vector<std::optional<store::OutputFolder>>& folders,
+                 const RedrawOptions& options, std::size_t moments);
 
-  /// Whether any target uses this picture (numbered from 0).
+  /// Whether any target uses this moment (numbered from 0).
   bool want(std::size_t number) const;
-  void add(Picture picture, std::size_t number, std::uint64_t step);
+  /// Draws the next picture of a run.
+  void add(std::size_t run, std::size_t picture);
+  /// Call when each run has the picture of this moment.
+  void end_moment(std::size_t number);
   /// Completes all files with the pictures so far.
   void finish();
 
  private:
-  std::optional<FilesTarget> files_;
+  const std::vector<std::unique_ptr<RunDrawing>>& drawings_;
+  std::vector<Picture> pictures_;                    // by run, the last one
+  std::vector<std::unique_ptr<FilesTarget>> files_;  // by run
   std::optional<MovieTarget> movie_;
   std::optional<SheetTarget> sheet_;
 };

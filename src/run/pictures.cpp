@@ -28,8 +28,10 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
                                           .angle = model.vessel().angle},
                                          history_);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
-                store::frame_name(scene_.name, state.step),
-                [this, frame = std::move(frame)] { return painter_.rasterize(frame); });
+                store::frame_name(scene_.name, state.step), [this, frame = std::move(frame)] {
+                  const Picture picture = painter_.rasterize(frame);
+                  return image::encode_png(picture.image, picture.text);
+                });
 }
 
 }  // namespace clca::run

@@ -3,148 +3,149 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
-#include <vector>
 
-#include "clca/run/setup.hpp"
-#include "clca/scene/contact.hpp"
-#include "clca/store/trajectory.hpp"
-#include "run/contact_record.hpp"
-#include "run/frame_choice.hpp"
-#include "run/frame_painter.hpp"
+#include "clca/scene/units.hpp"
 #include "run/meter.hpp"
 #include "run/picture_targets.hpp"
+#include "run/run_drawing.hpp"
 
 namespace clca::run {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Frame = store::Trajectory::Frame;
+using Drawings = std::vector<std::unique_ptr<RunDrawing>>;
 
-/// The scene, if the run can be drawn.
-const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& options) {
-  std::error_code unknown;
-  if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {
-    throw RedrawError(fmt::format(
-        "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
-        "by --set output.trajectory.every=10",
-        options.run.string()));
-  }
-  if (scene.output.frames->overlay == scene::Overlay::arrows) {
-    throw RedrawError(fmt::format(
-        "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
-        "with the overlay none or forces",
-        scene.output.frames->location));
-  }
-  const auto& trajectory = scene.output.trajectory;
-  if (pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
-    const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
-    throw RedrawError(fmt::format(
-        "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
-        "output.trajectory.contacts: true",
-        scene.output.frames->location, overlay ? "overlay" : "color_by",
-        overlay ? "with the overlay none" : "by another colour"));
-  }
+void require_apart(const RedrawOptions& options) {
   const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
   if (!options.movie.empty() && !options.sheet.empty() &&
       place(options.movie) == place(options.sheet)) {
     throw RedrawError(
         fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
   }
-  return scene;
 }
 
-/// The frames selected by scene and options.
-std::vector<std::size_t> chosen(const scene::Scene& scene, const RedrawOptions& options,
-                                const std::vector<Frame>& frames) {
-  if (frames.empty()) {
-    throw RedrawError(fmt::format("{}: the trajectory is empty so far", options.run.string()));
+std::optional<double> larger(const std::optional<double>& one, const std::optional<double>& other) {
+  return one && other ? std::max(*one, *other) : one ? one : other;
+}
+
+/// The same scales and distinct titles, so that they can be compared.
+void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawings) {
+  RunDrawing::Scale common;
+  for (const auto& drawing : drawings) {
+    const RunDrawing::Scale scale = drawing->scale();
+    common = {.displacement = larger(common.displacement, scale.displacement),
+              .force = larger(common.force, scale.force)};
   }
-  std::vector<std::size_t> result = frame_choice(frames, scene.output.frames->every);
-  std::erase_if(result, [&](std::size_t i) {
-    return frames[i].step < options.from || frames[i].step > options.to;
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    drawings[i]->set_scale(common);
+    drawings[i]->set_title(fmt::format("{}: {}", drawings[i]->name(), runs[i].scene.title));
+  }
+}
+
+/// Times or steps of the pictures of each run.
+std::vector<std::vector<double>> times_of(const Drawings& drawings) {
+  const bool all_have_time = std::all_of(drawings.begin(), drawings.end(), [](const auto& drawing) {
+    return scene::conversion(drawing->scene()).has_value();
   });
-  if (result.empty()) {
-    throw RedrawError(
-        fmt::format("{}: no frame to draw in that range; the {} frames of the "
-                    "trajectory go from step {} to {}",
-                    options.run.string(), frames.size(), frames.front().step, frames.back().step));
+  std::vector<std::vector<double>> result;
+  for (const auto& drawing : drawings) {
+    const auto conversion = scene::conversion(drawing->scene());
+    std::vector<double>& times = result.emplace_back();
+    for (std::size_t number = 0; number < drawing->pictures(); ++number) {
+      const std::uint64_t step = drawing->step(number);
+      times.push_back(all_have_time ? conversion->time(step) : static_cast<double>(step));
+    }
   }
   return result;
 }
 
-/// The vessel at the start of each stage, as follows from the scene.
-std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
-  std::vector<contact::Vessel> result;
-  std::uint64_t start = 0;
-  for (const Frame& frame : frames) {
-    if (frame.stage < result.size()) {
-      continue;
-    }
-    contact::Vessel vessel;
-    if (!result.empty()) {
-      vessel.angle = angle_after(result.back(), frame.step - start);
-    }
-    if (scene.model == scene::Model::contact) {
-      vessel = vessel_in(scene, scene.stages[frame.stage], vessel);
-    }
-    result.push_back(vessel);
-    start = frame.step;
+/// Times that differ by rounding are one.
+constexpr double kRounding = 1e-9;
+
+/// All times, ascending.
+std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
+  std::vector<double> all;
+  for (const std::vector<double>& some : times) {
+    all.insert(all.end(), some.begin(), some.end());
   }
-  return result;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](double one, double next) { return next - one <= kRounding * next; }),
+            all.end());
+  return all;
+}
+
+/// The one of `times` nearest to `moment`.
+std::size_t picture_at(const std::vector<double>& times, double moment) {
+  const auto nearest = std::min_element(times.begin(), times.end(), [&](double one, double other) {
+    return std::abs(one - moment) < std::abs(other - moment);
+  });
+  return static_cast<std::size_t>(nearest - times.begin());
 }
 
 }  // namespace
 
 class Redraw::Impl {
  public:
-  Impl(const scene::Scene& scene, const RedrawOptions& options);
+  Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options);
 
   std::size_t draw(const RedrawEvents& events);
-  std::size_t pictures() const { return chosen_.size(); }
+  std::size_t moments() const { return moments_.size(); }
 
  private:
-  void begin_stage(std::size_t stage);
-  void draw_frame(std::size_t number);
+  void draw_moment(std::size_t number);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
-  const scene::Scene scene_;
   const RedrawOptions options_;
-  store::Trajectory trajectory_;
-  const std::vector<std::size_t> chosen_;  // frames
-  FramePainter painter_;
-  std::optional<PictureTargets> targets_;  // once drawing begins
-  std::optional<std::size_t> stage_;
-  std::uint64_t stage_start_ = 0;         // step
-  std::vector<contact::Vessel> vessels_;  // by stage, at its start
-  PictureHistory history_;
+  std::vector<std::optional<store::OutputFolder>> folders_;  // by run
+  Drawings drawings_;
+  std::vector<std::vector<double>> times_;  // by run, of its pictures
+  std::vector<double> moments_;
+  // Once drawing begins.
+  std::optional<PictureTargets> targets_;
+  std::vector<std::optional<std::size_t>> shown_;  // by run, the number of its picture
 };
 
-Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
-    : scene_(drawable(scene, options)),
-      options_(options),
-      trajectory_(options.run, scene_, initial_state(scene_), options.max_bytes),
-      chosen_(chosen(scene_, options, trajectory_.frames())),
-      painter_(scene_, initial_state(scene_), 1),
-      vessels_(vessels(scene_, trajectory_.frames())) {}
+Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
+    : options_(options) {
+  require_apart(options);
+  for (const RunToDraw& run : runs) {
+    folders_.push_back(run.pictures);
+    drawings_.push_back(std::make_unique<RunDrawing>(
+        run, options, options.max_bytes / static_cast<double>(runs.size())));
+  }
+  if (runs.size() > 1) {
+    make_comparable(runs, drawings_);
+  }
+  for (const auto& drawing : drawings_) {
+    drawing->prepare();
+  }
+  times_ = times_of(drawings_);
+  moments_ = moments_of(times_);
+  shown_.resize(runs.size());
+}
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
-  if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
+  const bool captions = std::any_of(drawings_.begin(), drawings_.end(), [](const auto& drawing) {
+    return drawing->scene().output.frames->caption;
+  });
+  if (events.warning && captions && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
-  targets_.emplace(scene_, painter_, options_, chosen_.size(),
-                   trajectory_.frames()[chosen_.front()].step);
+  targets_.emplace(drawings_, folders_, options_, moments_.size());
   IntervalTimer timer(events.progress_interval);
   TimeEstimate estimate;
   std::size_t number = 0;
-  for (; number < chosen_.size() && !stop_asked(); ++number) {
+  for (; number < moments_.size() && !stop_asked(); ++number) {
     if (targets_->want(number)) {
-      draw_frame(number);
+      draw_moment(number);
     }
     if (events.progress && timer.due()) {
-      estimate.update(static_cast<double>(number + 1) / static_cast<double>(chosen_.size()));
-      events.progress({number + 1, chosen_.size(), estimate.seconds_left()});
+      estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
+      events.progress({number + 1, moments_.size(), estimate.seconds_left()});
     }
   }
   if (number > 0) {
@@ -153,37 +154,19 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   return number;
 }
 
-void Redraw::Impl::draw_frame(std::size_t number) {
-  const std::size_t place = chosen_[number];
-  begin_stage(trajectory_.frames()[place].stage);
-  const grains::State state = trajectory_.state(place);
-  const grains::Occupancy occupancy(state);
-  const bool has_forces = pictures_show_forces(scene_);
-  const std::vector<contact::Force> forces =
-      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
-  const View view = {.state = state,
-                     .occupancy = occupancy,
-                     .forces = has_forces ? &forces : nullptr,
-                     .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
-  targets_->add(painter_.rasterize(painter_.capture(view, history_)), number, state.step);
-}
-
-void Redraw::Impl::begin_stage(std::size_t stage) {
-  if (stage_ == stage) {
-    return;
+void Redraw::Impl::draw_moment(std::size_t number) {
+  for (std::size_t run = 0; run < drawings_.size(); ++run) {
+    const std::size_t picture = picture_at(times_[run], moments_[number]);
+    if (shown_[run] != picture) {
+      shown_[run] = picture;
+      targets_->add(run, picture);
+    }
   }
-  stage_ = stage;
-  const std::vector<Frame>& frames = trajectory_.frames();
-  const auto first = std::find_if(frames.begin(), frames.end(),
-                                  [&](const Frame& frame) { return frame.stage == stage; });
-  stage_start_ = first->step;
-  run::begin_stage(
-      history_, scene_.stages[stage],
-      trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));
+  targets_->end_moment(number);
 }
 
-Redraw::Redraw(const scene::Scene& scene, const RedrawOptions& options)
-    : impl_(std::make_unique<Impl>(scene, options)) {}
+Redraw::Redraw(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
+    : impl_(std::make_unique<Impl>(runs, options)) {}
 
 Redraw::~Redraw() = default;
 
@@ -191,8 +174,8 @@ std::size_t Redraw::draw(const RedrawEvents& events) {
   return impl_->draw(events);
 }
 
-std::size_t Redraw::pictures() const {
-  return impl_->pictures();
+std::size_t Redraw::moments() const {
+  return impl_->moments();
 }
 
 }  // namespace clca::run

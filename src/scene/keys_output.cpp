@@ -80,6 +80,8 @@ Type<Frames> frames_type() {
                 "samples per pixel along each side"),
             key("caption", &Frames::caption, yes_or_no(),
                 "title, stage, step or time, legend, scale bar"),
+            key("style", &Frames::style, choice(kPictureStyleNames),
+                "for papers (`print`): without title, stage and step or time"),
             key("upright", &Frames::upright, yes_or_no(),
                 "turned as the vessel is, so that gravity points down; corners of the view may "
                 "go out of the picture")

@@ -157,8 +157,8 @@ std::string table_name(const std::string& kind, const std::string& stage) {
   return kind + "-" + stage + ".csv";
 }
 
-std::string frame_name(const std::string& scene, std::uint64_t step) {
-  return fmt::format("{}-{:06}.png", scene, step);
+std::string frame_name(const std::string& scene, std::uint64_t step, std::string_view ending) {
+  return fmt::format("{}-{:06}{}", scene, step, ending);
 }
 
 fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {

@@ -131,6 +131,27 @@ TEST_F(RenderCommandTest, DrawsAsTheOptionsSay) {
   EXPECT_FALSE(fs::exists(path("run/render")));
 }
 
+TEST_F(RenderCommandTest, DrawsForPapers) {
+  const auto result =
+      render({"run", "--style", "print", "--format", "pdf", "--from", "10", "--to", "10"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(names(path("run/render")), std::set<std::string>{"small-000010.pdf"});
+  expect_refused(render({"run", "--format", "svg"}), 2, HasSubstr("--format: svg not in"));
+}
+
+TEST_F(RenderCommandTest, DrawsSeveralRunsSideBySide) {
+  store("second", {"stages.packing.fill.counts.small=50"});
+  const auto result = render({"run", "second", "--sheet", "both.png"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr(" moments drawn\n"), EndsWith("both.png\n")));
+  EXPECT_FALSE(fs::exists(path("run/render")));
+  EXPECT_EQ(render({"run", "second", "--to", "10"}).code, 0);
+  EXPECT_EQ(names(path("run/render")), names(path("second/render")));
+  expect_refused(render({"run", "second", "-o", "far"}), 2,
+                 HasSubstr("--output goes with one run"));
+  expect_refused(render({"run", "none"}), 2, HasSubstr("none"));
+}
+
 TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
   store("bare", {"output.frames=none"});
   EXPECT_EQ(render({"bare", "--from", "10", "--to", "10"}).code, 0);

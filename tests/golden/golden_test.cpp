@@ -177,7 +177,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
                                  .supersampling = 2,
                                  .drawing = drawing,
                                  .view = {-4, -4, 188, 104},
-                                 .annotations = false};
+                                 .annotations = render::Annotations::none};
     render::Painter painter(style, changed.lattice, changed.kinds);
     const render::Coloring coloring = render::color_by_id();
     const image::Image before =

@@ -27,4 +27,7 @@ Tile tile(const Image& picture, const PictureParts& parts, int width, std::strin
 Image contact_sheet(const std::vector<Tile>& tiles, int columns, int cell_width,
                     const std::string& title);
 
+/// The pictures in a row, as high as the highest one, white below the others.
+Image side_by_side(const std::vector<Image>& pictures);
+
 }  // namespace clca::render

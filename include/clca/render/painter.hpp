@@ -27,6 +27,9 @@ class RenderError : public std::runtime_error {
 /// walls, the lookup shows the first owner of a site.
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
+/// What stands around the view: nothing, a legend with a scale bar, or these and captions.
+enum class Annotations : std::uint8_t { none, legend, all };
+
 struct Style {
   int width = 1280;  ///< pixels of the finished picture; 0: follows the aspect of the view
   int height = 720;
@@ -34,8 +37,8 @@ struct Style {
   Drawing drawing = Drawing::automatic;
   /// Part of the plane to show, lattice spacings; empty: the whole box.
   lattice::Rectangle view;
-  bool annotations = true;  ///< captions, scale bar, legend; needs a font
-  int threads = 1;          ///< of Painter::capture(); pictures do not depend on it
+  Annotations annotations = Annotations::all;  ///< none without a font
+  int threads = 1;  ///< of Painter::capture(); pictures do not depend on it
 };
 
 struct Caption {
@@ -80,6 +83,11 @@ class Painter {
   /// `turn` degrees about the middle of the view.
   Image rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay = {},
                   double turn = 0);
+
+  /// The same as vector graphics, which stay sharp in any size. Particles are polygons where the
+  /// capture has them.
+  std::vector<std::uint8_t> pdf(const Capture& captured, const Caption& caption,
+                                const Overlay& overlay = {}, double turn = 0);
 
   /// A picture of the legend alone, as pictures show it beside the scale bar.
   Image legend(const Caption& caption, const Legend& legend) const;

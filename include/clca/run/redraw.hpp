@@ -1,5 +1,5 @@
 #pragma once
-// Draws a run from its trajectory without simulating: pictures, a movie, a contact sheet.
+// Draws runs from their trajectories without simulating: pictures, a movie, a contact sheet.
 
 #include <atomic>
 #include <chrono>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
@@ -24,16 +25,24 @@ class RedrawError : public text::InputError {
   using InputError::InputError;
 };
 
+/// A run to be drawn.
+struct RunToDraw {
+  /// That of the run with its `frames` as they should be now; `every` applies to the frames of the
+  /// trajectory. Each stage begins and ends with a picture.
+  scene::Scene scene;
+  std::filesystem::path folder;                      ///< of the run
+  std::optional<store::OutputFolder> pictures = {};  ///< for pictures one by one
+};
+
 struct RedrawOptions {
-  std::filesystem::path run = {};                  ///< folder of the run
-  std::optional<store::OutputFolder> folder = {};  ///< for pictures one by one
-  std::filesystem::path movie = {};                ///< see render::movie_format; empty: none
-  int frames_per_second = 25;                      ///< of the movie
-  std::filesystem::path sheet = {};                ///< a PNG file; empty: none
-  int columns = 4;                                 ///< of the sheet
-  std::uint64_t from = 0;                          ///< first step
+  bool pdf = false;                  ///< pictures one by one, else PNG
+  std::filesystem::path movie = {};  ///< see render::movie_format; empty: none
+  int frames_per_second = 25;        ///< of the movie
+  std::filesystem::path sheet = {};  ///< a PNG file; empty: none
+  int columns = 4;                   ///< of the sheet of one run
+  std::uint64_t from = 0;            ///< first step
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
-  double max_bytes = std::numeric_limits<double>::infinity();    ///< of memory, for the trajectory
+  double max_bytes = std::numeric_limits<double>::infinity();  ///< of memory, for all trajectories
   /// Checked before each picture: if not zero, drawing ends and the files are completed with what
   /// was drawn.
   const std::atomic<int>* stop = nullptr;
@@ -52,23 +61,24 @@ struct RedrawEvents {
   std::function<void(const std::string&)> warning = {};
 };
 
+/// Several runs share the ends of their colour bars and the widths of forces. Their movie and sheet
+/// show them side by side at equal times (if all are of the contact model) or steps: a moment for
+/// each picture of each run, with the nearest pictures of the others.
 class Redraw {
  public:
   /// Checks what is to be drawn and that it can be; draws nothing. Throws RedrawError,
-  /// SceneRunError, render::MovieError, store::StoreError.
-  /// `scene` is that of the run with its `frames` as they should be now; `every` applies to the
-  /// frames of the trajectory. Each stage begins and ends with one.
-  Redraw(const scene::Scene& scene, const RedrawOptions& options);
+  /// SceneRunError, render::MovieError, store::StoreError. `runs`: at least one.
+  Redraw(const std::vector<RunToDraw>& runs, const RedrawOptions& options);
   ~Redraw();
   Redraw(const Redraw&) = delete;
   Redraw& operator=(const Redraw&) = delete;
 
-  /// Call once. Returns the number of pictures drawn, less than pictures() if stopped.
+  /// Call once. Returns the number of moments drawn, less than moments() if stopped.
   /// Throws render::MovieError, store::StoreError, and process::StoppedError if ffmpeg did not end
   /// in time.
   std::size_t draw(const RedrawEvents& events = {});
-  /// Number of pictures to draw.
-  std::size_t pictures() const;
+  /// Number of times or steps at which there is a picture; of a single run, of all its pictures.
+  std::size_t moments() const;
 
  private:
   class Impl;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/folder_lock.hpp"
@@ -14,7 +15,8 @@
 namespace clca::store {
 
 /// Name of the picture of a step: `NAME-000120.png`.
-std::string frame_name(const std::string& scene, std::uint64_t step);
+std::string frame_name(const std::string& scene, std::uint64_t step,
+                       std::string_view ending = ".png");
 /// Picture of a step in the run folder `run`: `frames/NAME-000120.png`.
 std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
                                  std::uint64_t step);

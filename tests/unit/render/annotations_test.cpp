@@ -60,7 +60,7 @@ TEST(Ticks, AreFewAndRound) {
 }
 
 TEST(Layout, GivesTheWholePictureToTheViewWithoutAnnotations) {
-  const Layout layout = arrange(400, 300, {0, 0, 40, 30}, false);
+  const Layout layout = arrange(400, 300, {0, 0, 40, 30}, render::Annotations::none);
   EXPECT_EQ(layout.panel.width, 400);
   EXPECT_EQ(layout.panel.height, 300);
   EXPECT_DOUBLE_EQ(layout.scale, 10);
@@ -71,7 +71,8 @@ TEST(Layout, KeepsTheViewInsideThePicture) {
   for (const int width : {1, 50, 300, 1280}) {
     for (const int height : {1, 40, 200, 720}) {
       for (const double aspect : {0.001, 0.3, 1.0, 7.0, 5000.0}) {
-        const PixelBox panel = arrange(width, height, {0, 0, aspect, 1}, true).panel;
+        const PixelBox panel =
+            arrange(width, height, {0, 0, aspect, 1}, render::Annotations::all).panel;
         EXPECT_GE(panel.x, 0);
         EXPECT_GE(panel.y, 0);
         EXPECT_LE(panel.x + panel.width, width);
@@ -83,16 +84,16 @@ TEST(Layout, KeepsTheViewInsideThePicture) {
 
 TEST(Layout, TextIsAsLargeAsThePictureIsHighAndWide) {
   const lattice::Rectangle view = {0, 0, 30, 20};
-  const int wide = arrange(1280, 720, view, true).text_size;
-  EXPECT_EQ(arrange(3840, 2160, view, true).text_size, 3 * wide);
-  EXPECT_EQ(arrange(2000, 720, view, true).text_size, wide);
-  EXPECT_EQ(arrange(900, 720, view, true).text_size, wide);
-  EXPECT_LT(arrange(720, 720, view, true).text_size, wide);
-  const Layout upright = arrange(720, 1280, view, true);
+  const int wide = arrange(1280, 720, view, render::Annotations::all).text_size;
+  EXPECT_EQ(arrange(3840, 2160, view, render::Annotations::all).text_size, 3 * wide);
+  EXPECT_EQ(arrange(2000, 720, view, render::Annotations::all).text_size, wide);
+  EXPECT_EQ(arrange(900, 720, view, render::Annotations::all).text_size, wide);
+  EXPECT_LT(arrange(720, 720, view, render::Annotations::all).text_size, wide);
+  const Layout upright = arrange(720, 1280, view, render::Annotations::all);
   EXPECT_LT(upright.text_size, wide);
   EXPECT_GE(upright.text_right - upright.text_left, 44 * upright.text_size);
   // A tall view is narrower than its caption.
-  const Layout tall = arrange(1280, 720, {0, 0, 10, 40}, true);
+  const Layout tall = arrange(1280, 720, {0, 0, 10, 40}, render::Annotations::all);
   EXPECT_LT(tall.text_left, tall.panel.x);
   EXPECT_EQ(tall.text_right - tall.text_left, 44 * tall.text_size);
 }
@@ -126,7 +127,7 @@ TEST_F(Annotations, StandAboveAndBelowTheView) {
   style.height = 360;
   Painter painter(style, state.lattice, state.kinds);
   const grains::Occupancy occupancy(state);
-  const Layout layout = arrange(640, 360, whole_box(state.lattice), true);
+  const Layout layout = arrange(640, 360, whole_box(state.lattice), render::Annotations::all);
   const int below = layout.panel.y + layout.panel.height;
   const Image titled = painter.draw(state, occupancy, {}, {"Größe µ²", "step 1"});
   EXPECT_FALSE(blank(titled, 0, layout.panel.y));
@@ -153,7 +154,7 @@ int widest_gap(const Image& image, int bottom) {
 
 TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
   for (const int width : {300, 640, 1280}) {
-    const Layout layout = arrange(width, 360, {0, 0, 40, 30}, true);
+    const Layout layout = arrange(width, 360, {0, 0, 40, 30}, render::Annotations::all);
     for (std::size_t length = 1; length < 200; length += 3) {
       Graphics graphics(width, 360);
       annotate(graphics, layout, {std::string(length, 'H'), "HHHHHHHH"}, {});
@@ -164,7 +165,7 @@ TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
 
 TEST_F(Annotations, FitAnyNumberOfPatches) {
   Graphics graphics(400, 300);
-  const Layout layout = arrange(400, 300, {0, 0, 40, 20}, true);
+  const Layout layout = arrange(400, 300, {0, 0, 40, 20}, render::Annotations::all);
   Legend legend;
   for (std::size_t i = 0; i < 40; ++i) {
     legend.patches.push_back({"species " + std::to_string(i), palette_color(i)});
@@ -180,7 +181,7 @@ std::ptrdiff_t count(const Image& image, Rgb color) {
 }
 
 TEST_F(Annotations, ShowTheShapesOfSpecies) {
-  const Layout layout = arrange(3840, 2160, {0, 0, 40, 20}, true);
+  const Layout layout = arrange(3840, 2160, {0, 0, 40, 20}, render::Annotations::all);
   const auto area_of = [&](const std::vector<Eigen::Vector2d>& outline, double size) {
     Graphics graphics(3840, 2160);
     Legend legend;
@@ -195,7 +196,7 @@ TEST_F(Annotations, ShowTheShapesOfSpecies) {
 }
 
 TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
-  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, render::Annotations::all);
   const auto ends = [&](bool below, bool above) {
     Graphics graphics(1280, 720);
     Legend legend;
@@ -212,7 +213,7 @@ TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
 }
 
 TEST_F(Annotations, TellWhereTheLegendIs) {
-  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, render::Annotations::all);
   Graphics graphics(1280, 720);
   Legend legend;
   legend.patches = {{.label = "grains", .color = {200, 0, 0}}};
@@ -230,7 +231,8 @@ TEST_F(Annotations, TellWhereTheLegendIs) {
 }
 
 TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
-  for (const bool annotations : {false, true}) {
+  for (const render::Annotations annotations :
+       {render::Annotations::none, render::Annotations::legend, render::Annotations::all}) {
     for (const double aspect : {0.5, 0.8, 1.0, 1.5, 2.5}) {
       const lattice::Rectangle view = {0, 0, 100 * aspect, 100};
       const PictureSize size = picture_size(0, 0, view, annotations);
@@ -242,10 +244,10 @@ TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
       EXPECT_LE(layout.panel.y, 2.4 * margin + 8) << aspect;
     }
   }
-  EXPECT_EQ(picture_size(300, 200, {0, 0, 1, 9}, true).height, 200);
-  EXPECT_EQ(picture_size(300, 0, {0, 0, 2, 1}, false).height, 150);
-  EXPECT_EQ(picture_size(0, 300, {0, 0, 2, 1}, false).width, 600);
-  EXPECT_EQ(picture_size(0, 300, {0, 0, 1000, 1}, false).width, 1200);
+  EXPECT_EQ(picture_size(300, 200, {0, 0, 1, 9}, render::Annotations::all).height, 200);
+  EXPECT_EQ(picture_size(300, 0, {0, 0, 2, 1}, render::Annotations::none).height, 150);
+  EXPECT_EQ(picture_size(0, 300, {0, 0, 2, 1}, render::Annotations::none).width, 600);
+  EXPECT_EQ(picture_size(0, 300, {0, 0, 1000, 1}, render::Annotations::none).width, 1200);
 }
 
 TEST(CommonLegend, HasWhatBothHaveAndWhatOneHas) {

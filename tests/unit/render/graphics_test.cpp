@@ -206,7 +206,8 @@ grains::State one_grain() {
   return state;
 }
 
-Image overlaid(const grains::State& state, const Overlay& overlay, bool annotations = false) {
+Image overlaid(const grains::State& state, const Overlay& overlay,
+               Annotations annotations = Annotations::none) {
   Style style;
   style.width = 400;
   style.height = 300;
@@ -245,8 +246,10 @@ TEST(Overlay, FadesWhatLiesBeneath) {
 
 TEST(Overlay, StaysInsideThePanel) {
   const grains::State state = one_grain();
-  const Image image = overlaid(state, {{{{-1000, 20}, {1000, 20}, 300, kRed, false}}, 0}, true);
-  const Layout layout = arrange(400, 300, {0, 5, 40, 35}, font_problem().empty());
+  const Image image =
+      overlaid(state, {{{{-1000, 20}, {1000, 20}, 300, kRed, false}}, 0}, Annotations::all);
+  const Layout layout = arrange(400, 300, {0, 5, 40, 35},
+                                font_problem().empty() ? Annotations::all : Annotations::none);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const bool inside = x >= layout.panel.x && x < layout.panel.x + layout.panel.width &&

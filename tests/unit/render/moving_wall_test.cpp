@@ -127,7 +127,7 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
   style.width = 300;
   style.height = 300;
   style.drawing = Drawing::polygons;
-  style.annotations = false;
+  style.annotations = Annotations::none;
   grains::State state = with_moving_wall(false);
   Painter painter(style, state.lattice, state.kinds);
   for (int step = 0; step < 6; ++step) {

@@ -110,7 +110,7 @@ Image with_legend(const Layout& layout, const Legend& legend) {
 }
 
 TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend legend;
   legend.lines = {{"0.5 spacings per cycle", 0.8, 6, {0, 0, 200}, false}};
   const Box box = around(with_legend(layout, legend), layout, {0, 0, 200});
@@ -119,7 +119,7 @@ TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
 }
 
 TEST_F(LegendLine, IsNoThickerThanText) {
-  const Layout layout = arrange(1280, 720, {0, 0, 12, 6}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 12, 6}, Annotations::all);
   Legend legend;
   legend.lines = {{"overlap 6 sites", 1.2, 0, {139, 0, 18}, false}};
   const Box box = around(with_legend(layout, legend), layout, {139, 0, 18});
@@ -128,7 +128,7 @@ TEST_F(LegendLine, IsNoThickerThanText) {
 }
 
 TEST_F(LegendLine, HasItsLabel) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend named;
   named.lines = {{"overlap 6 sites", 1.2, 0, {139, 0, 18}, false}};
   Legend nameless = named;
@@ -138,7 +138,7 @@ TEST_F(LegendLine, HasItsLabel) {
 
 TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
   for (const double width : {30.0, 60.0, 120.0}) {
-    const Layout layout = arrange(1280, 720, {0, 0, width, 60}, true);
+    const Layout layout = arrange(1280, 720, {0, 0, width, 60}, Annotations::all);
     Legend legend;
     legend.bars = {{"overlapped sites", 0, 12}};
     legend.patches = {{"none", {1, 200, 3}}};
@@ -154,7 +154,7 @@ TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
 }
 
 TEST_F(LegendLine, FadesPatchesAsThePictureDoes) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, true);
+  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend legend;
   legend.patches = {{"grains", {55, 55, 55}}};
   legend.fade = 0.5;

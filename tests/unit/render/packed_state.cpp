@@ -41,7 +41,7 @@ Image picture(const grains::State& state, Drawing drawing, int width, int height
   style.supersampling = samples;
   style.drawing = drawing;
   style.view = view;
-  style.annotations = false;
+  style.annotations = Annotations::none;
   Painter painter(style, state.lattice, state.kinds);
   return painter.draw(state, grains::Occupancy(state), color_by_id(), {});
 }

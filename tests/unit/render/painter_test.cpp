@@ -110,7 +110,7 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
   Style style;
   style.width = 200;
   style.height = 150;
-  style.annotations = false;
+  style.annotations = Annotations::none;
   for (const Drawing drawing : kBothWays) {
     style.drawing = drawing;
     grains::State state = automaton.state();

@@ -86,9 +86,11 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
 
 Projection shown(const grains::State& state, int width, int height, int samples,
                  const lattice::Rectangle& view) {
-  const Style style = {.width = width, .height = height, .view = view, .annotations = false};
+  const Style style = {
+      .width = width, .height = height, .view = view, .annotations = Annotations::none};
   const lattice::Rectangle box = completed(style, state.lattice).view;
-  return projection_of(box, arrange(width, height, box, false), samples, state.lattice, height);
+  return projection_of(box, arrange(width, height, box, Annotations::none), samples, state.lattice,
+                       height);
 }
 
 /// A coloring that tells all shades apart.

@@ -6,10 +6,13 @@
 #include <set>
 
 #include "clca/image/png.hpp"
+#include "clca/process/program.hpp"
+#include "clca/render/compare.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "run/frame_choice.hpp"
+#include "support/missing.hpp"
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
 
@@ -80,8 +83,8 @@ class RedrawTest : public ::testing::Test {
     const fs::path again = scratch.path() / "again";
     const scene::Scene scene = parse(text, settings);
     testing::run_and_store(scene, run, 5);
-    Redraw redraw(scene, {.run = run, .folder = store::OutputFolder(again)});
-    EXPECT_EQ(redraw.draw(), redraw.pictures());
+    Redraw redraw({{scene, run, store::OutputFolder(again)}}, {});
+    EXPECT_EQ(redraw.draw(), redraw.moments());
     ASSERT_EQ(names(again), names(run / "frames"));
     ASSERT_GT(names(again).size(), 5U);
     for (const std::string& name : names(again)) {
@@ -129,7 +132,7 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForcesOfTheContactModel) {
     const fs::path again = scratch.path() / "again";
     const scene::Scene scene = parse(kContacts, {std::string("output.frames.") + key});
     run(scene, {.folder = folder});
-    Redraw(scene, {.run = folder, .folder = store::OutputFolder(again)}).draw();
+    Redraw({{scene, folder, store::OutputFolder(again)}}, {}).draw();
     ASSERT_EQ(names(again), names(folder / "frames"));
     ASSERT_GT(names(again).size(), 10U);
     for (const std::string& name : names(again)) {
@@ -144,7 +147,7 @@ TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
       parse(kContacts, {"output.trajectory.contacts=false", "output.frames.overlay=forces"});
   run(scene, {.folder = folder_.path() / "run"});
   try {
-    const Redraw none(scene, {.run = folder_.path() / "run"});
+    const Redraw none({{scene, folder_.path() / "run"}}, {});
     FAIL() << "no error";
   } catch (const RedrawError& error) {
     EXPECT_THAT(error.what(),
@@ -157,16 +160,15 @@ TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
 TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
   const scene::Scene scene = parse(kDrained);
   testing::run_and_store(scene, folder_.path() / "run", 10);
-  RedrawOptions options = {.run = folder_.path() / "run",
-                           .folder = store::OutputFolder(folder_.path() / "some"),
-                           .from = 10,
-                           .to = 20};
-  Redraw(scene, options).draw();
-  EXPECT_THAT(names(options.folder->path()), ElementsAre("tried-000010.png", "tried-000020.png"));
+  const std::vector<RunToDraw> runs = {
+      {scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}};
+  RedrawOptions options = {.from = 10, .to = 20};
+  Redraw(runs, options).draw();
+  EXPECT_THAT(names(folder_.path() / "some"), ElementsAre("tried-000010.png", "tried-000020.png"));
   options.from = 11;
   options.to = 19;
   try {
-    const Redraw nothing(scene, options);
+    const Redraw nothing(runs, options);
     FAIL() << "no error";
   } catch (const RedrawError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no frame to draw in that range; the "));
@@ -177,7 +179,7 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
   testing::run_and_store(scene, folder_.path() / "run", 2);
   const fs::path sheet = folder_.path() / "sheet.png";
-  Redraw redraw(scene, {.run = folder_.path() / "run", .sheet = sheet, .columns = 4});
+  Redraw redraw({{scene, folder_.path() / "run"}}, {.sheet = sheet, .columns = 4});
   EXPECT_GT(redraw.draw(), 24U);
   const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
   EXPECT_EQ(png.text.at("Title"), "Drained");
@@ -192,24 +194,112 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
   testing::run_and_store(scene, folder_.path() / "run", 1);
   std::atomic<int> stop = 0;
-  Redraw redraw(scene, {.run = folder_.path() / "run",
-                        .folder = store::OutputFolder(folder_.path() / "some"),
-                        .sheet = folder_.path() / "sheet.png",
-                        .stop = &stop});
+  Redraw redraw({{scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}},
+                {.sheet = folder_.path() / "sheet.png", .stop = &stop});
   const std::size_t drawn =
       redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }, .progress_interval = {}});
   EXPECT_GT(drawn, 0U);
-  EXPECT_LT(drawn, redraw.pictures());
+  EXPECT_LT(drawn, redraw.moments());
   EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
   image::decode_png(testing::bytes_of(folder_.path() / "sheet.png"));
 
   stop = 2;
-  EXPECT_EQ(
-      Redraw(scene,
-             {.run = folder_.path() / "run", .sheet = folder_.path() / "none.png", .stop = &stop})
-          .draw(),
-      0U);
+  EXPECT_EQ(Redraw({{scene, folder_.path() / "run"}},
+                   {.sheet = folder_.path() / "none.png", .stop = &stop})
+                .draw(),
+            0U);
   EXPECT_FALSE(fs::exists(folder_.path() / "none.png"));
+}
+
+TEST_F(RedrawTest, SeveralRunsShareTheEndsOfTheirColourBars) {
+  const std::vector<std::string> look = {"output.frames.color_by=displacement",
+                                         "output.frames.caption=false"};
+  const scene::Scene low = parse(kPushed, look);
+  std::vector<std::string> settings = look;
+  settings.emplace_back("stages.packing.fill.counts.small=60");
+  const scene::Scene lower = parse(kPushed, settings);
+  testing::run_and_store(low, folder_.path() / "low", 10);
+  testing::run_and_store(lower, folder_.path() / "lower", 10);
+  const auto last_picture = [&](const std::vector<RunToDraw>& runs) {
+    Redraw(runs, {}).draw();
+    const fs::path folder = runs.back().pictures->path();
+    return image::decode_png(testing::bytes_of(folder / *names(folder).rbegin())).image;
+  };
+  const auto together = last_picture(
+      {{low, folder_.path() / "low"},
+       {lower, folder_.path() / "lower", store::OutputFolder(folder_.path() / "together")}});
+  const auto alone = last_picture(
+      {{lower, folder_.path() / "lower", store::OutputFolder(folder_.path() / "alone")}});
+  EXPECT_NE(together, alone);
+  // A range in the scene is that of both.
+  settings.emplace_back("output.frames.range=[0,7]");
+  const scene::Scene ranged = parse(kPushed, settings);
+  EXPECT_EQ(last_picture({{low, folder_.path() / "low"},
+                          {ranged, folder_.path() / "lower",
+                           store::OutputFolder(folder_.path() / "ranged")}}),
+            last_picture({{ranged, folder_.path() / "lower",
+                           store::OutputFolder(folder_.path() / "ranged-alone")}}));
+}
+
+TEST_F(RedrawTest, SeveralRunsStandSideBySideAtEqualSteps) {
+  const scene::Scene often = parse(kDrained, {"output.frames.every=10"});
+  const scene::Scene rarely =
+      parse(kDrained, {"output.frames.every=25", "output.frames.width=120", "title=Rare"});
+  testing::run_and_store(often, folder_.path() / "often", 5);
+  testing::run_and_store(rarely, folder_.path() / "rarely", 5);
+  const fs::path sheet = folder_.path() / "sheet.png";
+  const fs::path movie = folder_.path() / "movie.png";
+  Redraw redraw({{often, folder_.path() / "often"}, {rarely, folder_.path() / "rarely"}},
+                {.movie = movie, .sheet = sheet, .columns = 9});
+  EXPECT_EQ(redraw.draw(), redraw.moments());
+  const Redraw alone({{often, folder_.path() / "often"}}, {});
+  EXPECT_GE(redraw.moments(), alone.moments());  // all of its moments and some of the other
+  const auto picture = image::png_size(testing::bytes_of(movie));
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->width, 200 + 120);
+  EXPECT_EQ(picture->height, 160);
+  const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
+  EXPECT_GT(png.image.width, 2 * 640);  // a column for each
+  EXPECT_LT(png.image.width, 3 * 640);
+}
+
+/// As another program shows it, with a pixel for each of the picture.
+image::Image shown(const fs::path& pdf) {
+  const fs::path picture = fs::path(pdf).replace_extension("");
+  const process::OutputCapture none;
+  EXPECT_EQ(process::Program({process::find_program("pdftoppm").value(), "-r", "96", "-png",
+                              "-singlefile", pdf.string(), picture.string()},
+                             {.err = &none})
+                .wait(),
+            0);
+  return image::decode_png(testing::bytes_of(picture.string() + ".png")).image;
+}
+
+TEST_F(RedrawTest, APdfShowsWhatThePictureShows) {
+  if (!process::find_program("pdftoppm")) {
+    CLCA_SKIP_AS_MISSING("there is no pdftoppm");
+  }
+  for (const char* drawing : {"polygons", "lookup"}) {
+    SCOPED_TRACE(drawing);
+    const scene::Scene scene = parse(
+        kDrained, {std::string("output.frames.drawing=") + drawing, "output.frames.style=print"});
+    const fs::path run = folder_.path() / (std::string("run-") + drawing);
+    testing::run_and_store(scene, run, 5);
+    const fs::path pdf = folder_.path() / (std::string("pdf-") + drawing);
+    Redraw({{scene, run, store::OutputFolder(pdf)}}, {.pdf = true, .to = 30}).draw();
+    for (const char* name : {"tried-000000", "tried-000030"}) {
+      const image::Image page = shown(pdf / (std::string(name) + ".pdf"));
+      const image::Image picture =
+          image::decode_png(testing::bytes_of(run / "frames" / (std::string(name) + ".png"))).image;
+      ASSERT_EQ(page.width, picture.width);
+      ASSERT_EQ(page.height, picture.height);
+      // Edges differ, as each program draws them in its own way.
+      EXPECT_LT(render::compare(page, picture, 60).pixels, picture.pixels.size() / 25) << name;
+    }
+    const std::vector<std::uint8_t> once = testing::bytes_of(pdf / "tried-000030.pdf");
+    Redraw({{scene, run, store::OutputFolder(pdf)}}, {.pdf = true, .from = 30, .to = 30}).draw();
+    EXPECT_EQ(testing::bytes_of(pdf / "tried-000030.pdf"), once);
+  }
 }
 
 using Frames = std::vector<store::Trajectory::Frame>;

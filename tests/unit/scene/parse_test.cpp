@@ -211,6 +211,7 @@ TEST(Parse, ReadsMeasuresAndOutput) {
                                          Drawing::lookup,
                                          4,
                                          false,
+                                         PictureStyle::screen,
                                          false,
                                          {},
                                          Overlay::none,

@@ -1,0 +1,168 @@
+#include "run/run_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "clca/run/setup.hpp"
+#include "clca/scene/contact.hpp"
+#include "run/contact_record.hpp"
+#include "run/frame_choice.hpp"
+#include "run/overlay.hpp"
+
+namespace clca::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Frame = store::Trajectory::Frame;
+
+/// The scene, if the run can be drawn.
+const scene::Scene& drawable(const RunToDraw& run) {
+  const scene::Scene& scene = run.scene;
+  std::error_code unknown;
+  if (!fs::exists(run.folder / "trajectory", unknown) && !unknown) {
+    throw RedrawError(fmt::format(
+        "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
+        "by --set output.trajectory.every=10",
+        run.folder.string()));
+  }
+  if (scene.output.frames->overlay == scene::Overlay::arrows) {
+    throw RedrawError(fmt::format(
+        "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
+        "with the overlay none or forces",
+        scene.output.frames->location));
+  }
+  const auto& trajectory = scene.output.trajectory;
+  if (pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
+    const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
+    throw RedrawError(fmt::format(
+        "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
+        "output.trajectory.contacts: true",
+        scene.output.frames->location, overlay ? "overlay" : "color_by",
+        overlay ? "with the overlay none" : "by another colour"));
+  }
+  return scene;
+}
+
+/// The frames selected by scene and options.
+std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
+                                const std::vector<Frame>& frames) {
+  if (frames.empty()) {
+    throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.folder.string()));
+  }
+  std::vector<std::size_t> result = frame_choice(frames, run.scene.output.frames->every);
+  std::erase_if(result, [&](std::size_t i) {
+    return frames[i].step < options.from || frames[i].step > options.to;
+  });
+  if (result.empty()) {
+    throw RedrawError(
+        fmt::format("{}: no frame to draw in that range; the {} frames of the "
+                    "trajectory go from step {} to {}",
+                    run.folder.string(), frames.size(), frames.front().step, frames.back().step));
+  }
+  return result;
+}
+
+/// The vessel at the start of each stage, as follows from the scene.
+std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
+  std::vector<contact::Vessel> result;
+  std::uint64_t start = 0;
+  for (const Frame& frame : frames) {
+    if (frame.stage < result.size()) {
+      continue;
+    }
+    contact::Vessel vessel;
+    if (!result.empty()) {
+      vessel.angle = angle_after(result.back(), frame.step - start);
+    }
+    if (scene.model == scene::Model::contact) {
+      vessel = vessel_in(scene, scene.stages[frame.stage], vessel);
+    }
+    result.push_back(vessel);
+    start = frame.step;
+  }
+  return result;
+}
+
+}  // namespace
+
+RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes)
+    : name_(fs::absolute(run.folder / "").lexically_normal().parent_path().filename().string()),
+      scene_(drawable(run)),
+      initial_(initial_state(scene_)),
+      trajectory_(run.folder, scene_, initial_, max_bytes),
+      chosen_(chosen(run, options, trajectory_.frames())),
+      vessels_(vessels(scene_, trajectory_.frames())) {}
+
+RunDrawing::Scale RunDrawing::scale() const {
+  Scale scale;
+  if (scene_.output.frames->color_by == scene::ColorBy::displacement) {
+    std::set<std::size_t> stages;
+    for (const std::size_t place : chosen_) {
+      stages.insert(trajectory_.frames()[place].stage);
+    }
+    for (const std::size_t stage : stages) {
+      PictureHistory history;
+      run::begin_stage(history, scene_.stages[stage], state_at(first_frame(stage)));
+      scale.displacement = std::max(scale.displacement.value_or(0), history.displacement_scale);
+    }
+  }
+  if (scene_.model == scene::Model::contact) {
+    scale.force = strongest_force(scene_);
+  }
+  return scale;
+}
+
+void RunDrawing::set_scale(const Scale& scale) {
+  scene::Frames& frames = *scene_.output.frames;
+  if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
+    frames.range = {0, *scale.displacement};
+  }
+  if (scene_.model == scene::Model::contact) {
+    frames.force_scale = scale.force;
+  }
+}
+
+CapturedFrame RunDrawing::capture(std::size_t number) {
+  const std::size_t place = chosen_[number];
+  begin_stage(trajectory_.frames()[place].stage);
+  const grains::State state = trajectory_.state(place);
+  const grains::Occupancy occupancy(state);
+  const bool has_forces = pictures_show_forces(scene_);
+  const std::vector<contact::Force> forces =
+      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
+  const View view = {.state = state,
+                     .occupancy = occupancy,
+                     .forces = has_forces ? &forces : nullptr,
+                     .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
+  return painter_->capture(view, history_);
+}
+
+std::uint64_t RunDrawing::step(std::size_t number) const {
+  return trajectory_.frames()[chosen_[number]].step;
+}
+
+const Frame& RunDrawing::first_frame(std::size_t stage) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  return *std::find_if(frames.begin(), frames.end(),
+                       [&](const Frame& frame) { return frame.stage == stage; });
+}
+
+grains::State RunDrawing::state_at(const Frame& frame) const {
+  return trajectory_.state(static_cast<std::size_t>(&frame - trajectory_.frames().data()));
+}
+
+void RunDrawing::begin_stage(std::size_t stage) {
+  if (stage_ == stage) {
+    return;
+  }
+  stage_ = stage;
+  const Frame& first = first_frame(stage);
+  stage_start_ = first.step;
+  run::begin_stage(history_, scene_.stages[stage], state_at(first));
+}
+
+}  // namespace clca::run

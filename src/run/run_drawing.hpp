@@ -1,0 +1,61 @@
+#pragma once
+// The pictures of one run, from its trajectory.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/contact/vessel.hpp"
+#include "clca/run/redraw.hpp"
+#include "clca/store/trajectory.hpp"
+#include "run/frame_painter.hpp"
+
+namespace clca::run {
+
+class RunDrawing {
+ public:
+  /// Selects the frames; `max_bytes`: of memory, for the trajectory. Throws RedrawError,
+  /// store::StoreError.
+  RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes);
+
+  /// Ends of the scales of its pictures; none where they show no such values.
+  struct Scale {
+    std::optional<double> displacement;  ///< lattice spacings
+    std::optional<double> force;         ///< grain weights
+  };
+  Scale scale() const;
+  void set_scale(const Scale& scale);
+  /// Of the folder, such as `gate-15`.
+  const std::string& name() const { return name_; }
+  /// Shown above the pictures.
+  void set_title(const std::string& title) { scene_.title = title; }
+
+  /// Call before capture(). Throws SceneRunError if the driver cannot draw the pictures.
+  void prepare() { painter_.emplace(scene_, initial_, 1); }
+  /// `number`: of the picture.
+  CapturedFrame capture(std::size_t number);
+
+  const scene::Scene& scene() const { return scene_; }
+  FramePainter& painter() { return *painter_; }
+  std::size_t pictures() const { return chosen_.size(); }
+  std::uint64_t step(std::size_t number) const;
+
+ private:
+  const store::Trajectory::Frame& first_frame(std::size_t stage) const;
+  grains::State state_at(const store::Trajectory::Frame& frame) const;
+  void begin_stage(std::size_t stage);
+
+  std::string name_;
+  scene::Scene scene_;
+  grains::State initial_;
+  store::Trajectory trajectory_;
+  std::vector<std::size_t> chosen_;       // frames
+  std::vector<contact::Vessel> vessels_;  // by stage, at its start
+  std::optional<FramePainter> painter_;
+  std::optional<std::size_t> stage_;
+  std::uint64_t stage_start_ = 0;  // step
+  PictureHistory history_;
+};
+
+}  // namespace clca::run
