@@ -127,7 +127,7 @@ void add_frames_option(CLI::App& command, RenderOptions& options, const char* na
 void add_look_options(CLI::App& command, RenderOptions& options) {
   add_frames_option(command, options, "--color-by", "color_by", "WHAT",
                     "species, stage_layer, displacement, speed, id or force");
-  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none or forces");
+  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none, forces or velocity");
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
   command

@@ -10,6 +10,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/image/png.hpp"
+#include "clca/measure/snapshot.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/contact_sheet.hpp"
@@ -17,6 +18,7 @@
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
 #include "run/cycle_record.hpp"
+#include "run/overlay_scales.hpp"
 
 namespace clca::run {
 
@@ -35,19 +37,25 @@ struct PictureHistory {
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
   render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
+  /// At the last picture or the start of the stage; with Overlay::velocity only.
+  std::optional<measure::Snapshot> window = {};
 
   static constexpr auto fields() {
     return std::make_tuple(
         reflection::field("stage", &PictureHistory::stage),
         reflection::field("displacement_scale", &PictureHistory::displacement_scale),
         reflection::field("layers", &PictureHistory::layers),
-        reflection::field("last_step", &PictureHistory::last_step));
+        reflection::field("last_step", &PictureHistory::last_step),
+        reflection::field("window", &PictureHistory::window));
   }
 };
 
 /// Sets what all pictures of a stage share. `state`: at the start of the stage, with the origins
 /// marked.
-void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state);
+void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
+                 const grains::State& state);
+/// Begins the window before the next picture.
+void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state);
 
 /// A captured picture with its annotations, not yet rasterized.
 struct CapturedFrame {
@@ -92,7 +100,7 @@ class FramePainter {
   const scene::Scene& scene_;
   const scene::Frames& frames_;
   std::optional<scene::Conversion> conversion_;
-  double strongest_force_;
+  OverlayScales scales_;
   render::Painter painter_;
 };
 

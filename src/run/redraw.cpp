@@ -13,6 +13,7 @@
 #include "run/frame_choice.hpp"
 #include "run/frame_painter.hpp"
 #include "run/meter.hpp"
+#include "run/overlay_scales.hpp"
 #include "run/picture_targets.hpp"
 
 namespace clca::run {
@@ -34,7 +35,7 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
   if (scene.output.frames->overlay == scene::Overlay::arrows) {
     throw RedrawError(fmt::format(
         "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
-        "with the overlay none or forces",
+        "with the overlay none, forces or velocity",
         scene.output.frames->location));
   }
   const auto& trajectory = scene.output.trajectory;
@@ -106,6 +107,9 @@ class Redraw::Impl {
 
  private:
   void begin_stage(std::size_t stage);
+  /// Begins the window of velocities with the picture before, drawn or not, as the run does.
+  void begin_window(std::size_t place);
+  std::size_t first_frame(std::size_t stage) const;
   void draw_frame(std::size_t number);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
@@ -156,6 +160,9 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
 void Redraw::Impl::draw_frame(std::size_t number) {
   const std::size_t place = chosen_[number];
   begin_stage(trajectory_.frames()[place].stage);
+  if (shows_velocities(scene_)) {
+    begin_window(place);
+  }
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
   const bool has_forces = pictures_show_forces(scene_);
@@ -173,13 +180,27 @@ void Redraw::Impl::begin_stage(std::size_t stage) {
     return;
   }
   stage_ = stage;
+  const std::size_t first = first_frame(stage);
+  stage_start_ = trajectory_.frames()[first].step;
+  run::begin_stage(history_, scene_, scene_.stages[stage], trajectory_.state(first));
+}
+
+void Redraw::Impl::begin_window(std::size_t place) {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  std::size_t before = first_frame(frames[place].stage);
+  for (const std::size_t picture : frame_choice(frames, scene_.output.frames->every)) {
+    if (picture < place) {
+      before = std::max(before, picture);
+    }
+  }
+  run::begin_window(history_, scene_, trajectory_.state(before));
+}
+
+std::size_t Redraw::Impl::first_frame(std::size_t stage) const {
   const std::vector<Frame>& frames = trajectory_.frames();
   const auto first = std::find_if(frames.begin(), frames.end(),
                                   [&](const Frame& frame) { return frame.stage == stage; });
-  stage_start_ = first->step;
-  run::begin_stage(
-      history_, scene_.stages[stage],
-      trajectory_.state(static_cast<std::size_t>(std::distance(frames.begin(), first))));
+  return static_cast<std::size_t>(std::distance(frames.begin(), first));
 }
 
 Redraw::Redraw(const scene::Scene& scene, const RedrawOptions& options)

@@ -104,6 +104,24 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForces) {
   expect_same_pictures(kPushed, {"output.frames.overlay=forces", "output.frames.drawing=lookup"});
 }
 
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfVelocities) {
+  expect_same_pictures(kDrained, {"output.frames.overlay=velocity"});
+  expect_same_pictures(kPushed, {"output.frames.overlay=velocity", "box.periodic=true",
+                                 "output.frames.velocity_scale=0.01"});
+}
+
+TEST_F(RedrawTest, VelocitiesAreThoseSinceThePictureBeforeEvenIfItIsNotDrawn) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.overlay=velocity"});
+  const fs::path run = folder_.path() / "run";
+  const fs::path some = folder_.path() / "some";
+  const std::uint64_t steps = testing::run_and_store(scene, run, 5).steps;
+  Redraw(scene, {.run = run, .folder = store::OutputFolder(some), .from = steps - 15}).draw();
+  ASSERT_EQ(names(some).size(), 2U);
+  for (const std::string& name : names(some)) {
+    EXPECT_EQ(testing::bytes_of(some / name), testing::bytes_of(run / "frames" / name)) << name;
+  }
+}
+
 /// With a wall that is removed and an outlet, so that grains of contacts leave.
 const std::string kContacts = R"(clca: 1
 model: contact
@@ -122,8 +140,8 @@ output:
   trajectory: {every: 10, contacts: true}
 )";
 
-TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForcesOfTheContactModel) {
-  for (const char* key : {"color_by=force", "overlay=forces"}) {
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
+  for (const char* key : {"color_by=force", "overlay=forces", "overlay=velocity"}) {
     const testing::ScratchFolder scratch;
     const fs::path folder = scratch.path() / "run";
     const fs::path again = scratch.path() / "again";

@@ -156,6 +156,20 @@ TEST_F(ResumeTest, ItGoesOnWithTheFrictionOfItsStage) {
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
 }
 
+TEST_F(ResumeTest, VelocitiesInPicturesAreMeansFromBeforeTheStop) {
+  for (const char* model : {"automaton", "contact"}) {
+    const auto scene = small({std::string("model=") + model, "output.frames.overlay=velocity"});
+    const fs::path unbroken = folder_.path() / model;
+    run(scene, {.folder = unbroken});
+    std::atomic<int> stop = 0;
+    run(scene, {.folder = path(), .stop = &stop},
+        {.progress = [&](const Progress& now) { stop = now.step >= 16 ? 2 : 0; },
+         .progress_interval = {}});
+    EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
+    EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+  }
+}
+
 TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
   const std::atomic<int> stop = 2;
   run(small({"output.checkpoint=none"}), {.folder = path(), .stop = &stop});
