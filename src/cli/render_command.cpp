@@ -27,9 +27,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What options say of a picture over time.
+struct SpaceTimeChoice {
+  fs::path file;
+  std::optional<double> column;
+  std::optional<double> slit;
+  bool surface = false;
+};
+
 struct RenderOptions {
   run::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
+  SpaceTimeChoice space_time;
   SceneOptions scene;
   std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
@@ -71,10 +80,33 @@ scene::Scene scene_of(const RenderOptions& options) {
   return scene;
 }
 
+/// The picture over time, if one is wanted.
+void set_space_time(RenderOptions& options) {
+  const SpaceTimeChoice& choice = options.space_time;
+  if (choice.file.empty()) {
+    if (choice.column || choice.slit || choice.surface) {
+      throw run::RedrawError("--column, --slit and --surface need --space-time FILE.png");
+    }
+    return;
+  }
+  if (choice.column.has_value() == choice.surface) {
+    throw run::RedrawError(
+        "--space-time shows either a column or the surface: give --column X or --surface");
+  }
+  if (choice.slit && !choice.column) {
+    throw run::RedrawError("--slit needs --column X");
+  }
+  run::SpaceTimeOptions& wanted = options.redraw.space_time.emplace();
+  wanted.file = choice.file;
+  wanted.column = choice.column;
+  wanted.slit = choice.slit.value_or(wanted.slit);
+}
+
 /// Where pictures go, if they are wanted one by one.
 void set_folder(RenderOptions& options) {
   run::RedrawOptions& redraw = options.redraw;
-  if (!options.folder.empty() || (redraw.movie.empty() && redraw.sheet.empty())) {
+  if (!options.folder.empty() ||
+      (redraw.movie.empty() && redraw.sheet.empty() && !redraw.space_time)) {
     redraw.folder = store::named_folder(options.folder, redraw.run, store::kRedrawnFolder);
   }
 }
@@ -82,7 +114,8 @@ void set_folder(RenderOptions& options) {
 void print_totals(const run::RedrawOptions& options, std::size_t drawn, std::size_t pictures) {
   print_out("{} of {} pictures drawn\n", drawn, pictures);
   const fs::path folder = options.folder ? options.folder->path() : fs::path();
-  for (const fs::path& place : {folder, options.movie, options.sheet}) {
+  const fs::path over_time = options.space_time ? options.space_time->file : fs::path();
+  for (const fs::path& place : {folder, options.movie, options.sheet, over_time}) {
     if (!place.empty() && drawn > 0) {
       print_out("{}\n", place.string());
     }
@@ -94,6 +127,7 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
+  as_input([&] { set_space_time(options); });
   const scene::Scene scene = as_input([&] { return scene_of(options); });
   set_folder(options);
   const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(scene, redraw); });
@@ -150,9 +184,30 @@ void add_choice_options(CLI::App& command, RenderOptions& options) {
                     "Steps from picture to picture, at least, in a stage [as the scene says]");
 }
 
+void add_space_time_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--space-time", options.space_time.file,
+                  "Write one picture over time of a column or the free surface: FILE.png")
+      ->type_name("FILE");
+  command
+      .add_option("--column", options.space_time.column,
+                  "Over time: the column of the box at this x, in lattice spacings")
+      ->type_name("X")
+      ->check(finite_number());
+  command
+      .add_option("--slit", options.space_time.slit,
+                  "Over time: width of that column in lattice spacings; colours are means over it "
+                  "[1]")
+      ->type_name("WIDTH")
+      ->check(finite_number());
+  command.add_flag("--surface", options.space_time.surface,
+                   "Over time: the height of the free surface");
+}
+
 void add_target_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.folder,
-                     "Folder for the pictures [DIR/render; none with --movie or --sheet]");
+                     "Folder for the pictures [DIR/render; none with --movie, --sheet or "
+                     "--space-time]");
   command
       .add_option("--movie", options.redraw.movie,
                   "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
@@ -167,6 +222,7 @@ void add_target_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--columns", options.redraw.columns, "Pictures in a row of the contact sheet")
       ->check(whole_number(1, 16))
       ->capture_default_str();
+  add_space_time_options(command, options);
 }
 
 }  // namespace

@@ -134,6 +134,9 @@ void Annotator::draw_caption(const Caption& caption) {
 }
 
 double Annotator::draw_scale_bar(double spacing) {
+  if (layout_.scale == 0) {
+    return layout_.text_right + em(kGap);
+  }
   const double room = layout_.text_right - layout_.text_left;
   const double unit = spacing > 0 ? spacing : 1;
   const double shown =

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "render/colors.hpp"
+
 namespace clca::render {
 
 namespace {
@@ -15,6 +17,17 @@ bool go_on(const std::vector<Legend::Line>& first, const std::vector<Legend::Lin
 }
 
 }  // namespace
+
+void add_walls(Legend& legend, const ShownWalls& walls) {
+  const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  if (walls.standing) {
+    legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
+  }
+  if (walls.moving) {
+    legend.patches.push_back(
+        {.label = "moving wall", .color = kMovingWallColor, .outline = square});
+  }
+}
 
 std::optional<Legend> common_legend(const Legend& first, const Legend& second) {
   Legend result = first;

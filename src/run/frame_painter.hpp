@@ -86,6 +86,10 @@ class FramePainter {
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
+  /// The colours of the particles.
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  /// Of the picture, degrees anticlockwise about the middle of its view.
+  double turn(const View& view) const { return frames_.upright ? contact::degrees(view.angle) : 0; }
   Picture rasterize(const CapturedFrame& frame);
 
   /// A picture of a legend alone.
@@ -95,7 +99,7 @@ class FramePainter {
   int height() const { return painter_.height(); }
 
  private:
-  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  render::Coloring plain_coloring(const View& view, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

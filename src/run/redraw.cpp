@@ -15,6 +15,7 @@
 #include "run/meter.hpp"
 #include "run/overlay_scales.hpp"
 #include "run/picture_targets.hpp"
+#include "run/space_time.hpp"
 
 namespace clca::run {
 
@@ -22,6 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using Frame = store::Trajectory::Frame;
+
+void require_different(const char* one, const fs::path& file, const char* other,
+                       const fs::path& other_file) {
+  const auto place = [](const fs::path& name) { return fs::absolute(name).lexically_normal(); };
+  if (!file.empty() && !other_file.empty() && place(file) == place(other_file)) {
+    throw RedrawError(fmt::format("{}: is to be both {} and {}", file.string(), one, other));
+  }
+}
 
 /// The scene, if the run can be drawn.
 const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& options) {
@@ -47,11 +56,11 @@ const scene::Scene& drawable(const scene::Scene& scene, const RedrawOptions& opt
         scene.output.frames->location, overlay ? "overlay" : "color_by",
         overlay ? "with the overlay none" : "by another colour"));
   }
-  const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
-  if (!options.movie.empty() && !options.sheet.empty() &&
-      place(options.movie) == place(options.sheet)) {
-    throw RedrawError(
-        fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
+  require_different("movie", options.movie, "contact sheet", options.sheet);
+  if (options.space_time) {
+    require_different("movie", options.movie, "picture over time", options.space_time->file);
+    require_different("contact sheet", options.sheet, "picture over time",
+                      options.space_time->file);
   }
   return scene;
 }
@@ -110,7 +119,13 @@ class Redraw::Impl {
   /// Begins the window of velocities with the picture before, drawn or not, as the run does.
   void begin_window(std::size_t place);
   std::size_t first_frame(std::size_t stage) const;
+  /// The last frame of the same step: where a stage ends, that at the beginning of the next.
+  std::size_t latest(std::size_t place) const;
   void draw_frame(std::size_t number);
+  void add_to_space_time(std::size_t number);
+  /// Calls `show` with the view of a frame.
+  template <class Show>
+  void look_at(std::size_t place, Show show);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
   const scene::Scene scene_;
@@ -123,6 +138,7 @@ class Redraw::Impl {
   std::uint64_t stage_start_ = 0;         // step
   std::vector<contact::Vessel> vessels_;  // by stage, at its start
   PictureHistory history_;
+  std::optional<SpaceTime> space_time_;
 };
 
 Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
@@ -131,7 +147,15 @@ Redraw::Impl::Impl(const scene::Scene& scene, const RedrawOptions& options)
       trajectory_(options.run, scene_, initial_state(scene_), options.max_bytes),
       chosen_(chosen(scene_, options, trajectory_.frames())),
       painter_(scene_, initial_state(scene_), 1),
-      vessels_(vessels(scene_, trajectory_.frames())) {}
+      vessels_(vessels(scene_, trajectory_.frames())) {
+  if (options.space_time) {
+    std::vector<Frame> frames;
+    for (const std::size_t place : chosen_) {
+      frames.push_back(trajectory_.frames()[latest(place)]);
+    }
+    space_time_.emplace(scene_, painter_, *options.space_time, std::move(frames));
+  }
+}
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && scene_.output.frames->caption && !render::font_problem().empty()) {
@@ -139,12 +163,18 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   }
   targets_.emplace(scene_, painter_, options_, chosen_.size(),
                    trajectory_.frames()[chosen_.front()].step);
+  if (space_time_) {
+    space_time_->require_writable();
+  }
   IntervalTimer timer(events.progress_interval);
   TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < chosen_.size() && !stop_asked(); ++number) {
     if (targets_->want(number)) {
       draw_frame(number);
+    }
+    if (space_time_) {
+      add_to_space_time(number);
     }
     if (events.progress && timer.due()) {
       estimate.update(static_cast<double>(number + 1) / static_cast<double>(chosen_.size()));
@@ -154,11 +184,34 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (number > 0) {
     targets_->finish();
   }
+  if (number > 0 && space_time_) {
+    space_time_->finish();
+  }
   return number;
 }
 
 void Redraw::Impl::draw_frame(std::size_t number) {
   const std::size_t place = chosen_[number];
+  look_at(place, [&](const View& view) {
+    targets_->add(painter_.rasterize(painter_.capture(view, history_)), number, view.state.step);
+  });
+}
+
+void Redraw::Impl::add_to_space_time(std::size_t number) {
+  look_at(latest(chosen_[number]),
+          [&](const View& view) { space_time_->add(view, history_, number); });
+}
+
+std::size_t Redraw::Impl::latest(std::size_t place) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  while (place + 1 < frames.size() && frames[place + 1].step == frames[place].step) {
+    ++place;
+  }
+  return place;
+}
+
+template <class Show>
+void Redraw::Impl::look_at(std::size_t place, Show show) {
   begin_stage(trajectory_.frames()[place].stage);
   if (shows_velocities(scene_)) {
     begin_window(place);
@@ -172,7 +225,7 @@ void Redraw::Impl::draw_frame(std::size_t number) {
                      .occupancy = occupancy,
                      .forces = has_forces ? &forces : nullptr,
                      .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
-  targets_->add(painter_.rasterize(painter_.capture(view, history_)), number, state.step);
+  show(view);
 }
 
 void Redraw::Impl::begin_stage(std::size_t stage) {

@@ -1,5 +1,6 @@
 #pragma once
-// Draws a run from its trajectory without simulating: pictures, a movie, a contact sheet.
+// Draws a run from its trajectory without simulating: pictures, a movie, a contact sheet, a line
+// over time.
 
 #include <atomic>
 #include <chrono>
@@ -24,6 +25,13 @@ class RedrawError : public text::InputError {
   using InputError::InputError;
 };
 
+/// A picture over time.
+struct SpaceTimeOptions {
+  std::filesystem::path file = {};    ///< a PNG file
+  std::optional<double> column = {};  ///< x, lattice spacings; none: the free surface
+  double slit = 1;                    ///< width around it, lattice spacings
+};
+
 struct RedrawOptions {
   std::filesystem::path run = {};                  ///< folder of the run
   std::optional<store::OutputFolder> folder = {};  ///< for pictures one by one
@@ -31,7 +39,8 @@ struct RedrawOptions {
   int frames_per_second = 25;                      ///< of the movie
   std::filesystem::path sheet = {};                ///< a PNG file; empty: none
   int columns = 4;                                 ///< of the sheet
-  std::uint64_t from = 0;                          ///< first step
+  std::optional<SpaceTimeOptions> space_time = {};
+  std::uint64_t from = 0;                                        ///< first step
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
   double max_bytes = std::numeric_limits<double>::infinity();    ///< of memory, for the trajectory
   /// Checked before each picture: if not zero, drawing ends and the files are completed with what
