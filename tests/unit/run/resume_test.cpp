@@ -277,6 +277,20 @@ TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
               ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("until")));
 }
 
+TEST_F(ResumeTest, ACheckpointWithoutTheVelocitiesThatItsPicturesShowIsRefused) {
+  run(small({"output.frames.overlay=velocity"}), {.folder = path()});
+  fs::remove(path() / "run.json");
+  change([](store::Checkpoint& checkpoint) {
+    for (auto& [name, column] : checkpoint.fields) {
+      if (name.starts_with("outputs/pictures/window")) {
+        std::visit([](auto& numbers) { std::fill(numbers.begin(), numbers.end(), 0); }, column);
+      }
+    }
+    std::get<std::vector<std::uint64_t>>(checkpoint.fields.at("outputs/pictures/window/size")) = {0};
+  });
+  EXPECT_THAT(why_not(), HasSubstr("checkpoint is not of this run"));
+}
+
 // Contents that no run has saved, under a right checksum.
 TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
   run(small(), {.folder = path()});
