@@ -46,10 +46,11 @@ lattice::Rectangle shown_part(const scene::Scene& scene) {
 
 /// The x of lines that stand for the slit, a column of sites apart; lattice spacings.
 std::vector<double> slit_lines(const SpaceTimeOptions& options) {
-  const double count = std::max(1.0, std::round(options.slit / lattice::kColumnPitch));
+  const int count =
+      std::max(1, static_cast<int>(std::lround(options.slit / lattice::kColumnPitch)));
   std::vector<double> lines;
-  for (double i = 0; i < count; ++i) {
-    lines.push_back(*options.column + (i - (count - 1) / 2) * lattice::kColumnPitch);
+  for (int i = 0; i < count; ++i) {
+    lines.push_back(*options.column + (i - (count - 1) / 2.0) * lattice::kColumnPitch);
   }
   return lines;
 }

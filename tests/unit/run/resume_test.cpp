@@ -286,7 +286,8 @@ TEST_F(ResumeTest, ACheckpointWithoutTheVelocitiesThatItsPicturesShowIsRefused) 
         std::visit([](auto& numbers) { std::fill(numbers.begin(), numbers.end(), 0); }, column);
       }
     }
-    std::get<std::vector<std::uint64_t>>(checkpoint.fields.at("outputs/pictures/window/size")) = {0};
+    std::get<std::vector<std::uint64_t>>(checkpoint.fields.at("outputs/pictures/window/size")) = {
+        0};
   });
   EXPECT_THAT(why_not(), HasSubstr("checkpoint is not of this run"));
 }
