@@ -27,10 +27,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What options say of a picture over time.
+struct SpaceTimeChoice {
+  fs::path file;
+  std::optional<double> column;
+  std::optional<double> slit;
+  bool surface = false;
+};
+
 struct RenderOptions {
   std::vector<fs::path> runs;
   run::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
+  SpaceTimeChoice space_time;
   SceneOptions scene;
   std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
@@ -71,6 +80,33 @@ scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   return scene;
 }
 
+/// The picture over time, if one is wanted.
+void set_space_time(RenderOptions& options) {
+  const SpaceTimeChoice& choice = options.space_time;
+  if (choice.file.empty()) {
+    if (choice.column || choice.slit || choice.surface) {
+      throw run::RedrawError("--column, --slit and --surface need --space-time FILE.png");
+    }
+    return;
+  }
+  if (choice.column.has_value() == choice.surface) {
+    throw run::RedrawError(
+        "--space-time shows either a column or the surface: give --column X or --surface");
+  }
+  if (choice.slit && !choice.column) {
+    throw run::RedrawError("--slit needs --column X");
+  }
+  run::SpaceTimeOptions& wanted = options.redraw.space_time.emplace();
+  wanted.file = choice.file;
+  wanted.column = choice.column;
+  wanted.slit = choice.slit.value_or(wanted.slit);
+}
+
+/// Whether all pictures go into one file.
+bool has_one_file(const run::RedrawOptions& redraw) {
+  return !redraw.movie.empty() || !redraw.sheet.empty() || redraw.space_time;
+}
+
 std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   if (options.runs.size() > 1 && !options.folder.empty()) {
     throw run::RedrawError(
@@ -80,7 +116,7 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   std::vector<run::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
     run::RunToDraw& run = runs.emplace_back(scene_of(folder, options), folder);
-    if (!options.folder.empty() || (options.redraw.movie.empty() && options.redraw.sheet.empty())) {
+    if (!options.folder.empty() || !has_one_file(options.redraw)) {
       run.pictures = store::named_folder(options.folder, folder, store::kRedrawnFolder);
     }
   }
@@ -94,7 +130,8 @@ void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOpti
   for (const run::RunToDraw& run : runs) {
     places.push_back(run.pictures ? run.pictures->path() : fs::path());
   }
-  places.insert(places.end(), {options.movie, options.sheet});
+  places.insert(places.end(), {options.movie, options.sheet,
+                               options.space_time ? options.space_time->file : fs::path()});
   for (const fs::path& place : places) {
     if (!place.empty() && drawn > 0) {
       print_out("{}\n", place.string());
@@ -107,6 +144,7 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
+  as_input([&] { set_space_time(options); });
   const std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
   const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(runs, redraw); });
   ProgressLine line;
@@ -164,9 +202,30 @@ void add_choice_options(CLI::App& command, RenderOptions& options) {
                     "Steps from picture to picture, at least, in a stage [as the scene says]");
 }
 
+void add_space_time_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--space-time", options.space_time.file,
+                  "Write one picture over time of a column or the free surface: FILE.png")
+      ->type_name("FILE");
+  command
+      .add_option("--column", options.space_time.column,
+                  "Over time: the column of the box at this x, in lattice spacings")
+      ->type_name("X")
+      ->check(finite_number());
+  command
+      .add_option("--slit", options.space_time.slit,
+                  "Over time: width of that column in lattice spacings; colours are means over it "
+                  "[1]")
+      ->type_name("WIDTH")
+      ->check(finite_number());
+  command.add_flag("--surface", options.space_time.surface,
+                   "Over time: the height of the free surface");
+}
+
 void add_target_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.folder,
-                     "Folder for the pictures [DIR/render; none with --movie or --sheet]");
+                     "Folder for the pictures [DIR/render; none with --movie, --sheet or "
+                     "--space-time]");
   command
       .add_option_function<std::string>(
           "--format", [&options](const std::string& name) { options.redraw.pdf = name == "pdf"; },
@@ -187,6 +246,7 @@ void add_target_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--columns", options.redraw.columns, "Pictures in a row of the contact sheet")
       ->check(whole_number(1, 16))
       ->capture_default_str();
+  add_space_time_options(command, options);
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ constexpr double kLegendMiddle = 1.1;  // down from the lower edge of the view
 constexpr double kTickLabelBaseline = 2.55;
 constexpr double kLegendPitch = 1.3;  // from line to line
 constexpr double kHalfLetter = 0.36;  // from the middle of a line down to its baseline
+constexpr double kBarWidth = 11;
+constexpr double kWideBarWidth = 18;  // where there is no scale bar
 constexpr double kGap = 1.5;          // at least, between what stands on the left and on the right
 constexpr double kIconRadius = 0.52;
 constexpr double kLineLength = 2.2;  // where the length tells nothing
@@ -136,6 +138,9 @@ void Annotator::draw_caption(const Caption& caption) {
 }
 
 double Annotator::draw_scale_bar(double spacing) {
+  if (layout_.scale == 0) {
+    return layout_.text_right + em(kGap);
+  }
   const double room = layout_.text_right - layout_.text_left;
   const double unit = spacing > 0 ? spacing : 1;
   const double shown =
@@ -162,7 +167,8 @@ double Annotator::draw_scale_bar(double spacing) {
 }
 
 double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double right) {
-  const double width = std::floor(std::min(em(11), (right - left) * 0.6));
+  const double longest = em(layout_.scale > 0 ? kBarWidth : kWideBarWidth);
+  const double width = std::floor(std::min(longest, (right - left) * 0.6));
   if (width < em(4)) {
     return left;
   }

@@ -23,6 +23,7 @@ constexpr double kArrowFade = 0.6;
 constexpr double kMaxArrowShare = 0.9;  // of a cell
 constexpr double kArrowWidth = 0.075;   // in cells
 constexpr double kPalest = 0.55;        // share of paper in the weakest arrows
+constexpr Rgb kCutArrowColor = {176, 32, 16};
 
 double force_width(double share) {
   return kMinForceWidth + (kMaxForceWidth - kMinForceWidth) * std::min(share, 1.0);
@@ -69,24 +70,30 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double long
   if (!(longest > 0 && cell > 0)) {
     return overlay;
   }
-  const double scale = kMaxArrowShare * cell / longest;
   for (const FieldArrow& arrow :
        by_strength(arrows, [](const FieldArrow& item) { return item.vector.norm(); })) {
-    const Eigen::Vector2d half = scale / 2 * arrow.vector;
+    const double length = arrow.vector.norm();
+    const Eigen::Vector2d half =
+        kMaxArrowShare * cell / std::max(length, longest) / 2 * arrow.vector;
     overlay.strokes.push_back({arrow.at - half, arrow.at + half, kArrowWidth * cell,
-                               arrow_color(arrow.vector.norm() / longest), true});
+                               length > longest ? kCutArrowColor : arrow_color(length / longest),
+                               true});
   }
   return overlay;
 }
 
-Legend::Line arrow_key(double cell, double longest, const std::string& unit) {
+Legend::Line arrow_key(double cell, double longest, const UnitName& unit) {
   if (!(longest > 0 && cell > 0)) {
-    return {fmt::format("0 {}", unit), 0, 0, arrow_color(0), true};
+    return {fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true};
   }
   const double shown = round_length(longest);
   const double share = shown / longest;
-  return {fmt::format("{:g} {}", shown, unit), kArrowWidth * cell, kMaxArrowShare * cell * share,
-          arrow_color(share), true};
+  return {fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), kArrowWidth * cell,
+          kMaxArrowShare * cell * share, arrow_color(share), true};
+}
+
+Legend::Line cut_arrow_key(double cell, std::string label) {
+  return {std::move(label), kArrowWidth * cell, kMaxArrowShare * cell, kCutArrowColor, true};
 }
 
 }  // namespace clca::render

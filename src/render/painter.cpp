@@ -29,16 +29,6 @@ void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& 
   }
 }
 
-/// Legend entries of the walls of a picture; the floor and sides of the box are walls, too.
-void add_walls(const grains::State& state, Legend& legend) {
-  const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
-  if (any_wall_moves(state)) {
-    legend.patches.push_back(
-        {.label = "moving wall", .color = kMovingWallColor, .outline = square});
-  }
-}
-
 }  // namespace
 
 struct Capture::Content {
@@ -83,7 +73,8 @@ class Painter::Impl {
     }
     content->palette = coloring.palette;
     content->legend = coloring.legend;
-    add_walls(state, content->legend);
+    // The floor and sides of the box are walls, too.
+    add_walls(content->legend, {.standing = true, .moving = any_wall_moves(state)});
     return Capture(std::move(content));
   }
 

@@ -76,7 +76,8 @@ double spacing_of(const scene::Scene& scene) {
 
 }  // namespace
 
-void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state) {
+void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
+                 const grains::State& state) {
   double highest = 2;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
@@ -86,6 +87,13 @@ void begin_stage(PictureHistory& history, const scene::Stage& stage, const grain
   history.stage = stage.name;
   history.displacement_scale = highest / 2;
   history.layers = render::layer_range(state, stage.sources);
+  begin_window(history, scene, state);
+}
+
+void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state) {
+  if (shows_velocities(scene)) {
+    history.window.emplace(state);
+  }
 }
 
 image::PngText scene_text(const scene::Scene& scene) {
@@ -99,14 +107,13 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
     : scene_(scene),
       frames_(*scene.output.frames),
       conversion_(scene::conversion(scene)),
-      strongest_force_(strongest_force(scene)),
+      scales_(overlay_scales(scene)),
       painter_(make_painter(scene, state, threads)) {}
 
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
-  render::mark_beyond(colors, view.state, view.occupancy);
-  DrawnOverlay drawn = overlay_of(frames_.overlay, view, strongest_force_);
+  DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
   colors.legend.lines = std::move(drawn.keys);
   image::PngText text = scene_text(scene_);
   text["Stage"] = history.stage;
@@ -121,7 +128,7 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = spacing_of(scene_)},
           .overlay = std::move(drawn.overlay),
-          .turn = frames_.upright ? contact::degrees(view.angle) : 0,
+          .turn = turn(view),
           .text = std::move(text)};
 }
 
@@ -148,6 +155,13 @@ render::Image FramePainter::legend(const render::Legend& legend) const {
 }
 
 render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
+  render::Coloring colors = plain_coloring(view, history);
+  render::mark_beyond(colors, view.state, view.occupancy);
+  return colors;
+}
+
+render::Coloring FramePainter::plain_coloring(const View& view,
+                                              const PictureHistory& history) const {
   const grains::State& state = view.state;
   const auto range = [this](double high) {
     return frames_.range ? render::ColorRange{frames_.range->low, frames_.range->high}
@@ -165,7 +179,7 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
     case scene::ColorBy::force:
       return view.forces != nullptr
                  ? render::color_by_load(contact::loads(state.particles.size(), *view.forces),
-                                         range(kLoad * strongest_force_))
+                                         range(kLoad * scales_.strongest_force))
                  : render::color_by_force(range(kMaxForceIndex));
     case scene::ColorBy::species:
       break;

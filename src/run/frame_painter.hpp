@@ -11,6 +11,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/image/png.hpp"
+#include "clca/measure/snapshot.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/contact_sheet.hpp"
@@ -18,6 +19,7 @@
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
 #include "run/cycle_record.hpp"
+#include "run/overlay_scales.hpp"
 
 namespace clca::run {
 
@@ -36,19 +38,25 @@ struct PictureHistory {
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
   render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
+  /// At the last picture or the start of the stage; with Overlay::velocity only.
+  std::optional<measure::Snapshot> window = {};
 
   static constexpr auto fields() {
     return std::make_tuple(
         reflection::field("stage", &PictureHistory::stage),
         reflection::field("displacement_scale", &PictureHistory::displacement_scale),
         reflection::field("layers", &PictureHistory::layers),
-        reflection::field("last_step", &PictureHistory::last_step));
+        reflection::field("last_step", &PictureHistory::last_step),
+        reflection::field("window", &PictureHistory::window));
   }
 };
 
 /// Sets what all pictures of a stage share. `state`: at the start of the stage, with the origins
 /// marked.
-void begin_stage(PictureHistory& history, const scene::Stage& stage, const grains::State& state);
+void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
+                 const grains::State& state);
+/// Begins the window before the next picture.
+void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state);
 
 /// A captured picture with its annotations, not yet rasterized.
 struct CapturedFrame {
@@ -79,6 +87,10 @@ class FramePainter {
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
+  /// The colours of the particles.
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  /// Of the picture, degrees anticlockwise about the middle of its view.
+  double turn(const View& view) const { return frames_.upright ? contact::degrees(view.angle) : 0; }
   Picture rasterize(const CapturedFrame& frame);
   std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
 
@@ -89,12 +101,12 @@ class FramePainter {
   int height() const { return painter_.height(); }
 
  private:
-  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  render::Coloring plain_coloring(const View& view, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;
   std::optional<scene::Conversion> conversion_;
-  double strongest_force_;
+  OverlayScales scales_;
   render::Painter painter_;
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clca/measure/contacts.hpp"
-#include "clca/scene/contact.hpp"
+#include "clca/measure/field_grid.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::run {
@@ -89,33 +89,54 @@ DrawnOverlay arrows(const CycleRecord& cycles) {
     }
   }
   return {render::arrow_field(field, cycles.cell(), longest),
-          {render::arrow_key(cycles.cell(), longest, "spacings per cycle")}};
+          {render::arrow_key(cycles.cell(), longest,
+                             {.one = "spacing per cycle", .several = "spacings per cycle"})}};
+}
+
+/// Arrows of the cells with enough grains.
+std::vector<render::FieldArrow> velocity_arrows(const measure::Fields& fields,
+                                                const OverlayScales& scales) {
+  double enough = 0;
+  for (const measure::FieldCell& cell : fields.cells) {
+    enough = std::max(enough, kMinWeight * cell.sites);
+  }
+  std::vector<render::FieldArrow> result;
+  for (const measure::FieldCell& cell : fields.cells) {
+    if (cell.particles > 0 && cell.sites >= enough) {
+      result.push_back({cell.centre, scales.step_velocity * cell.velocity});
+    }
+  }
+  return result;
+}
+
+DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
+                        const OverlayScales& scales) {
+  const double cell = scales.velocity_cell;
+  const double highest = scales.highest_velocity;
+  std::vector<render::FieldArrow> field;
+  if (state.step > begin.step()) {
+    field = velocity_arrows(measure::FieldWindow(begin).fields(state, cell), scales);
+  }
+  DrawnOverlay drawn = {render::arrow_field(field, cell, highest),
+                        {render::arrow_key(cell, highest, scales.velocity_unit)}};
+  if (std::any_of(field.begin(), field.end(),
+                  [&](const render::FieldArrow& arrow) { return arrow.vector.norm() > highest; })) {
+    drawn.keys.push_back(render::cut_arrow_key(cell, fmt::format("above {:g}", highest)));
+  }
+  return drawn;
 }
 
 }  // namespace
 
-double strongest_force(const scene::Scene& scene) {
-  if (scene.output.frames && scene.output.frames->force_scale) {
-    return *scene.output.frames->force_scale;
-  }
-  double diameters = 0;
-  for (const scene::Species& species : scene.species) {
-    diameters += species.shape.diameter();
-  }
-  const double grains = scene::contact_parameters(scene).fall_height *
-                        static_cast<double>(scene.species.size()) / diameters;
-  const double power = std::pow(10, std::floor(std::log10(2 * grains)));
-  const double leading = 2 * grains / power;
-  return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
-}
-
-DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, double strongest_force) {
+DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
+                        const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return view.forces != nullptr ? contact_forces(view, strongest_force) : overlaps(view);
+      return view.forces != nullptr ? contact_forces(view, scales.strongest_force) : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
+      return velocities(view.state, *history.window, scales);
     case scene::Overlay::none:
       break;
   }

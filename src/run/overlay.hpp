@@ -1,12 +1,12 @@
 #pragma once
-// Forces and convection in pictures.
+// Forces, convection and velocities in pictures.
 
 #include <vector>
 
 #include "clca/render/legend.hpp"
 #include "clca/render/overlays.hpp"
-#include "clca/scene/scene.hpp"
 #include "run/frame_painter.hpp"
+#include "run/overlay_scales.hpp"
 
 namespace clca::run {
 
@@ -15,12 +15,9 @@ struct DrawnOverlay {
   std::vector<render::Legend::Line> keys;
 };
 
-/// The force network of contacts or overlaps, or the mean displacement per cycle.
-/// `strongest_force`: contact model, drawn as the widest line.
-DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, double strongest_force);
-
-/// Frames::force_scale or, by default, twice the weight of a column of grains as high as the fall
-/// height, rounded to 1, 2 or 5 times a power of ten. Few forces exceed it.
-double strongest_force(const scene::Scene& scene);
+/// The force network of contacts or overlaps, the mean displacement per cycle, or the mean velocity
+/// since the last picture.
+DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
+                        const OverlayScales& scales);
 
 }  // namespace clca::run

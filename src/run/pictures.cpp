@@ -8,7 +8,7 @@ Pictures::Pictures(const scene::Scene& scene, const grains::State& state, int th
     : scene_(scene), painter_(scene, state, threads) {}
 
 void Pictures::begin_stage(const scene::Stage& stage, const grains::State& state) {
-  run::begin_stage(history_, stage, state);
+  run::begin_stage(history_, scene_, stage, state);
 }
 
 void Pictures::draw(const Model& model, const Records& records, const store::RunFolder& folder) {
@@ -27,6 +27,7 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
                                           .forces = forces ? &*forces : nullptr,
                                           .angle = model.vessel().angle},
                                          history_);
+  begin_window(history_, scene_, state);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step), [this, frame = std::move(frame)] {
                   const Picture picture = painter_.rasterize(frame);

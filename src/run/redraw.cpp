@@ -10,6 +10,7 @@
 #include "run/meter.hpp"
 #include "run/picture_targets.hpp"
 #include "run/run_drawing.hpp"
+#include "run/space_time.hpp"
 
 namespace clca::run {
 
@@ -18,26 +19,31 @@ namespace {
 namespace fs = std::filesystem;
 using Drawings = std::vector<std::unique_ptr<RunDrawing>>;
 
-void require_apart(const RedrawOptions& options) {
-  const auto place = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
-  if (!options.movie.empty() && !options.sheet.empty() &&
-      place(options.movie) == place(options.sheet)) {
-    throw RedrawError(
-        fmt::format("{}: is to be both movie and contact sheet", options.movie.string()));
+void require_different(const char* one, const fs::path& file, const char* other,
+                       const fs::path& other_file) {
+  const auto place = [](const fs::path& name) { return fs::absolute(name).lexically_normal(); };
+  if (!file.empty() && !other_file.empty() && place(file) == place(other_file)) {
+    throw RedrawError(fmt::format("{}: is to be both {} and {}", file.string(), one, other));
   }
 }
 
-std::optional<double> larger(const std::optional<double>& one, const std::optional<double>& other) {
-  return one && other ? std::max(*one, *other) : one ? one : other;
+void check_files(const RedrawOptions& options) {
+  require_different("movie", options.movie, "contact sheet", options.sheet);
+  if (options.space_time) {
+    const fs::path& over_time = options.space_time->file;
+    require_different("movie", options.movie, "picture over time", over_time);
+    require_different("contact sheet", options.sheet, "picture over time", over_time);
+  }
 }
 
 /// The same scales and distinct titles, so that they can be compared.
 void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawings) {
   RunDrawing::Scale common;
   for (const auto& drawing : drawings) {
-    const RunDrawing::Scale scale = drawing->scale();
-    common = {.displacement = larger(common.displacement, scale.displacement),
-              .force = larger(common.force, scale.force)};
+    for (const auto& [name, end] : drawing->scale()) {
+      double& largest = common[name];
+      largest = std::max(largest, end);
+    }
   }
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     drawings[i]->set_scale(common);
@@ -104,6 +110,7 @@ class Redraw::Impl {
   Drawings drawings_;
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
+  std::optional<SpaceTime> space_time_;
   // Once drawing begins.
   std::optional<PictureTargets> targets_;
   std::vector<std::optional<std::size_t>> shown_;  // by run, the number of its picture
@@ -111,7 +118,11 @@ class Redraw::Impl {
 
 Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
     : options_(options) {
-  require_apart(options);
+  check_files(options);
+  if (options.space_time && runs.size() > 1) {
+    throw RedrawError(
+        fmt::format("{}: a picture over time is of one run", options.space_time->file.string()));
+  }
   for (const RunToDraw& run : runs) {
     folders_.push_back(run.pictures);
     drawings_.push_back(std::make_unique<RunDrawing>(
@@ -126,6 +137,11 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   times_ = times_of(drawings_);
   moments_ = moments_of(times_);
   shown_.resize(runs.size());
+  if (options.space_time) {
+    RunDrawing& drawing = *drawings_.front();
+    space_time_.emplace(drawing.scene(), drawing.painter(), *options.space_time,
+                        drawing.latest_frames());
+  }
 }
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
@@ -136,12 +152,18 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
     events.warning(render::font_problem());
   }
   targets_.emplace(drawings_, folders_, options_, moments_.size());
+  if (space_time_) {
+    space_time_->require_writable();
+  }
   IntervalTimer timer(events.progress_interval);
   TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < moments_.size() && !stop_asked(); ++number) {
     if (targets_->want(number)) {
       draw_moment(number);
+    }
+    if (space_time_) {
+      drawings_.front()->add_to(*space_time_, number);
     }
     if (events.progress && timer.due()) {
       estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
@@ -150,6 +172,9 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   }
   if (number > 0) {
     targets_->finish();
+  }
+  if (number > 0 && space_time_) {
+    space_time_->finish();
   }
   return number;
 }

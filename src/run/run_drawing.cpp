@@ -10,7 +10,7 @@
 #include "clca/scene/contact.hpp"
 #include "run/contact_record.hpp"
 #include "run/frame_choice.hpp"
-#include "run/overlay.hpp"
+#include "run/overlay_scales.hpp"
 
 namespace clca::run {
 
@@ -18,6 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Frame = store::Trajectory::Frame;
+
+// Names of scales; that of velocities is their unit.
+constexpr const char* kDisplacement = "displacement";
+constexpr const char* kForce = "force";
 
 /// The scene, if the run can be drawn.
 const scene::Scene& drawable(const RunToDraw& run) {
@@ -32,7 +36,7 @@ const scene::Scene& drawable(const RunToDraw& run) {
   if (scene.output.frames->overlay == scene::Overlay::arrows) {
     throw RedrawError(fmt::format(
         "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
-        "with the overlay none or forces",
+        "with the overlay none, forces or velocity",
         scene.output.frames->location));
   }
   const auto& trajectory = scene.output.trajectory;
@@ -104,55 +108,86 @@ RunDrawing::Scale RunDrawing::scale() const {
     for (const std::size_t place : chosen_) {
       stages.insert(trajectory_.frames()[place].stage);
     }
+    double& end = scale[kDisplacement];
     for (const std::size_t stage : stages) {
       PictureHistory history;
-      run::begin_stage(history, scene_.stages[stage], state_at(first_frame(stage)));
-      scale.displacement = std::max(scale.displacement.value_or(0), history.displacement_scale);
+      run::begin_stage(history, scene_, scene_.stages[stage],
+                       trajectory_.state(first_frame(stage)));
+      end = std::max(end, history.displacement_scale);
     }
   }
+  const OverlayScales scales = overlay_scales(scene_);
   if (scene_.model == scene::Model::contact) {
-    scale.force = strongest_force(scene_);
+    scale[kForce] = scales.strongest_force;
   }
+  scale[scales.velocity_unit.several] = scales.highest_velocity;
   return scale;
 }
 
 void RunDrawing::set_scale(const Scale& scale) {
   scene::Frames& frames = *scene_.output.frames;
   if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
-    frames.range = {0, *scale.displacement};
+    frames.range = {0, scale.at(kDisplacement)};
   }
   if (scene_.model == scene::Model::contact) {
-    frames.force_scale = scale.force;
+    frames.force_scale = scale.at(kForce);
   }
+  frames.velocity_scale = scale.at(overlay_scales(scene_).velocity_unit.several);
 }
 
 CapturedFrame RunDrawing::capture(std::size_t number) {
-  const std::size_t place = chosen_[number];
-  begin_stage(trajectory_.frames()[place].stage);
-  const grains::State state = trajectory_.state(place);
-  const grains::Occupancy occupancy(state);
-  const bool has_forces = pictures_show_forces(scene_);
-  const std::vector<contact::Force> forces =
-      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
-  const View view = {.state = state,
-                     .occupancy = occupancy,
-                     .forces = has_forces ? &forces : nullptr,
-                     .angle = angle_after(vessels_[*stage_], state.step - stage_start_)};
-  return painter_->capture(view, history_);
+  std::optional<CapturedFrame> frame;
+  look_at(chosen_[number], [&](const View& view) { frame = painter_->capture(view, history_); });
+  return *std::move(frame);
+}
+
+std::vector<Frame> RunDrawing::latest_frames() const {
+  std::vector<Frame> result;
+  for (const std::size_t place : chosen_) {
+    result.push_back(trajectory_.frames()[latest(place)]);
+  }
+  return result;
+}
+
+void RunDrawing::add_to(SpaceTime& space_time, std::size_t number) {
+  look_at(latest(chosen_[number]),
+          [&](const View& view) { space_time.add(view, history_, number); });
 }
 
 std::uint64_t RunDrawing::step(std::size_t number) const {
   return trajectory_.frames()[chosen_[number]].step;
 }
 
-const Frame& RunDrawing::first_frame(std::size_t stage) const {
-  const std::vector<Frame>& frames = trajectory_.frames();
-  return *std::find_if(frames.begin(), frames.end(),
-                       [&](const Frame& frame) { return frame.stage == stage; });
+template <class Show>
+void RunDrawing::look_at(std::size_t place, Show show) {
+  begin_stage(trajectory_.frames()[place].stage);
+  if (shows_velocities(scene_)) {
+    begin_window(place);
+  }
+  const grains::State state = trajectory_.state(place);
+  const grains::Occupancy occupancy(state);
+  const bool has_forces = pictures_show_forces(scene_);
+  const std::vector<contact::Force> forces =
+      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
+  show({.state = state,
+        .occupancy = occupancy,
+        .forces = has_forces ? &forces : nullptr,
+        .angle = angle_after(vessels_[*stage_], state.step - stage_start_)});
 }
 
-grains::State RunDrawing::state_at(const Frame& frame) const {
-  return trajectory_.state(static_cast<std::size_t>(&frame - trajectory_.frames().data()));
+std::size_t RunDrawing::first_frame(std::size_t stage) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  const auto first = std::find_if(frames.begin(), frames.end(),
+                                  [&](const Frame& frame) { return frame.stage == stage; });
+  return static_cast<std::size_t>(std::distance(frames.begin(), first));
+}
+
+std::size_t RunDrawing::latest(std::size_t place) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  while (place + 1 < frames.size() && frames[place + 1].step == frames[place].step) {
+    ++place;
+  }
+  return place;
 }
 
 void RunDrawing::begin_stage(std::size_t stage) {
@@ -160,9 +195,20 @@ void RunDrawing::begin_stage(std::size_t stage) {
     return;
   }
   stage_ = stage;
-  const Frame& first = first_frame(stage);
-  stage_start_ = first.step;
-  run::begin_stage(history_, scene_.stages[stage], state_at(first));
+  const std::size_t first = first_frame(stage);
+  stage_start_ = trajectory_.frames()[first].step;
+  run::begin_stage(history_, scene_, scene_.stages[stage], trajectory_.state(first));
+}
+
+void RunDrawing::begin_window(std::size_t place) {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  std::size_t before = first_frame(frames[place].stage);
+  for (const std::size_t picture : frame_choice(frames, scene_.output.frames->every)) {
+    if (picture < place) {
+      before = std::max(before, picture);
+    }
+  }
+  run::begin_window(history_, scene_, trajectory_.state(before));
 }
 
 }  // namespace clca::run

@@ -2,6 +2,7 @@
 // The pictures of one run, from its trajectory.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "clca/run/redraw.hpp"
 #include "clca/store/trajectory.hpp"
 #include "run/frame_painter.hpp"
+#include "run/space_time.hpp"
 
 namespace clca::run {
 
@@ -19,12 +21,10 @@ class RunDrawing {
   /// store::StoreError.
   RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes);
 
-  /// Ends of the scales of its pictures; none where they show no such values.
-  struct Scale {
-    std::optional<double> displacement;  ///< lattice spacings
-    std::optional<double> force;         ///< grain weights
-  };
+  /// Ends of the scales of its pictures, by what they show and its unit.
+  using Scale = std::map<std::string, double>;
   Scale scale() const;
+  /// `scale`: has at least the names of scale().
   void set_scale(const Scale& scale);
   /// Of the folder, such as `gate-15`.
   const std::string& name() const { return name_; }
@@ -36,15 +36,26 @@ class RunDrawing {
   /// `number`: of the picture.
   CapturedFrame capture(std::size_t number);
 
+  /// Those of the pictures; where a stage ends with one, the frame at the beginning of the next.
+  std::vector<store::Trajectory::Frame> latest_frames() const;
+  /// Adds that frame of a picture.
+  void add_to(SpaceTime& space_time, std::size_t number);
+
   const scene::Scene& scene() const { return scene_; }
   FramePainter& painter() { return *painter_; }
   std::size_t pictures() const { return chosen_.size(); }
   std::uint64_t step(std::size_t number) const;
 
  private:
-  const store::Trajectory::Frame& first_frame(std::size_t stage) const;
-  grains::State state_at(const store::Trajectory::Frame& frame) const;
+  std::size_t first_frame(std::size_t stage) const;
+  /// The last frame of the same step.
+  std::size_t latest(std::size_t place) const;
   void begin_stage(std::size_t stage);
+  /// Begins the window of velocities with the picture before, drawn or not, as the run does.
+  void begin_window(std::size_t place);
+  /// Calls `show` with the view of a frame.
+  template <class Show>
+  void look_at(std::size_t place, Show show);
 
   std::string name_;
   scene::Scene scene_;

@@ -155,7 +155,12 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   if (parts.outputs.probes && !parts.outputs.probes->precedes(grains)) {
     throw reflection::Mismatch("its probes are of another run");
   }
-  const std::string& pictured = parts.outputs.pictures.stage;
+  const PictureHistory& pictures = parts.outputs.pictures;
+  if (shows_velocities(scene) != pictures.window.has_value() ||
+      (pictures.window && !pictures.window->precedes(grains))) {
+    throw reflection::Mismatch("its velocities are of another run");
+  }
+  const std::string& pictured = pictures.stage;
   if (!pictured.empty() && pictured != scene.stages[parts.course.stage].name) {
     throw reflection::Mismatch("its pictures are of another stage");
   }

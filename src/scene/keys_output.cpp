@@ -53,6 +53,12 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
                      "that turns or shakes the vessel",
                      fields.path("overlay")));
   }
+  if (const double side = std::max(scene.box.width, scene.box.height);
+      frames.velocity_cell > side) {
+    fail(fields.at("velocity_cell").location,
+         fmt::format("{}: expected 1 to {:g}, the longer side of the box, found {:g}",
+                     fields.path("velocity_cell"), side, *frames.velocity_cell));
+  }
 }
 
 Type<Frames> frames_type() {
@@ -91,9 +97,16 @@ Type<Frames> frames_type() {
                 "at twice it")
                 .of(Model::contact)
                 .defaults_to("from the fall height"),
+            key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
+                "side of the cells of `overlay: velocity` in lattice spacings")
+                .defaults_to("from grains and view"),
+            key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
+                "the speed drawn as the longest arrow, as wide as a cell: spacings per step, or "
+                "with `model: contact` m/s (√(spacing·gravity) without `units`)")
+                .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),
-                "what is drawn over the particles: forces between them, or arrows from cycle to "
-                "cycle")},
+                "what is drawn over the particles: forces between them, arrows from cycle to "
+                "cycle, or the mean velocity since the last picture")},
        .check = check_frames});
 }
 

@@ -56,7 +56,8 @@ inline constexpr int kMaxLayers = 256;
 inline constexpr int kMaxSupersampling = 4;
 inline constexpr double kMaxCellSide = 1000;
 inline constexpr double kMaxForceScale = 1e9;  ///< grain weights
-inline constexpr double kMaxWait = 1e9;        ///< seconds
+inline constexpr double kMaxVelocityScale = 1e9;
+inline constexpr double kMaxWait = 1e9;  ///< seconds
 
 // Of the contact model.
 inline constexpr double kMaxContactFriction = 1e9;  ///< of rolling, too

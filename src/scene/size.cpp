@@ -39,6 +39,9 @@ constexpr double kContactRowBytes = 6 * 4 * 72;
 // Sums of forces over a window, of four contacts a grain: two blocks and their total, each sum with
 // its place in a map.
 constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 48);
+// Of pictures with velocities, for each particle: its centre at the last picture, as it is copied
+// and saved, and its displacement.
+constexpr double kVelocityBytes = 3 * sizeof(std::optional<Eigen::Vector2d>) + 48;
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
@@ -231,6 +234,9 @@ Size size_of(const Scene& scene) {
                  picture_bytes(scene.output) + trajectory_bytes(scene, particles);
   if (scene.model == Model::contact) {
     bytes += kForceWindowBytes * force_windows(scene) * particles;
+  }
+  if (scene.output.frames && scene.output.frames->overlay == Overlay::velocity) {
+    bytes += kVelocityBytes * particles;
   }
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);

@@ -233,6 +233,47 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   expect_refused(render({"run", "--fps", "0"}), 2, HasSubstr("--fps"));
 }
 
+TEST_F(RenderCommandTest, APictureOverTimeNeedsNoOtherPictures) {
+  for (const std::vector<std::string>& what : {std::vector<std::string>{"--surface"},
+                                               {"--column", "12.5"},
+                                               {"--column", "12.5", "--slit", "4"}}) {
+    std::vector<std::string> arguments = {"run", "--space-time", "a.png", "--every", "2"};
+    arguments.insert(arguments.end(), what.begin(), what.end());
+    const auto result = render(arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.out, EndsWith("pictures drawn\na.png\n"));
+    const image::DecodedPng png = image::decode_png(testing::bytes_of(path("a.png")));
+    EXPECT_EQ(png.image.width, 320);
+    EXPECT_EQ(png.image.height, 240);
+    EXPECT_EQ(png.text.at("Title"), "Small");
+  }
+  EXPECT_FALSE(fs::exists(path("run/render")));
+}
+
+TEST_F(RenderCommandTest, OptionsOfAPictureOverTimeGoTogether) {
+  const std::string either = "give --column X or --surface";
+  expect_refused(render({"run", "--space-time", "a.png"}), 2, HasSubstr(either));
+  expect_refused(render({"run", "--space-time", "a.png", "--surface", "--column", "3"}), 2,
+                 HasSubstr(either));
+  for (const std::vector<std::string>& alone : {std::vector<std::string>{"run", "--column", "3"},
+                                                {"run", "--surface"},
+                                                {"run", "--slit", "3"}}) {
+    expect_refused(render(alone), 2, HasSubstr("need --space-time FILE.png"));
+  }
+  expect_refused(render({"run", "--space-time", "a.png", "--surface", "--slit", "3"}), 2,
+                 HasSubstr("--slit needs --column"));
+  expect_refused(render({"run", "--space-time", "a.png", "--column", "nan"}), 2,
+                 HasSubstr("--column"));
+  expect_refused(render({"run", "--space-time", "a.png", "--column", "61"}), 2,
+                 HasSubstr("beyond the box"));
+  expect_refused(render({"run", "--space-time", "a.jpg", "--surface"}), 2,
+                 HasSubstr("ends in .png"));
+  expect_refused(render({"run", "--space-time", "a.png", "--surface", "--sheet", "./a.png"}), 2,
+                 HasSubstr("both contact sheet and picture over time"));
+  expect_refused(render({"run", "--space-time", "no/a.png", "--surface"}), 1,
+                 HasSubstr("cannot write no/a.png"));
+}
+
 TEST_F(RenderCommandTest, SettingsAreThoseOfTheSceneFormat) {
   expect_refused(render({"run", "--color-by", "mood"}), 2,
                  HasSubstr("--set output.frames.color_by=mood"));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@
 #include "clca/render/coloring.hpp"
 #include "clca/render/compare.hpp"
 #include "clca/render/painter.hpp"
+#include "clca/run/redraw.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
@@ -126,6 +128,10 @@ std::vector<GoldenCase> golden_cases() {
       {"convection-arrows",
        "convection",
        {"stages.shaking.until.cycles=60", "output.frames.width=400", "output.frames.height=450"}},
+      {"velocity-arrows",
+       "silo-discharge",
+       {"stages.discharge.until={steps: 200}", "output.frames.overlay=velocity",
+        "output.frames.every=20", "output.frames.width=360", "output.frames.height=640"}},
       {"segregation",
        "segregation",
        {"stages.tapping.until.cycles=100", "output.frames.width=240", "output.frames.height=560"}},
@@ -146,6 +152,27 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Golden, ::testing::ValuesIn(golden_cases()),
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+/// A picture over time of a silo that runs out.
+image::Image over_time(std::optional<double> column) {
+  const testing::ScratchFolder folder;
+  const fs::path file = folder.path() / "over-time.png";
+  const scene::Scene scene = scene::parse_file(
+      fs::path(CLCA_SOURCE_DIR) / "scenes" / "silo-discharge.yaml",
+      {"stages.discharge.until={steps: 400}", "output.series=none", "output.trajectory={every: 6}",
+       "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
+       "layers: 5, view: [-5, 0, 110, 220]}"});
+  run::run(scene, {.folder = folder.path() / "run", .last_picture_only = true});
+  run::Redraw(scene, {.run = folder.path() / "run",
+                      .space_time = run::SpaceTimeOptions{.file = file, .column = column}})
+      .draw();
+  return image::decode_png(testing::bytes_of(file)).image;
+}
+
+TEST(GoldenOverTime, AColumnAndTheSurfaceAreAsBlessed) {
+  compare_or_bless("space-time-column", over_time(52), true);
+  compare_or_bless("space-time-surface", over_time({}), true);
+}
 
 /// The state with some small particle, that has room above, one spacing higher.
 grains::State with_one_lifted(const grains::State& state) {

@@ -46,8 +46,16 @@ struct Legend {
   bool operator==(const Legend&) const = default;
 };
 
-/// The legend of two pictures: what both have and what one has. None where their lines or colour
-/// bars differ by more than the marks.
+struct ShownWalls {
+  bool standing = false;
+  bool moving = false;
+};
+
+/// Adds entries of the walls that a picture shows.
+void add_walls(Legend& legend, const ShownWalls& walls);
+
+/// The legend of two pictures: what both have and what one has. None where colour bars differ by
+/// more than the marks, or lines by more than further ones at the end.
 std::optional<Legend> common_legend(const Legend& first, const Legend& second);
 
 }  // namespace clca::render

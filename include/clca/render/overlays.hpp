@@ -31,10 +31,19 @@ struct FieldArrow {
 };
 
 /// Arrows centred in cells `cell` spacings wide; one of length `longest` spans 0.9 cells. Weak
-/// arrows are paler.
+/// arrows are paler; longer ones are cut and have the colour of cut_arrow_key().
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double longest);
 
+/// What a number of a unit is followed by: `spacing` and `spacings`.
+struct UnitName {
+  std::string one;
+  std::string several;
+};
+
 /// Legend entry of an arrow field: a round length up to `longest`, labelled with `unit`.
-Legend::Line arrow_key(double cell, double longest, const std::string& unit);
+Legend::Line arrow_key(double cell, double longest, const UnitName& unit);
+
+/// Legend entry of the arrows that are cut.
+Legend::Line cut_arrow_key(double cell, std::string label);
 
 }  // namespace clca::render

@@ -1,5 +1,6 @@
 #pragma once
-// Draws runs from their trajectories without simulating: pictures, a movie, a contact sheet.
+// Draws runs from their trajectories without simulating: pictures, a movie, a contact sheet, a line
+// over time.
 
 #include <atomic>
 #include <chrono>
@@ -34,13 +35,21 @@ struct RunToDraw {
   std::optional<store::OutputFolder> pictures = {};  ///< for pictures one by one
 };
 
+/// A picture over time.
+struct SpaceTimeOptions {
+  std::filesystem::path file = {};    ///< a PNG file
+  std::optional<double> column = {};  ///< x, lattice spacings; none: the free surface
+  double slit = 1;                    ///< width around it, lattice spacings
+};
+
 struct RedrawOptions {
-  bool pdf = false;                  ///< pictures one by one, else PNG
-  std::filesystem::path movie = {};  ///< see render::movie_format; empty: none
-  int frames_per_second = 25;        ///< of the movie
-  std::filesystem::path sheet = {};  ///< a PNG file; empty: none
-  int columns = 4;                   ///< of the sheet of one run
-  std::uint64_t from = 0;            ///< first step
+  bool pdf = false;                                 ///< pictures one by one, else PNG
+  std::filesystem::path movie = {};                 ///< see render::movie_format; empty: none
+  int frames_per_second = 25;                       ///< of the movie
+  std::filesystem::path sheet = {};                 ///< a PNG file; empty: none
+  int columns = 4;                                  ///< of the sheet of one run
+  std::optional<SpaceTimeOptions> space_time = {};  ///< of one run only
+  std::uint64_t from = 0;                           ///< first step
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
   double max_bytes = std::numeric_limits<double>::infinity();  ///< of memory, for all trajectories
   /// Checked before each picture: if not zero, drawing ends and the files are completed with what

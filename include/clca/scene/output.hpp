@@ -66,6 +66,10 @@ struct Frames {
   bool upright = false;  ///< of Model::contact: turned as the vessel is
   /// Contact model: force of the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};
+  /// Side of a cell of Overlay::velocity; none: from grains and view.
+  std::optional<double> velocity_cell = {};
+  /// Speed of the longest arrow, in the unit of velocity of the tables; none: from the model.
+  std::optional<double> velocity_scale = {};
   Overlay overlay = Overlay::none;  ///< drawn over the particles
   FileReference location;           ///< FILE:LINE:COLUMN, for messages
 

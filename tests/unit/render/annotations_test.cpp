@@ -266,5 +266,16 @@ TEST(CommonLegend, HasWhatBothHaveAndWhatOneHas) {
   EXPECT_FALSE(common_legend(first, second));
 }
 
+TEST(CommonLegend, HasFurtherLinesOfOneAndNoneWhereLinesDiffer) {
+  Legend first;
+  first.lines = {{.label = "0.5 m/s"}};
+  Legend second = first;
+  second.lines.push_back({.label = "above 0.5"});
+  EXPECT_EQ(common_legend(first, second), second);
+  EXPECT_EQ(common_legend(second, first), second);
+  second.lines[0].label = "2 m/s";
+  EXPECT_FALSE(common_legend(first, second));
+}
+
 }  // namespace
 }  // namespace clca::render

@@ -69,11 +69,26 @@ TEST(ArrowField, TakesNoMotionAndNoNumbers) {
 }
 
 TEST(ArrowField, KeyIsARoundLengthToTheSameScale) {
-  const Legend::Line key = arrow_key(5, 0.61, "spacings per cycle");
+  const UnitName unit = {"spacing per cycle", "spacings per cycle"};
+  const Legend::Line key = arrow_key(5, 0.61, unit);
   EXPECT_EQ(key.label, "0.5 spacings per cycle");
   EXPECT_NEAR(key.length, 0.9 * 5 * 0.5 / 0.61, 1e-12);
   EXPECT_TRUE(key.arrow);
-  EXPECT_EQ(arrow_key(5, 0, "spacings").label, "0 spacings");
+  EXPECT_EQ(arrow_key(5, 0, unit).label, "0 spacings per cycle");
+  EXPECT_EQ(arrow_key(5, 1.5, unit).label, "1 spacing per cycle");
+}
+
+TEST(ArrowField, CutsArrowsThatAreTooLongAndSaysSoByTheirColour) {
+  const std::vector<FieldArrow> arrows = {{{10, 20}, {0.6, 0}}, {{30, 20}, {0, 5}}};
+  const Overlay overlay = arrow_field(arrows, 5, 0.6);
+  const Stroke& whole = overlay.strokes[0];
+  const Stroke& cut = overlay.strokes[1];
+  EXPECT_NEAR((whole.to - whole.from).norm(), 0.9 * 5, 1e-12);
+  EXPECT_NEAR((cut.to - cut.from).norm(), 0.9 * 5, 1e-12);
+  EXPECT_NE(whole.color, cut.color);
+  const Legend::Line key = cut_arrow_key(5, "above 0.6");
+  EXPECT_EQ(key.color, cut.color);
+  EXPECT_NEAR(key.length, 0.9 * 5, 1e-12);
 }
 
 class LegendLine : public testing::Test {

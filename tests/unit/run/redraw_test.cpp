@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
+#include "clca/render/coloring.hpp"
 #include "clca/render/compare.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
@@ -107,6 +109,24 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForces) {
   expect_same_pictures(kPushed, {"output.frames.overlay=forces", "output.frames.drawing=lookup"});
 }
 
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfVelocities) {
+  expect_same_pictures(kDrained, {"output.frames.overlay=velocity"});
+  expect_same_pictures(kPushed, {"output.frames.overlay=velocity", "box.periodic=true",
+                                 "output.frames.velocity_scale=0.01"});
+}
+
+TEST_F(RedrawTest, VelocitiesAreThoseSinceThePictureBeforeEvenIfItIsNotDrawn) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.overlay=velocity"});
+  const fs::path run = folder_.path() / "run";
+  const fs::path some = folder_.path() / "some";
+  const std::uint64_t steps = testing::run_and_store(scene, run, 5).steps;
+  Redraw({{scene, run, store::OutputFolder(some)}}, {.from = steps - 15}).draw();
+  ASSERT_EQ(names(some).size(), 2U);
+  for (const std::string& name : names(some)) {
+    EXPECT_EQ(testing::bytes_of(some / name), testing::bytes_of(run / "frames" / name)) << name;
+  }
+}
+
 /// With a wall that is removed and an outlet, so that grains of contacts leave.
 const std::string kContacts = R"(clca: 1
 model: contact
@@ -125,8 +145,8 @@ output:
   trajectory: {every: 10, contacts: true}
 )";
 
-TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfForcesOfTheContactModel) {
-  for (const char* key : {"color_by=force", "overlay=forces"}) {
+TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
+  for (const char* key : {"color_by=force", "overlay=forces", "overlay=velocity"}) {
     const testing::ScratchFolder scratch;
     const fs::path folder = scratch.path() / "run";
     const fs::path again = scratch.path() / "again";
@@ -188,6 +208,90 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   EXPECT_LT(png.image.height,
             6 * (672 + 100) + 200);  // a view is at most 1.4 times as high as wide
   EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
+}
+
+/// A column of grains that falls, and lies on the floor from some step on.
+const std::string kFalling = R"(clca: 1
+box: {width: 20, height: 60}
+species: {grain: {shape: {hexagon: 1}, color: "#102030"}}
+walls: {table: {box: [0, 8, 20, 9]}}
+stages:
+  - {name: fall, fill: {region: [5, 40, 14, 60], counts: {grain: 6}}, until: {steps: 60}}
+  - {name: again, remove: [table], until: {steps: 40}}
+output: {frames: {width: 100, height: 60, caption: false}, trajectory: {every: 7}}
+)";
+
+TEST_F(RedrawTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
+  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
+  const fs::path run = folder_.path() / "run";
+  run::run(scene, {.folder = run});
+  const fs::path file = folder_.path() / "column.png";
+  const SpaceTimeOptions options = {.file = file, .column = 10, .slit = 20};
+  EXPECT_GT(Redraw({{scene, run}}, {.space_time = options}).draw(), 10U);
+  const image::Image image = image::decode_png(testing::bytes_of(file)).image;
+  ASSERT_EQ(image.width, 100);  // a pixel a step
+  const auto same = [&](int one, int other) {
+    for (int y = 0; y < image.height; ++y) {
+      if (image.at(one, y) != image.at(other, y)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (int x = 0; x < 56; ++x) {
+    EXPECT_TRUE(same(x, x / 7 * 7)) << x;
+  }
+  EXPECT_FALSE(same(0, 7));
+  EXPECT_FALSE(same(7, 14));
+  // The table stands until it is removed at step 60. The picture shows y = -0.5 to 61.
+  const int table = image.height - 1 - static_cast<int>((8.2 + 0.5) / 61.5 * image.height);
+  EXPECT_EQ(image.at(57, table), image.at(0, table));
+  EXPECT_NE(image.at(63, table), image.at(0, table));
+}
+
+TEST_F(RedrawTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
+  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
+  const fs::path run = folder_.path() / "run";
+  run::run(scene, {.folder = run});
+  const fs::path file = folder_.path() / "surface.png";
+  Redraw({{scene, run}}, {.space_time = SpaceTimeOptions{.file = file}}).draw();
+  const image::Image image = image::decode_png(testing::bytes_of(file)).image;
+  const image::Rgb white = {255, 255, 255};
+  EXPECT_EQ(image.at(0, 0), white);
+  EXPECT_EQ(image.at(0, image.height - 1), white);
+  EXPECT_GT(std::count(image.pixels.begin(), image.pixels.end(), render::map_color(1)), 0);
+}
+
+TEST_F(RedrawTest, WhatCannotBeShownOverTimeIsRefused) {
+  const scene::Scene scene = parse(kFalling);
+  const fs::path run = folder_.path() / "run";
+  run::run(scene, {.folder = run});
+  const auto refusal = [&](const SpaceTimeOptions& options, const std::vector<std::string>& keys,
+                           std::uint64_t to = 100) {
+    try {
+      const Redraw none({{parse(kFalling, keys), run}}, {.space_time = options, .to = to});
+    } catch (const RedrawError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const fs::path file = folder_.path() / "a.png";
+  EXPECT_EQ(refusal({.file = file, .column = 10}, {}), "");
+  EXPECT_THAT(refusal({.file = folder_.path() / "a.pdf", .column = 10}, {}),
+              HasSubstr("a.pdf: a picture over time ends in .png"));
+  EXPECT_THAT(refusal({.file = file, .column = 21}, {}),
+              HasSubstr("the column at x = 21 reaches beyond the box in view"));
+  EXPECT_THAT(refusal({.file = file, .column = 10, .slit = 30}, {}),
+              HasSubstr("expected a slit above 0 and up to"));
+  EXPECT_THAT(refusal({.file = file, .column = 1, .slit = 10}, {}), HasSubstr("beyond the box"));
+  EXPECT_THAT(refusal({.file = file, .column = 10}, {}, 0), HasSubstr("needs frames of two steps"));
+  EXPECT_THAT(refusal({.file = file, .column = 10}, {"output.frames.view=[30, 0, 40, 10]"}),
+              HasSubstr("shows nothing of the box"));
+  EXPECT_THAT(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}),
+              HasSubstr("another colour bar in each stage"));
+  EXPECT_EQ(refusal({.file = file}, {"output.frames.color_by=displacement"}), "");
+  EXPECT_EQ(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}, 50), "");
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {

@@ -156,6 +156,20 @@ TEST_F(ResumeTest, ItGoesOnWithTheFrictionOfItsStage) {
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
 }
 
+TEST_F(ResumeTest, VelocitiesInPicturesAreMeansFromBeforeTheStop) {
+  for (const char* model : {"automaton", "contact"}) {
+    const auto scene = small({std::string("model=") + model, "output.frames.overlay=velocity"});
+    const fs::path unbroken = folder_.path() / model;
+    run(scene, {.folder = unbroken});
+    std::atomic<int> stop = 0;
+    run(scene, {.folder = path(), .stop = &stop},
+        {.progress = [&](const Progress& now) { stop = now.step >= 16 ? 2 : 0; },
+         .progress_interval = {}});
+    EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
+    EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
+  }
+}
+
 TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
   const std::atomic<int> stop = 2;
   run(small({"output.checkpoint=none"}), {.folder = path(), .stop = &stop});
@@ -261,6 +275,21 @@ TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
   run(small(), {.folder = path()});
   EXPECT_THAT([&] { load_run(path(), kMuch, "sometime"); },
               ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("until")));
+}
+
+TEST_F(ResumeTest, ACheckpointWithoutTheVelocitiesThatItsPicturesShowIsRefused) {
+  run(small({"output.frames.overlay=velocity"}), {.folder = path()});
+  fs::remove(path() / "run.json");
+  change([](store::Checkpoint& checkpoint) {
+    for (auto& [name, column] : checkpoint.fields) {
+      if (name.starts_with("outputs/pictures/window")) {
+        std::visit([](auto& numbers) { std::fill(numbers.begin(), numbers.end(), 0); }, column);
+      }
+    }
+    std::get<std::vector<std::uint64_t>>(checkpoint.fields.at("outputs/pictures/window/size")) = {
+        0};
+  });
+  EXPECT_THAT(why_not(), HasSubstr("checkpoint is not of this run"));
 }
 
 // Contents that no run has saved, under a right checksum.

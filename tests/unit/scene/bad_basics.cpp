@@ -198,7 +198,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
      "width, height, color_by, range, layers, view, drawing, supersampling, caption, upright, "
-     "force_scale, overlay); "
+     "force_scale, velocity_cell, velocity_scale, overlay); "
      "did you "
      "mean "
      "'color_by'?"},
@@ -234,8 +234,19 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "colour bar",
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
-     "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, found "
-     "'force'; did you mean 'forces'?"},
+     "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, "
+     "velocity, found 'force'; did you mean 'forces'?"},
+    {"a velocity of nothing as the longest arrow", "output: {frames: {velocity_scale: 0}}",
+     "scene.yaml:12:35: error: output.frames.velocity_scale: expected a number above 0 and up to "
+     "1000000000, found '0'"},
+    {"arrows smaller than sites", "output: {frames: {velocity_cell: 0.5}}",
+     "scene.yaml:12:34: error: output.frames.velocity_cell: expected a number from 1 to 1000, "
+     "found "
+     "'0.5'"},
+    {"one arrow for more than the box", "output: {frames: {velocity_cell: 500}}",
+     "scene.yaml:12:34: error: output.frames.velocity_cell: expected 1 to 100, the longer side of "
+     "the box, found 500",
+     Judge::parser},
     {"cells of nothing", "output: {fields: {cell: 0.5}}",
      "scene.yaml:12:25: error: output.fields.cell: expected a number from 1 to 1000, found '0.5'"},
     {"fields every 0 steps", "output: {fields: {every: 0}}",

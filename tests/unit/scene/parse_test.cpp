@@ -201,21 +201,16 @@ TEST(Parse, ReadsMeasuresAndOutput) {
       "  series: {every: 3}\n"
       "  trajectory: {every: 7}");
   EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
-  EXPECT_EQ(scene.output.frames, (Frames{5,
-                                         640,
-                                         480,
-                                         ColorBy::stage_layer,
-                                         {},
-                                         4,
-                                         lattice::Rectangle{-5, 0, 50, 40},
-                                         Drawing::lookup,
-                                         4,
-                                         false,
-                                         PictureStyle::screen,
-                                         false,
-                                         {},
-                                         Overlay::none,
-                                         {}}));
+  EXPECT_EQ(scene.output.frames, (Frames{.every = 5,
+                                         .width = 640,
+                                         .height = 480,
+                                         .color_by = ColorBy::stage_layer,
+                                         .layers = 4,
+                                         .view = lattice::Rectangle{-5, 0, 50, 40},
+                                         .drawing = Drawing::lookup,
+                                         .supersampling = 4,
+                                         .caption = false,
+                                         .location = {}}));
   EXPECT_EQ(scene.output.series, Series{3});
   EXPECT_EQ(scene.output.trajectory, TrajectoryOutput{7});
 }

@@ -173,6 +173,12 @@ TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
       least + 500'000.0 * 9 * 8);
 }
 
+TEST(SizeOf, CountsThePlacesThatPicturesOfVelocitiesRemember) {
+  const Size plain = size_of(scene_with("output: {frames: {}}"));
+  const Size velocities = size_of(scene_with("output: {frames: {overlay: velocity}}"));
+  EXPECT_GE(velocities.bytes, plain.bytes + 96.0 * static_cast<double>(plain.particles));
+}
+
 TEST(SizeOf, HoldsForTheLargestBox) {
   const Size size = size_of(scene_with("box: {width: 866025, height: 1000000}"));
   EXPECT_EQ(size.columns, 1'000'000);
