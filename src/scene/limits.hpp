@@ -55,6 +55,8 @@ inline constexpr int kMaxPixels = 65'536;
 inline constexpr int kMaxLayers = 256;
 inline constexpr int kMaxSupersampling = 4;
 inline constexpr double kMaxCellSide = 1000;
+inline constexpr int kMaxLineParts = 1000;
+inline constexpr double kMinLineLength = 1;    ///< lattice spacings
 inline constexpr double kMaxForceScale = 1e9;  ///< grain weights
 inline constexpr double kMaxWait = 1e9;        ///< seconds
 
