@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPointsPerSpacing = 4;  // so that a part has its share of each site it cuts
 constexpr double kMaxPoints = 256;       // of a part
+constexpr double kRounding = 1e-9;       // of a position, spacings: the ends may lie on a column
 
 /// A sum over one block that is a mean once divided by its weight.
 struct Weighted {
@@ -143,10 +144,10 @@ std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
   }
   const double share = start.x() / (start.x() - end.x());
   const double position = start.y() + share * (end.y() - start.y());
-  if (position < 0 || position >= length_) {
+  if (position < -kRounding || position >= length_ - kRounding) {
     return std::nullopt;
   }
-  return Crossing{.position = position, .to_right = end.x() > 0};
+  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > 0};
 }
 
 void Line::observe(const Snapshot& before, const grains::State& now,

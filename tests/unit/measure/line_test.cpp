@@ -105,6 +105,10 @@ TEST(Line, FollowsAPathAcrossThePeriodicBoundary) {
   const double width = now.lattice.size().x();
   EXPECT_NEAR(passed(seen(level(now, 0, 5), before, now), 5), 1, 1e-12);
   EXPECT_EQ(passed(seen(level(now, 5, width), before, now), width - 5), 0);
+  State round = box_of({{60, 6}}, Shape::hexagon(0), true);  // in column 0, where the line starts
+  const State start = round;
+  round.particles[0].row = 4;
+  EXPECT_NEAR(passed(seen(level(now, 0, width), start, round), width), 1, 1e-12);
   now.particles[0].column = 18 + 40;  // twice around
   now.particles[0].row = 6;
   const Line up(now.lattice, {4.2, 5}, {4.2, 15}, 1);

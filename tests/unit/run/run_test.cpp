@@ -237,12 +237,11 @@ TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
 }
 
 TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
-  for (const char* model : {"automaton", "contact"}) {
+  for (const char* kind : {"model=automaton", "model=contact", "box.periodic=true"}) {
     const testing::ScratchFolder folder;
     run(small_scene(
-            {fmt::format("model={}", model), "output={series: {every: 7}}", "walls={}",
-             "species.rod.shape={disc: 2}", "species.rod.orientations=[0]",
-             "outlets={all: {region: [0, 0, 60, 15]}}",
+            {kind, "output={series: {every: 7}}", "walls={}", "species.rod.shape={disc: 2}",
+             "species.rod.orientations=[0]", "outlets={all: {region: [0, 0, 60, 15]}}",
              "lines={line: {from: [0, 20], to: [60, 20], parts: 7}, side: {from: [1, 50], "
              "to: [1, 15]}}",
              "stages=[{name: fall, fill: {region: [0, 30, 30, 60], counts: {small: 20, rod: "
@@ -260,7 +259,7 @@ TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
     const double passed = std::accumulate(flux.begin(), flux.begin() + 7, 0.0) * 2000 * 60 / 7;
     EXPECT_NEAR(passed,
                 testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 1e-9)
-        << model;
+        << kind;
     EXPECT_GT(table.numbers("v_across")[0], 0);
   }
 }
