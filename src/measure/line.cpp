@@ -108,7 +108,7 @@ bool LineSums::fit(std::size_t parts) const {
                      [=](const LineBlock& block) { return block.parts.size() == parts; });
 }
 
-Line::Line(const lattice::Lattice& lattice, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
            std::size_t parts)
     : from_(from),
       direction_((to - from).normalized()),
@@ -124,10 +124,12 @@ Line::Line(const lattice::Lattice& lattice, const Eigen::Vector2d& from, const E
   for (std::size_t point = 0; point < parts * count; ++point) {
     const double position = distance * (static_cast<double>(point) + 0.5);
     const lattice::Site site = lattice::nearest_site(from_ + position * direction_);
-    if (lattice.contains(site)) {
-      points_[point / count].push_back(lattice.index(site));
+    if (state.lattice.contains(site)) {
+      points_[point / count].push_back(state.lattice.index(site));
     }
   }
+  std::transform(state.kinds.begin(), state.kinds.end(), std::back_inserter(reaches_),
+                 [](const grains::Kind& kind) { return reach(kind.shape); });
 }
 
 /// Components across and along the line.
@@ -188,9 +190,6 @@ void Line::add_covering(const grains::Occupancy& occupancy,
 }
 
 void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const {
-  std::vector<double> reaches;
-  std::transform(now.kinds.begin(), now.kinds.end(), std::back_inserter(reaches),
-                 [](const grains::Kind& kind) { return reach(kind.shape); });
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
     const std::optional<Eigen::Vector2d> from = before.start(now, id);
@@ -198,7 +197,7 @@ void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlo
       continue;
     }
     const Eigen::Vector2d to = grains::centre(now, particle);
-    const double radius = reaches[particle.kind];
+    const double radius = reaches_[particle.kind];
     const auto [low, high] = std::minmax({from->x(), to.x()});
     const auto [first, last] = images(low - radius, high + radius, now.lattice);
     for (int image = first; image <= last; ++image) {

@@ -7,20 +7,18 @@
 namespace clca::run {
 
 LineRecord::LineRecord(const scene::Scene& scene)
-    : every_(scene.output.series->every), conversion_(scene::conversion(scene)) {
-  const auto lattice =
-      lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
-  for (const scene::Line& line : scene.lines) {
-    names_.push_back(line.name);
-    lines_.emplace_back(lattice, line.from, line.to, static_cast<std::size_t>(line.parts));
-  }
-}
+    : every_(scene.output.series->every),
+      conversion_(scene::conversion(scene)),
+      scene_lines_(scene.lines) {}
 
 void LineRecord::begin_stage(const grains::State& state) {
   last_ = measure::Snapshot(state);
+  lines_.clear();
   sums_.clear();
-  for (const measure::Line& line : lines_) {
-    sums_.emplace_back(line.parts());
+  for (const scene::Line& line : scene_lines_) {
+    const auto parts = static_cast<std::size_t>(line.parts);
+    lines_.emplace_back(state, line.from, line.to, parts);
+    sums_.emplace_back(parts);
   }
 }
 
@@ -57,10 +55,10 @@ std::string LineRecord::csv() const {
   const double speed = conversion_ ? conversion_->velocity(1) : 1;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     for (const measure::LinePart& part : lines_[line].means(sums_[line])) {
-      table.add_row({names_[line], part.position, part.middle.x(), part.middle.y(), part.flux.value,
-                     part.flux.error, part.across.value * speed, part.across.error * speed,
-                     part.along.value * speed, part.along.error * speed, part.filling,
-                     part.particles});
+      table.add_row({scene_lines_[line].name, part.position, part.middle.x(), part.middle.y(),
+                     part.flux.value, part.flux.error, part.across.value * speed,
+                     part.across.error * speed, part.along.value * speed, part.along.error * speed,
+                     part.filling, part.particles});
     }
   }
   return table.to_csv();

@@ -44,9 +44,9 @@ class LineRecord {
 
   std::uint64_t every_;  // steps
   std::optional<scene::Conversion> conversion_;
-  std::vector<std::string> names_;
-  std::vector<measure::Line> lines_;
-  measure::Snapshot last_;  // at the last row
+  std::vector<scene::Line> scene_lines_;
+  std::vector<measure::Line> lines_;  // the same, of this stage
+  measure::Snapshot last_;            // at the last row
   std::vector<measure::LineSums> sums_;
 };
 

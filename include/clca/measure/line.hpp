@@ -99,8 +99,9 @@ struct LinePart {
 /// A line in a box, cut into parts of equal length. Its end does not belong to it.
 class Line {
  public:
-  /// Throws std::invalid_argument unless it has a length and at least one part.
-  Line(const lattice::Lattice& lattice, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+  /// In the box of the state, for particles of its kinds. Throws std::invalid_argument unless the
+  /// line has a length and at least one part.
+  Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
        std::size_t parts);
 
   /// Adds an observation: what is on the line now, and what has passed it since the snapshot. Each
@@ -136,6 +137,7 @@ class Line {
   Eigen::Vector2d right_;
   double length_;
   std::vector<std::vector<std::size_t>> points_;  // by part: indices of their sites
+  std::vector<double> reaches_;  // by kind: of its sites from the centre of mass, spacings
 };
 
 }  // namespace clca::measure

@@ -47,7 +47,7 @@ double passed(const std::vector<LinePart>& parts, double length, double steps = 
 
 /// From left to right at the height of 5.2, between the sites.
 Line level(const State& state, double from, double to, std::size_t parts = 1) {
-  return {state.lattice, {from, 5.2}, {to, 5.2}, parts};
+  return {state, {from, 5.2}, {to, 5.2}, parts};
 }
 
 TEST(Line, CountsSitesThatPassToTheRightLessThoseToTheLeft) {
@@ -61,7 +61,7 @@ TEST(Line, CountsSitesThatPassToTheRightLessThoseToTheLeft) {
   const auto parts = seen(level(now, 0, 15), before, now, 4);
   EXPECT_NEAR(passed(parts, 15, 4), 1, 1e-12);
   EXPECT_EQ(parts.front().particles, 3U) << "either way";
-  const Line back(now.lattice, {15, 5.2}, {0, 5.2}, 1);
+  const Line back(now, {15, 5.2}, {0, 5.2}, 1);
   EXPECT_NEAR(passed(seen(back, before, now), 15), -1, 1e-12);
 }
 
@@ -69,8 +69,8 @@ TEST(Line, FindsTheRightSideOfAnyDirection) {
   const State before = box_of({{4, 10}});
   State now = before;
   now.particles[0].column = 6;  // x from 3.46 to 5.20
-  const Line up(now.lattice, {4.2, 5}, {4.2, 15}, 1);
-  const Line slope(now.lattice, {0, 6}, {8, 14}, 1);  // x = y - 6
+  const Line up(now, {4.2, 5}, {4.2, 15}, 1);
+  const Line slope(now, {0, 6}, {8, 14}, 1);  // x = y - 6
   EXPECT_NEAR(passed(seen(up, before, now), 10), 1, 1e-12);
   EXPECT_NEAR(passed(seen(slope, before, now), std::sqrt(128)), 1, 1e-12);
   EXPECT_NEAR(seen(up, before, now, 2).front().flux.value, 1.0 / 20, 1e-12);
@@ -111,7 +111,7 @@ TEST(Line, FollowsAPathAcrossThePeriodicBoundary) {
   EXPECT_NEAR(passed(seen(level(now, 0, width), start, round), width), 1, 1e-12);
   now.particles[0].column = 18 + 40;  // twice around
   now.particles[0].row = 6;
-  const Line up(now.lattice, {4.2, 5}, {4.2, 15}, 1);
+  const Line up(now, {4.2, 5}, {4.2, 15}, 1);
   EXPECT_NEAR(passed(seen(up, before, now), 10), 2, 1e-12);
 }
 
@@ -209,8 +209,8 @@ TEST(LineMean, HasTheStandardErrorOfIndependentBlocks) {
 
 TEST(Line, RefusesWhatItCannotMeasure) {
   const State state = box_of({});
-  EXPECT_THROW(Line(state.lattice, {1, 1}, {1, 1}, 1), std::invalid_argument);
-  EXPECT_THROW(Line(state.lattice, {1, 1}, {5, 1}, 0), std::invalid_argument);
+  EXPECT_THROW(Line(state, {1, 1}, {1, 1}, 1), std::invalid_argument);
+  EXPECT_THROW(Line(state, {1, 1}, {5, 1}, 0), std::invalid_argument);
   EXPECT_THROW(seen(level(state, 0, 10), state, state, 0), std::invalid_argument);
   const State other{.lattice = lattice::Lattice(10, 20, false)};
   LineSums sums(1);
