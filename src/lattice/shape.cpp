@@ -71,6 +71,14 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
+Eigen::Vector2d mean_position(const std::vector<Axial>& sites) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Axial site : sites) {
+    sum += position(site);
+  }
+  return sum / static_cast<double>(sites.size());
+}
+
 constexpr int kMaxSiteCoordinate = 1'000'000;
 
 void check_reach(Axial site) {
@@ -132,6 +140,7 @@ Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
   if (encloses_hole(sites_)) {
     throw std::invalid_argument("the shape encloses a hole");
   }
+  centroid_ = mean_position(sites_);
 }
 
 Shape Shape::hexagon(int radius) {
@@ -220,14 +229,6 @@ bool Shape::is_hexagon() const {
   // Long shapes are told apart by their number of sites, before a large hexagon is built.
   return static_cast<double>(size()) == 3.0 * radius * (radius + 1.0) + 1 &&
          *this == hexagon(radius);
-}
-
-Eigen::Vector2d Shape::centroid() const {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const Axial site : sites_) {
-    sum += position(site);
-  }
-  return sum / static_cast<double>(sites_.size());
 }
 
 double Shape::diameter() const {

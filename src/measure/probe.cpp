@@ -59,11 +59,7 @@ double downward_flow(const Snapshot& before, const grains::State& now,
   double flow = 0;
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
-    grains::Particle entered = particle;
-    entered.column = now.origins[id].column;
-    entered.row = now.origins[id].row;
-    const std::optional<Eigen::Vector2d> from =
-        before.knows(id) ? before.centre(id) : grains::centre(now, entered);
+    const std::optional<Eigen::Vector2d> from = before.start(now, id);
     const Eigen::Vector2d to = grains::centre(now, particle);
     if (!from || (from->y() < middle) == (to.y() < middle)) {
       continue;

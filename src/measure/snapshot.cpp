@@ -43,10 +43,39 @@ bool Snapshot::precedes(const grains::State& now) const {
          std::all_of(centres_.begin(), centres_.end(), in_reach);
 }
 
-std::vector<Displacement> Snapshot::displacements(const grains::State& now) const {
+std::optional<Eigen::Vector2d> Snapshot::start(const grains::State& now, std::size_t id) const {
+  if (id < centres_.size()) {
+    return centres_[id];
+  }
+  grains::Particle entered = now.particles[id];
+  entered.column = now.origins[id].column;
+  entered.row = now.origins[id].row;
+  return grains::centre(now, entered);
+}
+
+void Snapshot::require_later(const grains::State& now) const {
   if (step_ > now.step || centres_.size() > now.particles.size()) {
     throw std::invalid_argument("a state is not one that followed the snapshot");
   }
+}
+
+std::vector<std::optional<Eigen::Vector2d>> Snapshot::velocities(const grains::State& now) const {
+  require_later(now);
+  std::vector<std::optional<Eigen::Vector2d>> result(now.particles.size());
+  if (step_ == now.step) {
+    return result;
+  }
+  const auto steps = static_cast<double>(now.step - step_);
+  for (std::size_t id = 0; id < centres_.size(); ++id) {
+    if (centres_[id] && now.particles[id].present) {
+      result[id] = (grains::centre(now, now.particles[id]) - *centres_[id]) / steps;
+    }
+  }
+  return result;
+}
+
+std::vector<Displacement> Snapshot::displacements(const grains::State& now) const {
+  require_later(now);
   std::vector<Displacement> result;
   result.reserve(centres_.size());
   for (std::size_t id = 0; id < centres_.size(); ++id) {

@@ -36,8 +36,8 @@ std::vector<std::string> Outputs::file_names() const {
                                     "trajectory/part-000000.h5",
                                     store::frame_path("", scene_.name, 0).string()};
   for (const scene::Stage& stage : scene_.stages) {
-    for (const char* kind : {"profile", "convection", "fluctuation", "contacts", "forces", "loads",
-                             "walls", "stress"}) {
+    for (const char* kind : {"profile", "convection", "fluctuation", "lines", "contacts", "forces",
+                             "loads", "walls", "stress"}) {
       names.push_back(store::table_name(kind, stage.name));
     }
   }
@@ -197,6 +197,9 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   }
   if (records.fields() && records.fields()->fluctuations().samples() > 0) {
     write("fluctuation", records.fields()->fluctuation_csv());
+  }
+  if (records.lines()) {
+    write("lines", records.lines()->csv());
   }
   if (requests(scene::Measure::force) && records.contacts()) {
     const std::vector<contact::Force> forces = records.contacts()->at_end(model);

@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* kCycles = "records/cycles";
 constexpr const char* kFields = "records/fields";
+constexpr const char* kLines = "records/lines";
 constexpr const char* kForces = "records/forces";
 constexpr const char* kContacts = "records/contacts";
 constexpr const char* kEnergy = "records/energy";
@@ -28,6 +29,9 @@ Records::Records(const scene::Scene& scene)
   if (scene.output.fields) {
     fields_.emplace(*scene.output.fields, scene::conversion(scene));
   }
+  if (!scene.lines.empty() && scene.output.series) {
+    lines_.emplace(scene);
+  }
   if (has_overlaps(scene)) {
     forces_.emplace(scene.output.contacts);
   }
@@ -41,6 +45,9 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
   cycles_.begin_stage(scene_, stage, model.state(), model.vessel());
   if (fields_) {
     fields_->begin_stage(stage.name, model.state());
+  }
+  if (lines_) {
+    lines_->begin_stage(model.state());
   }
   if (forces_) {
     forces_->begin_stage();
@@ -57,6 +64,9 @@ void Records::after_step(const scene::Stage& stage, const Model& model, const Mo
   if (fields_) {
     fields_->after_step(model.state());
   }
+  if (lines_) {
+    lines_->after_step(model);
+  }
   if (forces_) {
     forces_->after_step(model, steps_in_stage);
   }
@@ -70,6 +80,9 @@ void Records::save(reflection::Columns& columns) const {
   reflection::encode(kCycles, cycles_, columns);
   if (fields_) {
     reflection::encode(kFields, *fields_, columns);
+  }
+  if (lines_) {
+    reflection::encode(kLines, *lines_, columns);
   }
   if (forces_) {
     reflection::encode(kForces, *forces_, columns);
@@ -89,6 +102,10 @@ void Records::resume_stage(const scene::Stage& stage, const Model& model,
     fields_->begin_stage(stage.name, now);
     load(kFields, columns, max_bytes, *fields_, now);
   }
+  if (lines_) {
+    lines_->begin_stage(now);
+    load(kLines, columns, max_bytes, *lines_, now);
+  }
   if (forces_) {
     load(kForces, columns, max_bytes, *forces_, now);
   }
@@ -101,6 +118,9 @@ void Records::resume_stage(const scene::Stage& stage, const Model& model,
 void Records::end_stage(const Model& model) {
   if (fields_) {
     fields_->end_stage(model.state());
+  }
+  if (lines_) {
+    lines_->end_stage(model);
   }
   if (energy_) {
     energy_->end_stage(model);

@@ -10,6 +10,7 @@
 #include "run/energy_record.hpp"
 #include "run/field_record.hpp"
 #include "run/force_record.hpp"
+#include "run/line_record.hpp"
 #include "run/model.hpp"
 
 namespace clca::run {
@@ -25,6 +26,8 @@ class Records {
 
   const CycleRecord& cycles() const { return cycles_; }
   const std::optional<FieldRecord>& fields() const { return fields_; }
+  /// None without lines, or without the steps at which they are observed.
+  const std::optional<LineRecord>& lines() const { return lines_; }
   /// New rows of cycles.csv and, if requested, fields.csv.
   store::Table& cycle_rows() { return cycles_.table(); }
   store::Table* field_rows() { return fields_ ? &fields_->table() : nullptr; }
@@ -45,6 +48,7 @@ class Records {
   const scene::Scene& scene_;
   CycleRecord cycles_;
   std::optional<FieldRecord> fields_;
+  std::optional<LineRecord> lines_;
   std::optional<ForceRecord> forces_;
   std::optional<ContactRecord> contacts_;
   std::optional<EnergyRecord> energy_;

@@ -21,6 +21,16 @@ void require_use(const Scene& scene, const Value& entries, std::string_view path
   }
 }
 
+template <class Items>
+void require_none(const Items& items, const Value& root, const char* key, const char* what) {
+  if (!items.empty()) {
+    fail(root.find(key)->location,
+         fmt::format("{}: nothing would be written; they {} at the steps of output.series, so give "
+                     "that, or remove them",
+                     key, what));
+  }
+}
+
 bool opens(const Scene& scene, std::size_t source) {
   return std::any_of(scene.stages.begin(), scene.stages.end(), [source](const Stage& stage) {
     return std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end();
@@ -55,10 +65,9 @@ void check_use(const Scene& scene, const Value& root) {
   if (const Value* sources = root.find("sources")) {
     require_use(scene, *sources, "sources", "name it under sources in a stage", opens);
   }
-  if (!scene.probes.empty() && !scene.output.series) {
-    fail(root.find("probes")->location,
-         "probes: nothing would be written; they have rows at the steps of output.series, so give "
-         "that, or remove them");
+  if (!scene.output.series) {
+    require_none(scene.probes, root, "probes", "have rows");
+    require_none(scene.lines, root, "lines", "are observed");
   }
   if (scene.begin) {  // which may have particles of any species
     return;

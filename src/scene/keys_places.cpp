@@ -1,4 +1,4 @@
-// Sources, outlets and probes.
+// Sources, outlets, probes and lines.
 
 #include <algorithm>
 
@@ -27,6 +27,28 @@ void check_region(const lattice::Rectangle& region, const Value& value, const st
     fail(value.location,
          fmt::format("{}: expected a region in the box, {} wide and {} high, found {}", path,
                      box.width, box.height, shown(region)));
+  }
+}
+
+void check_end(const Eigen::Vector2d& end, const char* key, const KeyedMap& fields,
+               const Box& box) {
+  if (end.x() < 0 || end.y() < 0 || end.x() > box.width || end.y() > box.height) {
+    fail(fields.at(key).location,
+         fmt::format("{}: expected a point in the box, {} wide and {} high, found [{}, {}]",
+                     fields.path(key), box.width, box.height, end.x(), end.y()));
+  }
+}
+
+void check_line(const KeyedMap& fields, Line& line, const Scene& scene) {
+  check_end(line.from, "from", fields, scene.box);
+  check_end(line.to, "to", fields, scene.box);
+  const double length = (line.to - line.from).norm();
+  if (length < kMinLineLength) {
+    fail(fields.at("to").location,
+         fmt::format("{}: expected a point at least {} lattice spacing away from [{}, {}], found "
+                     "[{}, {}]",
+                     fields.path("to"), kMinLineLength, line.from.x(), line.from.y(), line.to.x(),
+                     line.to.y()));
   }
 }
 
@@ -124,6 +146,17 @@ Type<std::vector<Probe>> probes_type() {
             }
             return map;
           }};
+}
+
+Type<std::vector<Line>> lines_type() {
+  return by_name<Line>(
+      "lines",
+      {.keys = {required("from", &Line::from, point(), "start of the line, in the box"),
+                required("to", &Line::to, point(),
+                         "its end; what passes to the right of this direction counts as positive"),
+                key("parts", &Line::parts, integer(1, kMaxLineParts),
+                    "of equal length, each with a row in the table")},
+       .check = check_line});
 }
 
 }  // namespace clca::scene

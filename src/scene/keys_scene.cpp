@@ -109,6 +109,8 @@ Map<Scene> make_scene_map() {
                "regions that remove and count particles, by name: [outlets](#outlets)"),
       list_key("probes", &Scene::probes, probes_type(),
                "regions of the box that are observed, by name: [probes](#probes)"),
+      list_key("lines", &Scene::lines, lines_type(),
+               "lines across which flux and velocity are measured, by name: [lines](#lines)"),
       required("stages", &Scene::stages, stages_type(),
                "what happens, one after the other: [stages](#stages)"),
       measure,

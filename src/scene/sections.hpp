@@ -28,6 +28,7 @@ Type<grains::WallMotion> motion_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();
 Type<std::vector<Probe>> probes_type();
+Type<std::vector<Line>> lines_type();
 /// `stages.flow`, or the number where there is no name to go by.
 std::string stage_path(const Value& value, std::size_t number);
 Type<Fill> fill_type();

@@ -42,6 +42,10 @@ constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 4
 // Of pictures with velocities, for each particle: its centre at the last picture, as it is copied
 // and saved, and its displacement.
 constexpr double kVelocityBytes = 3 * sizeof(std::optional<Eigen::Vector2d>) + 48;
+// Of a part of a line: its points, and sums that double where a checkpoint is made of them.
+constexpr double kLinePartBytes = 256 * 8 + 2 * 16 * 56;
+// While there are lines: where each particle was at the last row, and its velocity.
+constexpr double kObservedBytes = 2 * 24 + 24 + 16;
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
@@ -187,6 +191,14 @@ double trajectory_bytes(const Scene& scene, double particles) {
   return kTrajectoryPartBytes + row * particles;
 }
 
+double line_bytes(const Scene& scene, double particles) {
+  double parts = 0;
+  for (const Line& line : scene.lines) {
+    parts += line.parts;
+  }
+  return kLinePartBytes * parts + (scene.lines.empty() ? 0 : kObservedBytes * particles);
+}
+
 /// Windows of means of forces that may be there at a time: of tables, pictures and trajectory.
 double force_windows(const Scene& scene) {
   const auto& measures = scene.measures;
@@ -231,7 +243,8 @@ Size size_of(const Scene& scene) {
     model_bytes += kContactGrainBytes * particles;
   }
   double bytes = model_bytes * (changes_rules(scene) ? 2 : 1) + fill_bytes(scene, lattice) +
-                 picture_bytes(scene.output) + trajectory_bytes(scene, particles);
+                 picture_bytes(scene.output) + trajectory_bytes(scene, particles) +
+                 line_bytes(scene, particles);
   if (scene.model == Model::contact) {
     bytes += kForceWindowBytes * force_windows(scene) * particles;
   }

@@ -101,6 +101,9 @@ species:
   small: {shape: {hexagon: 1}}
 walls:
   gate: {box: [30, 0, 31, 60]}
+lines:
+  depth: {from: [40, 0], to: [40, 20]}
+  slanted: {from: [31, 0], to: [50, 20], parts: 4}
 stages:
   - name: packing
     fill: {region: [0, 0, 30, 60], counts: {small: 30}}
@@ -114,7 +117,10 @@ output:
           .code,
       0);
   EXPECT_EQ(plot({"run"}).out,
-            "run/plots/mean-height.png\nrun/plots/motion.png\nrun/plots/profile.png\n");
+            "run/plots/line-filling-flow.png\nrun/plots/line-flux-flow.png\n"
+            "run/plots/line-velocity-flow.png\nrun/plots/mean-height.png\nrun/plots/motion.png\n"
+            "run/plots/profile.png\n");
+  expect_picture("run/plots/line-velocity-flow.png", 960, 600);
   expect_picture("run/plots/profile.png", 960, 600);
 }
 

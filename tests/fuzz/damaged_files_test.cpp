@@ -222,6 +222,7 @@ walls:
   plate: {box: [2, 15, 12, 16], motion: {direction: down, period: 1, distance: 9}, passive: overlap}
 sources: {spout: {region: [2, 17, 12, 18], species: {grain: 1}, rate: 0.5}}
 outlets: {below: {region: [0, 0, 5, 3]}}
+lines: {throat: {from: [0, 6], to: [16, 6], parts: 3}}
 stages:
   - {name: packing, fill: {region: [0, 4, 16, 14], counts: {grain: 7, rod: 9}}, until: {steps: 8}}
   - {name: pushing, move: [plate], sources: [spout], until: {steps: 1000000}}
@@ -243,6 +244,7 @@ species: {grain: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
 walls: {gate: {box: [0, 3, 16, 4]}, post: {box: [6, 14, 7, 16]}}
 sources: {spout: {region: [2, 17, 12, 18], species: {grain: 1}, rate: 0.05}}
 outlets: {below: {region: [0, 0, 5, 3]}}
+lines: {throat: {from: [8, 0], to: [8, 12], parts: 3}}
 contact: {fall_height: 10}
 stages:
   - {name: packing, fill: {region: [0, 4, 16, 14], counts: {grain: 7, large: 2}}, until: {steps: 40}}

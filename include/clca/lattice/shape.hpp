@@ -45,7 +45,7 @@ class Shape {
   bool is_hexagon() const;
 
   /// Mean of the sites, in lattice spacings from the reference site.
-  Eigen::Vector2d centroid() const;
+  const Eigen::Vector2d& centroid() const { return centroid_; }
   /// Diameter, in lattice spacings, of the circle with the same area (sqrt(3)/2 per site).
   double diameter() const;
 
@@ -53,6 +53,7 @@ class Shape {
 
  private:
   std::vector<Axial> sites_;
+  Eigen::Vector2d centroid_ = Eigen::Vector2d::Zero();  // kept: asked for at each centre
 };
 
 }  // namespace clca::lattice

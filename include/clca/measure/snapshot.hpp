@@ -33,13 +33,15 @@ class Snapshot {
   explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
-  /// Whether the particle had entered by then.
-  bool knows(std::size_t id) const { return id < centres_.size(); }
-  /// Its centre of mass, not wrapped; none if it was removed. It has to be known.
-  const std::optional<Eigen::Vector2d>& centre(std::size_t id) const { return centres_[id]; }
+  /// Where the path of a particle to `now` starts: its centre of mass at the snapshot or, if it has
+  /// entered since, where it has entered (State::origins); none if it had been removed.
+  std::optional<Eigen::Vector2d> start(const grains::State& now, std::size_t id) const;
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.
   std::vector<Displacement> displacements(const grains::State& now) const;
+  /// Mean velocities since, spacings per step, by id; none of particles that were not present at
+  /// both moments. Throws likewise.
+  std::vector<std::optional<Eigen::Vector2d>> velocities(const grains::State& now) const;
 
   /// False if this cannot have been taken in a run that reached `now`.
   bool precedes(const grains::State& now) const;
@@ -49,6 +51,8 @@ class Snapshot {
   }
 
  private:
+  void require_later(const grains::State& now) const;
+
   std::uint64_t step_ = 0;
   std::vector<std::optional<Eigen::Vector2d>> centres_;  // by id; none of removed particles
 };

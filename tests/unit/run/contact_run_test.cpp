@@ -37,6 +37,7 @@ walls: {gate: {box: [20, 0, 21, 60], friction: 0.1}}
 sources: {spout: {region: [4, 50, 12, 54], species: {grain: 1}, rate: 0.05, count: 4}}
 outlets: {drain: {region: [22, 0, 41, 8]}}
 probes: {gap: [20, 0, 40, 30]}
+lines: {gate: {from: [20, 0], to: [20, 30], parts: 6}, brink: {from: [0, 8.2], to: [40, 8.2]}}
 stages:
   - name: packing
     fill: {region: [0, 0, 20, 60], counts: {grain: 40}}
@@ -283,7 +284,9 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
 }
 
 TEST_F(ContactRunTest, UnitsChangeNoStateAndScaleTimesAndVelocities) {
-  const std::vector<scene::Override> fields = {"output.fields={cell: 10, every: 100}"};
+  const std::vector<scene::Override> fields = {
+      "output.fields={cell: 10, every: 100}",
+      "lines={gate: {from: [20, 0], to: [20, 10], parts: 1}}"};
   auto with_units = fields;
   with_units.emplace_back("units={spacing: 2 mm, gravity: 5}");
   const auto plain = run(small(fields), {.folder = path("plain")});
@@ -308,6 +311,9 @@ TEST_F(ContactRunTest, UnitsChangeNoStateAndScaleTimesAndVelocities) {
   expect_scaled("fields.csv", "time", second);
   expect_scaled("fields.csv", "vx", speed);
   expect_scaled("fields.csv", "fluctuation", speed * speed);
+  expect_scaled("lines-flow.csv", "flux", 1);
+  expect_scaled("lines-flow.csv", "v_across", speed);
+  expect_scaled("lines-flow.csv", "v_along_se", speed);
   const auto measure = [](const store::RunSummary& summary, const char* name) {
     return testing::measure_of(summary, "flow", name);
   };
@@ -437,6 +443,10 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
   EXPECT_THAT(refusal(column("records/contacts/pictures/window/block/sums/force_x",
                              std::numeric_limits<double>::infinity())),
               EndsWith("records/contacts is not of this run"));
+  EXPECT_THAT(refusal(column("records/lines/sums/parts", std::uint64_t{7})),
+              EndsWith("records/lines is not of this run"));
+  EXPECT_THAT(refusal(column("records/lines/last/step", std::uint64_t{1000})),
+              EndsWith("records/lines is not of this run"));
   EXPECT_THAT(refusal(column("state/grains/particles/kind", std::uint16_t{9})),
               EndsWith("a particle is of no kind"));
   EXPECT_THAT(refusal(column("state/grains/seed", std::uint64_t{9})),

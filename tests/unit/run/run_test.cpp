@@ -1,11 +1,13 @@
 #include "clca/run/run.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/image/png.hpp"
@@ -232,6 +234,42 @@ TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
   }
   EXPECT_NEAR(passed, 20 * 7 + 20 * 3, 1e-9);
   EXPECT_EQ(testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 200);
+}
+
+TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
+  for (const char* kind : {"model=automaton", "model=contact", "box.periodic=true"}) {
+    const testing::ScratchFolder folder;
+    run(small_scene(
+            {kind, "output={series: {every: 7}}", "walls={}", "species.rod.shape={disc: 2}",
+             "species.rod.orientations=[0]", "outlets={all: {region: [0, 0, 60, 15]}}",
+             "lines={line: {from: [0, 20], to: [60, 20], parts: 7}, side: {from: [1, 50], "
+             "to: [1, 15]}}",
+             "stages=[{name: fall, fill: {region: [0, 30, 30, 60], counts: {small: 20, rod: "
+             "9}}, until: {steps: 2000}}]"}),
+        {.folder = folder.path()});
+    const fs::path file = folder.path() / "lines-fall.csv";
+    const store::ReadTable table = store::read_table(file);
+    EXPECT_EQ(table.names, (std::vector<std::string>{
+                               "line", "position", "x", "y", "flux", "flux_se", "v_across",
+                               "v_across_se", "v_along", "v_along_se", "filling", "particles"}));
+    ASSERT_EQ(table.rows(), 7U + 20U);
+    EXPECT_EQ(table.find("line")->at(6), "line");
+    EXPECT_EQ(table.find("line")->at(7), "side");
+    const std::vector<double> flux = table.numbers("flux");
+    const double passed = std::accumulate(flux.begin(), flux.begin() + 7, 0.0) * 2000 * 60 / 7;
+    EXPECT_NEAR(passed,
+                testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 1e-9)
+        << kind;
+    EXPECT_GT(table.numbers("v_across")[0], 0);
+  }
+}
+
+TEST(Run, WithoutASeriesNothingObservesLines) {
+  const testing::ScratchFolder folder;
+  scene::Scene scene = small_scene({"lines={line: {from: [0, 20], to: [60, 20]}}"});
+  scene.output = {};
+  run(scene, {.folder = folder.path()});
+  EXPECT_FALSE(fs::exists(folder.path() / "lines-flow.csv"));
 }
 
 TEST(Run, DrawsTheFinalStateAloneWhenAskedAndIsTheSameRun) {

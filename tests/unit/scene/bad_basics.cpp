@@ -95,7 +95,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
     {"a misspelt key at the top", "sede: 1",
      "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, begin, "
      "box, "
-     "species, rules, contact, units, walls, sources, outlets, probes, stages, measure, output); "
+     "species, rules, contact, units, walls, sources, outlets, probes, lines, stages, measure, "
+     "output); "
      "did you "
      "mean "
      "'seed'?"},
@@ -104,6 +105,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
      "let, title, "
      "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "lines, "
      "stages, "
      "measure, "
      "output"},

@@ -123,6 +123,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:6:1: error: 'box' does not go with 'boltzmann': a scene of the Boltzmann equation "
      "has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, let, title, "
      "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "lines, "
      "stages, "
      "measure, "
      "output"},
@@ -131,6 +132,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
      "let, title, "
      "seed, model, begin, box, species, rules, contact, units, walls, sources, outlets, probes, "
+     "lines, "
      "stages, "
      "measure, "
      "output"},

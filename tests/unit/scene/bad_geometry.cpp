@@ -1,4 +1,4 @@
-// Wrong walls, sources and outlets.
+// Wrong walls, sources, outlets, probes and lines.
 
 #include <array>
 
@@ -176,6 +176,40 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "'the neck'"},
     {"probes without rows", "probes: {neck: [0, 0, 10, 10]}\noutput: {}",
      "scene.yaml:13:9: error: probes: nothing would be written; they have rows at the steps of "
+     "output.series, so give that, or remove them",
+     Judge::parser},
+    {"a line that is a list", "lines: {throat: [0, 0, 10, 10]}",
+     "scene.yaml:13:17: error: lines.throat: expected a map, found a list"},
+    {"a line without an end to it", "lines: {throat: {from: [0, 5]}}",
+     "scene.yaml:13:17: error: lines.throat: key 'to' is missing"},
+    {"a line with a width", "lines: {throat: {from: [0, 5], to: [9, 5], width: 2}}",
+     "scene.yaml:13:44: error: unknown key 'width' in lines.throat (allowed: from, to, parts)"},
+    {"a line that begins below the box", "lines: {throat: {from: [0, -1], to: [9, 5]}}",
+     "scene.yaml:13:24: error: lines.throat.from: expected a point in the box, 100 wide and 50 "
+     "high, found [0, -1]",
+     Judge::parser},
+    {"a line that ends beside the box", "lines: {throat: {from: [0, 5], to: [101, 5]}}",
+     "scene.yaml:13:36: error: lines.throat.to: expected a point in the box, 100 wide and 50 high, "
+     "found [101, 5]",
+     Judge::parser},
+    {"a line to the place where it begins", "lines: {throat: {from: [9, 5], to: [9, 5.5]}}",
+     "scene.yaml:13:36: error: lines.throat.to: expected a point at least 1 lattice spacing away "
+     "from [9, 5], found [9, 5.5]",
+     Judge::parser},
+    {"a line to nowhere", "lines: {throat: {from: [9, 5], to: [9, .nan]}}",
+     "scene.yaml:13:40: error: lines.throat.to: expected a number from -1000000 to 1000000, found "
+     "'.nan'"},
+    {"a line of no parts", "lines: {throat: {from: [0, 5], to: [9, 5], parts: 0}}",
+     "scene.yaml:13:51: error: lines.throat.parts: expected a whole number from 1 to 1000, found "
+     "'0'"},
+    {"a line of too many parts", "lines: {throat: {from: [0, 5], to: [9, 5], parts: 1001}}",
+     "scene.yaml:13:51: error: lines.throat.parts: expected a whole number from 1 to 1000, found "
+     "'1001'"},
+    {"a line whose name cannot be one", "lines: {the throat: {from: [0, 5], to: [9, 5]}}",
+     "scene.yaml:13:9: error: lines: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, found "
+     "'the throat'"},
+    {"lines that nothing would observe", "lines: {throat: {from: [0, 5], to: [9, 5]}}\noutput: {}",
+     "scene.yaml:13:8: error: lines: nothing would be written; they are observed at the steps of "
      "output.series, so give that, or remove them",
      Judge::parser},
 });

@@ -47,7 +47,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "contact, "
      "units, "
      "walls, "
-     "sources, outlets, probes, stages, measure, output); did you mean 'rules'?"},
+     "sources, outlets, probes, lines, stages, measure, output); did you mean 'rules'?"},
     {"rules={inertia: 2}", "rules.inertia: expected a number from 0 to 1, found '2'"},
     {"rules.inertia=much", "rules.inertia: expected a number from 0 to 1, found 'much'"},
     {"rules.inertia=", "rules.inertia: expected a number from 0 to 1, found nothing"},

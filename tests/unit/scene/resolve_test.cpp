@@ -163,6 +163,8 @@ TEST(SizeOf, BoundsParticlesThatCannotLeaveByTheSitesOfTheBox) {
 TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
   const double least = size_of(scene_with("output: {}")).bytes;
   EXPECT_GT(size_of(scene_with("output: {trajectory: {}}")).bytes, least + 0x1p24);
+  EXPECT_GT(size_of(scene_with("lines: {row: {from: [0, 5], to: [99, 5], parts: 1000}}")).bytes,
+            size_of(scene_with("")).bytes + 1000 * 16 * 56);
   EXPECT_GT(size_of(scene_with("output: {}\nbox: {width: 200, height: 50}")).bytes, least + 2e4);
   EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
                                "1009}}"))

@@ -1,0 +1,143 @@
+#pragma once
+// What passes a straight line and how fast, in parts of the line; lengths in lattice spacings.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
+#include "clca/measure/snapshot.hpp"
+#include "clca/reflection/reflection.hpp"
+
+namespace clca::measure {
+
+/// Sums for one part of a line. Points: places evenly spaced on the part.
+struct LinePartSums {
+  double open = 0;      ///< points that no wall covers, times steps
+  double covered = 0;   ///< of these, those that a particle covers
+  double followed = 0;  ///< of these, those that a particle of known velocity covers
+  /// Of the followed points, times velocity: across the line, and along it.
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
+  double sites = 0;             ///< that have passed to the right, less those to the left
+  std::uint64_t particles = 0;  ///< whose centre has passed, either way
+
+  LinePartSums& operator+=(const LinePartSums& other);
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(
+        field("open", &LinePartSums::open), field("covered", &LinePartSums::covered),
+        field("followed", &LinePartSums::followed),
+        field("displacement", &LinePartSums::displacement), field("sites", &LinePartSums::sites),
+        field("particles", &LinePartSums::particles));
+  }
+};
+
+/// Sums over a number of observations, one after the other.
+struct LineBlock {
+  std::uint64_t observations = 0;
+  double steps = 0;
+  std::vector<LinePartSums> parts = {};
+
+  LineBlock& operator+=(const LineBlock& other);
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("observations", &LineBlock::observations),
+                           field("steps", &LineBlock::steps), field("parts", &LineBlock::parts));
+  }
+};
+
+/// Sums over all observations of a line, in blocks for standard errors. Each block but the last has
+/// the same number of observations: when there are kMost, they are joined in pairs.
+class LineSums {
+ public:
+  static constexpr std::size_t kMost = 16;  ///< blocks
+
+  explicit LineSums(std::size_t parts = 0) : parts_(parts) {}
+
+  /// The block that an observation over `steps` steps belongs to.
+  LineBlock& next(double steps);
+  const std::vector<LineBlock>& blocks() const { return blocks_; }
+
+  /// False if these cannot be sums of a line of so many parts.
+  bool fit(std::size_t parts) const;
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("parts", &LineSums::parts_),
+                           field("block_size", &LineSums::block_size_),
+                           field("blocks", &LineSums::blocks_));
+  }
+
+ private:
+  std::uint64_t parts_;
+  std::uint64_t block_size_ = 1;  // observations
+  std::vector<LineBlock> blocks_;
+};
+
+/// A mean over time; NaN if there was nothing to average.
+struct LineMean {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  /// Standard error by the scatter of the blocks; NaN with fewer than kMost / 2 of them.
+  double error = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Means over time for one part of a line. Across: positive to the right of its direction.
+struct LinePart {
+  double position = 0;     ///< of its middle, from the start of the line
+  Eigen::Vector2d middle;  ///< of the part
+  LineMean flux;           ///< sites that pass, per step and spacing; to the right less to the left
+  LineMean across;         ///< velocity, spacings per step
+  LineMean along;          ///< likewise, positive in the direction of the line
+  double filling = 0;      ///< share that particles cover of what no wall covers; 0 if walls do all
+  std::uint64_t particles = 0;  ///< whose centre has passed, either way
+};
+
+/// A line in a box, cut into parts of equal length. Its end does not belong to it.
+class Line {
+ public:
+  /// In the box of the state, for particles of its kinds. Throws std::invalid_argument unless the
+  /// line has a length and at least one part.
+  Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+       std::size_t parts);
+
+  /// Adds an observation: what is on the line now, and what has passed it since the snapshot. Each
+  /// particle is taken to have gone straight (Snapshot::start). `velocities` (spacings per step)
+  /// are by id. Throws std::invalid_argument unless the snapshot is of an earlier step and the
+  /// occupancy is of this box.
+  void observe(const Snapshot& before, const grains::State& now, const grains::Occupancy& occupancy,
+               std::span<const std::optional<Eigen::Vector2d>> velocities, LineSums& sums) const;
+
+  std::size_t parts() const { return points_.size(); }
+  std::vector<LinePart> means(const LineSums& sums) const;
+
+ private:
+  struct Crossing {
+    double position;  // on the line, from its start
+    bool to_right;
+  };
+
+  double part_length() const { return length_ / static_cast<double>(parts()); }
+  Eigen::Vector2d turned(const Eigen::Vector2d& vector) const;
+  std::optional<Crossing> crossing(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  void add_covering(const grains::Occupancy& occupancy,
+                    std::span<const std::optional<Eigen::Vector2d>> velocities, double steps,
+                    LineBlock& block) const;
+  void add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const;
+  void add_path(const lattice::Shape& shape, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                LineBlock& block) const;
+  void add_site(const Crossing& crossing, LineBlock& block) const;
+  std::pair<int, int> images(double low, double high, const lattice::Lattice& lattice) const;
+
+  Eigen::Vector2d from_;
+  Eigen::Vector2d direction_;  // unit vectors
+  Eigen::Vector2d right_;
+  double length_;
+  std::vector<std::vector<std::size_t>> points_;  // by part: indices of their sites
+  std::vector<double> reaches_;  // by kind: of its sites from the centre of mass, spacings
+};
+
+}  // namespace clca::measure

@@ -1,0 +1,284 @@
+#include "clca/measure/line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "measure/check_occupancy.hpp"
+
+namespace clca::measure {
+
+namespace {
+
+constexpr double kPointsPerSpacing = 4;  // so that a part has its share of each site it cuts
+constexpr double kMaxPoints = 256;       // of a part
+constexpr double kRounding = 1e-9;       // of a position, spacings: the ends may lie on a column
+
+/// A sum over one block that is a mean once divided by its weight.
+struct Weighted {
+  double sum = 0;
+  double weight = 0;
+};
+
+/// Mean over all blocks; its error is that of a ratio of sums.
+LineMean mean_of(const std::vector<Weighted>& blocks) {
+  Weighted total;
+  for (const Weighted& block : blocks) {
+    total.sum += block.sum;
+    total.weight += block.weight;
+  }
+  if (total.weight <= 0) {
+    return {};
+  }
+  LineMean mean = {.value = total.sum / total.weight};
+  if (blocks.size() >= LineSums::kMost / 2) {
+    double scatter = 0;
+    for (const Weighted& block : blocks) {
+      const double deviation = block.sum - mean.value * block.weight;
+      scatter += deviation * deviation;
+    }
+    const auto count = static_cast<double>(blocks.size());
+    mean.error = std::sqrt(scatter * count / (count - 1)) / total.weight;
+  }
+  return mean;
+}
+
+/// Mean of what `weighted` gives of a part, over the blocks.
+template <class Weigh>
+LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
+  std::vector<Weighted> values;
+  std::transform(blocks.begin(), blocks.end(), std::back_inserter(values), weighted);
+  return mean_of(values);
+}
+
+/// Largest distance of a site of the shape from its centre of mass, lattice spacings.
+double reach(const lattice::Shape& shape) {
+  double result = 0;
+  for (const lattice::Axial site : shape.sites()) {
+    result = std::max(result, (lattice::position(site) - shape.centroid()).norm());
+  }
+  return result;
+}
+
+}  // namespace
+
+LinePartSums& LinePartSums::operator+=(const LinePartSums& other) {
+  open += other.open;
+  covered += other.covered;
+  followed += other.followed;
+  displacement += other.displacement;
+  sites += other.sites;
+  particles += other.particles;
+  return *this;
+}
+
+LineBlock& LineBlock::operator+=(const LineBlock& other) {
+  observations += other.observations;
+  steps += other.steps;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    parts[part] += other.parts[part];
+  }
+  return *this;
+}
+
+LineBlock& LineSums::next(double steps) {
+  const bool full = blocks_.empty() || blocks_.back().observations >= block_size_;
+  if (full && blocks_.size() == kMost) {
+    for (std::size_t pair = 0; pair < kMost / 2; ++pair) {
+      LineBlock joined = std::move(blocks_[2 * pair]);
+      joined += blocks_[2 * pair + 1];
+      blocks_[pair] = std::move(joined);
+    }
+    blocks_.resize(kMost / 2);
+    block_size_ *= 2;
+  }
+  if (full) {
+    blocks_.push_back({.parts = std::vector<LinePartSums>(parts_)});
+  }
+  LineBlock& block = blocks_.back();
+  ++block.observations;
+  block.steps += steps;
+  return block;
+}
+
+bool LineSums::fit(std::size_t parts) const {
+  return parts_ == parts && blocks_.size() <= kMost && block_size_ > 0 &&
+         std::all_of(blocks_.begin(), blocks_.end(),
+                     [=](const LineBlock& block) { return block.parts.size() == parts; });
+}
+
+Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+           std::size_t parts)
+    : from_(from),
+      direction_((to - from).normalized()),
+      right_(direction_.y(), -direction_.x()),
+      length_((to - from).norm()),
+      points_(parts) {
+  if (!(length_ > 0) || parts == 0) {
+    throw std::invalid_argument("a line needs a length and parts");
+  }
+  const auto count = static_cast<std::size_t>(
+      std::clamp(std::ceil(kPointsPerSpacing * part_length()), 1.0, kMaxPoints));
+  const double distance = part_length() / static_cast<double>(count);
+  for (std::size_t point = 0; point < parts * count; ++point) {
+    const double position = distance * (static_cast<double>(point) + 0.5);
+    const lattice::Site site = lattice::nearest_site(from_ + position * direction_);
+    if (state.lattice.contains(site)) {
+      points_[point / count].push_back(state.lattice.index(site));
+    }
+  }
+  std::transform(state.kinds.begin(), state.kinds.end(), std::back_inserter(reaches_),
+                 [](const grains::Kind& kind) { return reach(kind.shape); });
+}
+
+/// Components across and along the line.
+Eigen::Vector2d Line::turned(const Eigen::Vector2d& vector) const {
+  return {vector.dot(right_), vector.dot(direction_)};
+}
+
+std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
+                                             const Eigen::Vector2d& to) const {
+  const Eigen::Vector2d start = turned(from - from_);
+  const Eigen::Vector2d end = turned(to - from_);
+  if ((start.x() > 0) == (end.x() > 0)) {
+    return std::nullopt;
+  }
+  const double share = start.x() / (start.x() - end.x());
+  const double position = start.y() + share * (end.y() - start.y());
+  if (position < -kRounding || position >= length_ - kRounding) {
+    return std::nullopt;
+  }
+  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > 0};
+}
+
+void Line::observe(const Snapshot& before, const grains::State& now,
+                   const grains::Occupancy& occupancy,
+                   std::span<const std::optional<Eigen::Vector2d>> velocities,
+                   LineSums& sums) const {
+  check_occupancy(now, occupancy);
+  if (before.step() >= now.step) {
+    throw std::invalid_argument("a line is observed after the snapshot");
+  }
+  const auto steps = static_cast<double>(now.step - before.step());
+  LineBlock& block = sums.next(steps);
+  add_covering(occupancy, velocities, steps, block);
+  add_passing(before, now, block);
+}
+
+void Line::add_covering(const grains::Occupancy& occupancy,
+                        std::span<const std::optional<Eigen::Vector2d>> velocities, double steps,
+                        LineBlock& block) const {
+  for (std::size_t part = 0; part < parts(); ++part) {
+    LinePartSums& sums = block.parts[part];
+    for (const std::size_t place : points_[part]) {
+      const grains::Owner owner = occupancy.owner(place);
+      if (grains::is_wall(owner)) {
+        continue;
+      }
+      sums.open += steps;
+      if (!grains::is_particle(owner)) {
+        continue;
+      }
+      sums.covered += steps;
+      if (const auto& velocity = velocities[static_cast<std::size_t>(owner)]) {
+        sums.followed += steps;
+        sums.displacement += steps * turned(*velocity);
+      }
+    }
+  }
+}
+
+void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const {
+  for (std::size_t id = 0; id < now.particles.size(); ++id) {
+    const grains::Particle& particle = now.particles[id];
+    const std::optional<Eigen::Vector2d> from = before.start(now, id);
+    if (!from) {
+      continue;
+    }
+    const Eigen::Vector2d to = grains::centre(now, particle);
+    const double radius = reaches_[particle.kind];
+    const auto [low, high] = std::minmax({from->x(), to.x()});
+    const auto [first, last] = images(low - radius, high + radius, now.lattice);
+    for (int image = first; image <= last; ++image) {
+      const Eigen::Vector2d shift(image * now.lattice.size().x(), 0);
+      const double start = right_.dot(*from + shift - from_);
+      const double end = right_.dot(to + shift - from_);
+      if (std::min(start, end) <= radius && std::max(start, end) >= -radius) {
+        add_path(now.shape(particle), *from + shift, to + shift, block);
+      }
+    }
+  }
+}
+
+/// First and last number of box widths by which a range of x has to be shifted to reach the line;
+/// none if the first is larger.
+std::pair<int, int> Line::images(double low, double high, const lattice::Lattice& lattice) const {
+  if (!lattice.periodic()) {
+    return {0, 0};
+  }
+  const auto [left, right] = std::minmax({from_.x(), from_.x() + length_ * direction_.x()});
+  const double width = lattice.size().x();
+  return {static_cast<int>(std::ceil((left - high) / width)),
+          static_cast<int>(std::floor((right - low) / width))};
+}
+
+void Line::add_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
+                    const Eigen::Vector2d& to, LineBlock& block) const {
+  for (const lattice::Axial site : shape.sites()) {
+    const Eigen::Vector2d offset = lattice::position(site) - shape.centroid();
+    if (const auto passed = crossing(from + offset, to + offset)) {
+      add_site(*passed, block);
+    }
+  }
+  if (const auto passed = crossing(from, to)) {
+    const auto part = static_cast<std::size_t>(passed->position / part_length());
+    ++block.parts[std::min(part, parts() - 1)].particles;
+  }
+}
+
+/// A site counts over one spacing of the line: it has a width. Else parts in which one column more
+/// ends would have more flux.
+void Line::add_site(const Crossing& crossing, LineBlock& block) const {
+  const double low = std::max(0.0, crossing.position - 0.5);
+  const double high = std::min(length_, crossing.position + 0.5);
+  const double density = (crossing.to_right ? 1 : -1) / (high - low);
+  for (auto part = static_cast<std::size_t>(low / part_length()); part < parts(); ++part) {
+    const double left = part_length() * static_cast<double>(part);
+    if (left >= high) {
+      break;
+    }
+    const double right = part + 1 == parts() ? length_ : left + part_length();
+    block.parts[part].sites += density * std::max(0.0, std::min(high, right) - std::max(low, left));
+  }
+}
+
+std::vector<LinePart> Line::means(const LineSums& sums) const {
+  std::vector<LinePart> result;
+  for (std::size_t part = 0; part < parts(); ++part) {
+    LinePartSums total;
+    for (const LineBlock& block : sums.blocks()) {
+      total += block.parts[part];
+    }
+    const double position = part_length() * (static_cast<double>(part) + 0.5);
+    const auto velocity = [part](Eigen::Index component) {
+      return [=](const LineBlock& block) {
+        const LinePartSums& of_part = block.parts[part];
+        return Weighted{of_part.displacement[component], of_part.followed};
+      };
+    };
+    const auto flux = [=, this](const LineBlock& block) {
+      return Weighted{block.parts[part].sites, block.steps * part_length()};
+    };
+    result.push_back({.position = position,
+                      .middle = from_ + position * direction_,
+                      .flux = mean_of(sums.blocks(), flux),
+                      .across = mean_of(sums.blocks(), velocity(0)),
+                      .along = mean_of(sums.blocks(), velocity(1)),
+                      .filling = total.open > 0 ? total.covered / total.open : 0,
+                      .particles = total.particles});
+  }
+  return result;
+}
+
+}  // namespace clca::measure
