@@ -163,8 +163,8 @@ image::Image over_time(std::optional<double> column) {
        "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
        "layers: 5, view: [-5, 0, 110, 220]}"});
   run::run(scene, {.folder = folder.path() / "run", .last_picture_only = true});
-  run::Redraw(scene, {.run = folder.path() / "run",
-                      .space_time = run::SpaceTimeOptions{.file = file, .column = column}})
+  run::Redraw({{scene, folder.path() / "run"}},
+              {.space_time = run::SpaceTimeOptions{.file = file, .column = column}})
       .draw();
   return image::decode_png(testing::bytes_of(file)).image;
 }

@@ -240,7 +240,7 @@ TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
   for (const char* kind : {"model=automaton", "model=contact", "box.periodic=true"}) {
     const testing::ScratchFolder folder;
     run(small_scene(
-            {kind, "output={series: {every: 7}}", "walls={}", "species.rod.shape={disc: 2}",
+            {kind, "output={series: {every: 7}}", "walls={}", "species.rod.shape={hexagon: 2}",
              "species.rod.orientations=[0]", "outlets={all: {region: [0, 0, 60, 15]}}",
              "lines={line: {from: [0, 20], to: [60, 20], parts: 7}, side: {from: [1, 50], "
              "to: [1, 15]}}",

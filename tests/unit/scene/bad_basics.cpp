@@ -199,7 +199,8 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "displacement, speed, id, force, found 'specis'; did you mean 'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
-     "width, height, color_by, range, layers, view, drawing, supersampling, caption, upright, "
+     "width, height, color_by, range, layers, view, drawing, supersampling, caption, style, "
+     "upright, "
      "force_scale, velocity_cell, velocity_scale, overlay); "
      "did you "
      "mean "

@@ -107,6 +107,7 @@ output:
     drawing: auto
     supersampling: 2
     caption: true
+    style: screen
     overlay: none
   series: {every: 1}
   fields: none
