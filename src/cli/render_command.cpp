@@ -102,11 +102,6 @@ void set_space_time(RenderOptions& options) {
   wanted.slit = choice.slit.value_or(wanted.slit);
 }
 
-/// Whether all pictures go into one file.
-bool has_one_file(const run::RedrawOptions& redraw) {
-  return !redraw.movie.empty() || !redraw.sheet.empty() || redraw.space_time;
-}
-
 std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   if (options.runs.size() > 1 && !options.folder.empty()) {
     throw run::RedrawError(
@@ -115,12 +110,21 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   }
   std::vector<run::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
-    run::RunToDraw& run = runs.emplace_back(scene_of(folder, options), folder);
-    if (!options.folder.empty() || !has_one_file(options.redraw)) {
-      run.pictures = store::named_folder(options.folder, folder, store::kRedrawnFolder);
-    }
+    runs.emplace_back(scene_of(folder, options), folder);
   }
   return runs;
+}
+
+/// Where pictures go, if they are wanted one by one.
+void set_folders(std::vector<run::RunToDraw>& runs, const RenderOptions& options) {
+  const run::RedrawOptions& redraw = options.redraw;
+  const bool one_file = !redraw.movie.empty() || !redraw.sheet.empty() || redraw.space_time;
+  if (options.folder.empty() && one_file) {
+    return;
+  }
+  for (run::RunToDraw& run : runs) {
+    run.pictures = store::named_folder(options.folder, run.folder, store::kRedrawnFolder);
+  }
 }
 
 void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOptions& options,
@@ -145,7 +149,8 @@ int render_run(RenderOptions options) {
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
   as_input([&] { set_space_time(options); });
-  const std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
+  std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
+  set_folders(runs, options);
   const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(runs, redraw); });
   ProgressLine line;
   run::RedrawEvents events;

@@ -159,7 +159,8 @@ image::Image over_time(std::optional<double> column) {
   const fs::path file = folder.path() / "over-time.png";
   const scene::Scene scene = scene::parse_file(
       fs::path(CLCA_SOURCE_DIR) / "scenes" / "silo-discharge.yaml",
-      {"stages.discharge.until={steps: 400}", "output.series=none", "output.trajectory={every: 6}",
+      {"stages.discharge.until={steps: 400}", "lines={}", "output.series=none",
+       "output.trajectory={every: 6}",
        "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
        "layers: 5, view: [-5, 0, 110, 220]}"});
   run::run(scene, {.folder = folder.path() / "run", .last_picture_only = true});
