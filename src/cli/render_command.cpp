@@ -110,7 +110,7 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   }
   std::vector<run::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
-    runs.emplace_back(scene_of(folder, options), folder);
+    runs.push_back({.scene = scene_of(folder, options), .folder = folder});
   }
   return runs;
 }

@@ -211,14 +211,15 @@ Graphics::Graphics(int width, int height)
     : width_(width),
       height_(height),
       cairo_(cairo_create(surface_of(width, height).get()), cairo_destroy) {
-  cairo_set_source_rgb(cairo_of(cairo_), 1, 1, 1);
+  set_color(kPaper);
   cairo_paint(cairo_of(cairo_));
 }
 
 Graphics::Graphics(Page /*page*/, int width, int height) : width_(width), height_(height) {
   cairo_.reset(cairo_create(page_of(width, height, pdf_).get()), cairo_destroy);
   cairo_scale(cairo_of(cairo_), kPoints, kPoints);
-  fill_box(0, 0, width, height, kPaper);
+  set_color(kPaper);
+  cairo_paint(cairo_of(cairo_));
 }
 
 std::vector<std::uint8_t> Graphics::pdf(const std::string& title) {

@@ -89,9 +89,9 @@ std::vector<RoundKind> discs(double largest) {
   std::vector<int> sites(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach), 0);
   for (int x = -2 * reach; x <= 2 * reach; ++x) {
     for (int q = -2 * reach; q <= 2 * reach; ++q) {
-      const auto square = static_cast<std::size_t>(x * x + x * q + q * q);
-      if (square < sites.size()) {
-        ++sites[square];
+      const int square = x * x + x * q + q * q;
+      if (const auto at = static_cast<std::size_t>(square); at < sites.size()) {
+        ++sites[at];
       }
     }
   }
