@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -110,6 +111,12 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   }
   std::vector<run::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
+    std::error_code unknown;
+    if (std::any_of(runs.begin(), runs.end(), [&](const run::RunToDraw& run) {
+          return fs::equivalent(run.folder, folder, unknown);
+        })) {
+      throw run::RedrawError(fmt::format("{}: is given twice", folder.string()));
+    }
     runs.push_back({.scene = scene_of(folder, options), .folder = folder});
   }
   return runs;

@@ -32,19 +32,20 @@ std::vector<double> packing_of(const State& state, const Grid& grid) {
 /// Two passes: the difference of two means would not be exactly 0 where all particles move alike.
 void add_velocities(std::vector<FieldCell>& cells, const Grid& grid,
                     const std::vector<Displacement>& displacements, double steps) {
+  std::vector<double> sites(cells.size(), 0.0);
   for (const Displacement& displacement : displacements) {
     const std::size_t cell = grid.index(displacement.from);
-    cells[cell].sites += displacement.sites;
+    sites[cell] += displacement.sites;
     ++cells[cell].particles;
     cells[cell].velocity += displacement.sites * displacement.vector / steps;
   }
-  for (FieldCell& cell : cells) {
-    cell.velocity /= cell.sites > 0 ? cell.sites : 1;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    cells[cell].velocity /= sites[cell] > 0 ? sites[cell] : 1;
   }
   for (const Displacement& displacement : displacements) {
-    FieldCell& cell = cells[grid.index(displacement.from)];
-    const Eigen::Vector2d deviation = displacement.vector / steps - cell.velocity;
-    cell.fluctuation += 0.5 * deviation.squaredNorm() * displacement.sites / cell.sites;
+    const std::size_t cell = grid.index(displacement.from);
+    const Eigen::Vector2d deviation = displacement.vector / steps - cells[cell].velocity;
+    cells[cell].fluctuation += 0.5 * deviation.squaredNorm() * displacement.sites / sites[cell];
   }
 }
 

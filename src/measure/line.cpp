@@ -32,13 +32,15 @@ LineMean mean_of(const std::vector<Weighted>& blocks) {
     return {};
   }
   LineMean mean = {.value = total.sum / total.weight};
-  if (blocks.size() >= LineSums::kMost / 2) {
+  const auto filled = std::count_if(blocks.begin(), blocks.end(),
+                                    [](const Weighted& block) { return block.weight > 0; });
+  if (filled >= static_cast<std::ptrdiff_t>(LineSums::kMost / 2)) {
     double scatter = 0;
     for (const Weighted& block : blocks) {
       const double deviation = block.sum - mean.value * block.weight;
       scatter += deviation * deviation;
     }
-    const auto count = static_cast<double>(blocks.size());
+    const auto count = static_cast<double>(filled);
     mean.error = std::sqrt(scatter * count / (count - 1)) / total.weight;
   }
   return mean;

@@ -32,6 +32,7 @@ constexpr double kGap = 1.5;          // at least, between what stands on the le
 constexpr double kIconRadius = 0.52;
 constexpr double kLineLength = 2.2;  // where the length tells nothing
 constexpr double kMaxLineWidth = 0.9;
+constexpr double kMaxArrowWidth = 0.27;  // the head is 3.4 times as wide as the shaft
 constexpr double kBeforeLabel = 0.35;
 
 std::vector<Eigen::Vector2d> hexagon() {
@@ -220,7 +221,8 @@ void Annotator::draw_ticks(const Legend::Bar& bar, double left, double width, do
 
 Stroke Annotator::key_stroke(const Legend::Line& line) const {
   const double length = line.length > 0 ? line.length * layout_.scale : em(kLineLength);
-  const double width = std::min(line.width * layout_.scale, em(kMaxLineWidth));
+  const double width =
+      std::min(line.width * layout_.scale, em(line.arrow ? kMaxArrowWidth : kMaxLineWidth));
   return {{0, 0}, {length, 0}, width, line.color, line.arrow};
 }
 

@@ -93,7 +93,7 @@ Legend::Line arrow_key(double cell, double longest, const UnitName& unit) {
 }
 
 Legend::Line cut_arrow_key(double cell, std::string label) {
-  return {std::move(label), kArrowWidth * cell, kMaxArrowShare * cell, kCutArrowColor, true};
+  return {std::move(label), kArrowWidth * cell, 0, kCutArrowColor, true};
 }
 
 }  // namespace clca::render

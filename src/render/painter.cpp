@@ -145,8 +145,13 @@ class Painter::Impl {
                         0, 0, panel.width, panel.height);
     if (captured.polygons) {
       const lattice::Rectangle box = whole_box(lattice_);
-      const Eigen::Vector2d low = panel_scale().pixel({box.left, box.top});
-      const Eigen::Vector2d high = panel_scale().pixel({box.right, box.bottom});
+      // Cairo counts pixels to 8 million.
+      const Eigen::Vector2d size(panel.width, panel.height);
+      const auto in_panel = [&](double x, double y) -> Eigen::Vector2d {
+        return panel_scale().pixel({x, y}).cwiseMax(-size).cwiseMin(2 * size);
+      };
+      const Eigen::Vector2d low = in_panel(box.left, box.top);
+      const Eigen::Vector2d high = in_panel(box.right, box.bottom);
       const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
       polygons_->draw(graphics, projection_, panel_scale(), *captured.polygons);
     }

@@ -19,6 +19,10 @@ double sum(const contact::Energy& energy) {
 void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = sum(*model.energy());
+  fall_ = 0;
+  for (const grains::Particle& particle : model.state().particles) {
+    fall_ += particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
+  }
   gained_ = 0;
   lowest_ = start_;
   growth_ = 0;
@@ -44,7 +48,7 @@ void EnergyRecord::look(const Model& model) {
   const double now = sum(energy) - gained_;
   lowest_ = std::min(lowest_, now);
   // On a slope without end the potential energy falls without end, below 0.
-  const double scale = std::max({start_, start_ - lowest_, energy.kinetic});
+  const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
   if (scale <= 0) {
     return;
   }

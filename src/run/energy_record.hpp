@@ -24,7 +24,9 @@ class EnergyRecord {
 
   /// A warning if the energy has grown by more than 0.5 % of the scale. Given once per run.
   struct Growth {
-    double scale = 0;   ///< most of the initial, the dissipated and the kinetic energy
+    /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
+    /// grains by a lattice spacing.
+    double scale = 0;
     double lowest = 0;  ///< of the stage
     double now = 0;
   };
@@ -37,8 +39,9 @@ class EnergyRecord {
     using reflection::field;
     return std::make_tuple(
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
-        field("gained", &EnergyRecord::gained_), field("lowest", &EnergyRecord::lowest_),
-        field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_));
+        field("fall", &EnergyRecord::fall_), field("gained", &EnergyRecord::gained_),
+        field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
+        field("has_warned", &EnergyRecord::has_warned_));
   }
 
  private:
@@ -46,7 +49,8 @@ class EnergyRecord {
 
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
-  double gained_ = 0;  // since then, by sources and outlets
+  double fall_ = 0;    // of all grains by a lattice spacing
+  double gained_ = 0;  // since the start of the stage, by sources and outlets
   double lowest_ = 0;
   double growth_ = 0;
   bool has_warned_ = false;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "clca/measure/contacts.hpp"
-#include "clca/measure/field_grid.hpp"
+#include "clca/measure/grid.hpp"
+#include "clca/measure/snapshot.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::run {
@@ -93,17 +95,28 @@ DrawnOverlay arrows(const CycleRecord& cycles) {
                              {.one = "spacing per cycle", .several = "spacings per cycle"})}};
 }
 
-/// Arrows of the cells with enough grains.
-std::vector<render::FieldArrow> velocity_arrows(const measure::Fields& fields,
+/// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
+std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
+                                                const measure::Snapshot& begin,
                                                 const OverlayScales& scales) {
+  struct Sums {
+    double sites = 0;
+    Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
+  };
+  const measure::Grid grid(state.lattice, scales.velocity_cell);
+  std::map<std::size_t, Sums> cells;
   double enough = 0;
-  for (const measure::FieldCell& cell : fields.cells) {
+  for (const measure::Displacement& grain : begin.displacements(state)) {
+    Sums& cell = cells[grid.index(grain.from + grain.vector)];
+    cell.sites += grain.sites;
+    cell.displacement += grain.sites * grain.vector;
     enough = std::max(enough, kMinWeight * cell.sites);
   }
+  const double per_step = scales.step_velocity / static_cast<double>(state.step - begin.step());
   std::vector<render::FieldArrow> result;
-  for (const measure::FieldCell& cell : fields.cells) {
-    if (cell.particles > 0 && cell.sites >= enough) {
-      result.push_back({cell.centre, scales.step_velocity * cell.velocity});
+  for (const auto& [index, cell] : cells) {
+    if (cell.sites >= enough) {
+      result.push_back({grid.centre(index), per_step / cell.sites * cell.displacement});
     }
   }
   return result;
@@ -115,7 +128,7 @@ DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& beg
   const double highest = scales.highest_velocity;
   std::vector<render::FieldArrow> field;
   if (state.step > begin.step()) {
-    field = velocity_arrows(measure::FieldWindow(begin).fields(state, cell), scales);
+    field = velocity_arrows(state, begin, scales);
   }
   DrawnOverlay drawn = {render::arrow_field(field, cell, highest),
                         {render::arrow_key(cell, highest, scales.velocity_unit)}};

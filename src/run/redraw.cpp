@@ -53,25 +53,23 @@ void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawing
 
 /// Times or steps of the pictures of each run.
 std::vector<std::vector<double>> times_of(const Drawings& drawings) {
-  const bool all_have_time = std::all_of(drawings.begin(), drawings.end(), [](const auto& drawing) {
-    return scene::conversion(drawing->scene()).has_value();
-  });
+  const bool in_time =
+      drawings.size() > 1 && std::all_of(drawings.begin(), drawings.end(), [](const auto& drawing) {
+        return scene::conversion(drawing->scene()).has_value();
+      });
   std::vector<std::vector<double>> result;
   for (const auto& drawing : drawings) {
     const auto conversion = scene::conversion(drawing->scene());
     std::vector<double>& times = result.emplace_back();
     for (std::size_t number = 0; number < drawing->pictures(); ++number) {
       const std::uint64_t step = drawing->step(number);
-      times.push_back(all_have_time ? conversion->time(step) : static_cast<double>(step));
+      times.push_back(in_time ? conversion->time(step) : static_cast<double>(step));
     }
   }
   return result;
 }
 
-/// Times that differ by rounding are one.
-constexpr double kRounding = 1e-9;
-
-/// All times, ascending.
+/// All times, ascending, those that differ by rounding as one. Steps are whole numbers below 2^53.
 std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
   std::vector<double> all;
   for (const std::vector<double>& some : times) {
@@ -79,7 +77,7 @@ std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(),
-                        [](double one, double next) { return next - one <= kRounding * next; }),
+                        [](double one, double next) { return next - one <= 1e-15 * next; }),
             all.end());
   return all;
 }

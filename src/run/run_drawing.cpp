@@ -22,6 +22,7 @@ using Frame = store::Trajectory::Frame;
 // Names of scales; that of velocities is their unit.
 constexpr const char* kDisplacement = "displacement";
 constexpr const char* kForce = "force";
+constexpr const char* kCell = "cell";
 
 /// The scene, if the run can be drawn.
 const scene::Scene& drawable(const RunToDraw& run) {
@@ -51,21 +52,23 @@ const scene::Scene& drawable(const RunToDraw& run) {
   return scene;
 }
 
-/// The frames selected by scene and options.
+/// Those of the pictures of the run that the options select.
 std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
-                                const std::vector<Frame>& frames) {
+                                const std::vector<Frame>& frames,
+                                const std::vector<std::size_t>& run_pictures) {
   if (frames.empty()) {
     throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.folder.string()));
   }
-  std::vector<std::size_t> result = frame_choice(frames, run.scene.output.frames->every);
+  std::vector<std::size_t> result = run_pictures;
   std::erase_if(result, [&](std::size_t i) {
     return frames[i].step < options.from || frames[i].step > options.to;
   });
   if (result.empty()) {
-    throw RedrawError(
-        fmt::format("{}: no frame to draw in that range; the {} frames of the "
-                    "trajectory go from step {} to {}",
-                    run.folder.string(), frames.size(), frames.front().step, frames.back().step));
+    throw RedrawError(fmt::format(
+        "{}: no picture in that range; the {} frames of the trajectory go from "
+        "step {} to {}, and pictures are output.frames.every = {} steps apart (--every)",
+        run.folder.string(), frames.size(), frames.front().step, frames.back().step,
+        run.scene.output.frames->every));
   }
   return result;
 }
@@ -98,7 +101,8 @@ RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, doubl
       scene_(drawable(run)),
       initial_(initial_state(scene_)),
       trajectory_(run.folder, scene_, initial_, max_bytes),
-      chosen_(chosen(run, options, trajectory_.frames())),
+      run_pictures_(frame_choice(trajectory_.frames(), scene_.output.frames->every)),
+      chosen_(chosen(run, options, trajectory_.frames(), run_pictures_)),
       vessels_(vessels(scene_, trajectory_.frames())) {}
 
 RunDrawing::Scale RunDrawing::scale() const {
@@ -121,6 +125,7 @@ RunDrawing::Scale RunDrawing::scale() const {
     scale[kForce] = scales.strongest_force;
   }
   scale[scales.velocity_unit.several] = scales.highest_velocity;
+  scale[kCell] = scales.velocity_cell;
   return scale;
 }
 
@@ -133,9 +138,12 @@ void RunDrawing::set_scale(const Scale& scale) {
     frames.force_scale = scale.at(kForce);
   }
   frames.velocity_scale = scale.at(overlay_scales(scene_).velocity_unit.several);
+  frames.velocity_cell = scale.at(kCell);
 }
 
 CapturedFrame RunDrawing::capture(std::size_t number) {
+  begin_stage(trajectory_.frames()[chosen_[number]].stage);
+  begin_window(chosen_[number]);
   std::optional<CapturedFrame> frame;
   look_at(chosen_[number], [&](const View& view) { frame = painter_->capture(view, history_); });
   return *std::move(frame);
@@ -161,9 +169,6 @@ std::uint64_t RunDrawing::step(std::size_t number) const {
 template <class Show>
 void RunDrawing::look_at(std::size_t place, Show show) {
   begin_stage(trajectory_.frames()[place].stage);
-  if (shows_velocities(scene_)) {
-    begin_window(place);
-  }
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
   const bool has_forces = pictures_show_forces(scene_);
@@ -201,12 +206,13 @@ void RunDrawing::begin_stage(std::size_t stage) {
 }
 
 void RunDrawing::begin_window(std::size_t place) {
-  const std::vector<Frame>& frames = trajectory_.frames();
-  std::size_t before = first_frame(frames[place].stage);
-  for (const std::size_t picture : frame_choice(frames, scene_.output.frames->every)) {
-    if (picture < place) {
-      before = std::max(before, picture);
-    }
+  if (!shows_velocities(scene_)) {
+    return;
+  }
+  std::size_t before = first_frame(trajectory_.frames()[place].stage);
+  const auto next = std::lower_bound(run_pictures_.begin(), run_pictures_.end(), place);
+  if (next != run_pictures_.begin()) {
+    before = std::max(before, *std::prev(next));
   }
   run::begin_window(history_, scene_, trajectory_.state(before));
 }

@@ -61,8 +61,9 @@ class RunDrawing {
   scene::Scene scene_;
   grains::State initial_;
   store::Trajectory trajectory_;
-  std::vector<std::size_t> chosen_;       // frames
-  std::vector<contact::Vessel> vessels_;  // by stage, at its start
+  std::vector<std::size_t> run_pictures_;  // frames, with `every` of the scene
+  std::vector<std::size_t> chosen_;        // frames, among these
+  std::vector<contact::Vessel> vessels_;   // by stage, at its start
   std::optional<FramePainter> painter_;
   std::optional<std::size_t> stage_;
   std::uint64_t stage_start_ = 0;  // step

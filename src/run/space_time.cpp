@@ -264,11 +264,16 @@ render::Image SpaceTime::column_content() {
 render::Image SpaceTime::surface_content() {
   double highest = 0;
   bool bare = false;
-  content([&](const Eigen::ArrayXd& mean) {
-    highest = std::max(highest, mean[0]);
-    bare = bare || mean[1] < kBare;
-    return kWhite;
-  });
+  for (int x = 0; x < panel_.width; ++x) {
+    for (int row = 0; means_.is_known(x) && row < panel_.height; ++row) {
+      const Eigen::ArrayXd mean = means_.mean(x, row);
+      if (mean[1] < kBare) {
+        bare = true;
+      } else {
+        highest = std::max(highest, mean[0] / mean[1]);
+      }
+    }
+  }
   const AxisUnit unit = unit_for(scene_, highest);
   plot_.legend.bars = {{.label = fmt::format("height of the surface ({})", unit.name),
                         .high = unit.spacing * highest}};

@@ -49,13 +49,14 @@ void check_shapes(const Scene& scene, const Value& species) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& one = scene.species[i];
     const TextLocation& location = species.entries[i].location;
-    if (std::holds_alternative<DiscSpec>(one.shape_spec)) {
+    const bool hexagon = lattice::centred(one.shape).is_hexagon();
+    if (std::holds_alternative<DiscSpec>(one.shape_spec) && !hexagon) {
       fail(location,
            fmt::format("species.{}: model contact takes no discs, whose notches interlock; give it "
                        "the shape of a hexagon",
                        one.name));
     }
-    if (rolling && !lattice::centred(one.shape).is_hexagon()) {
+    if (rolling && !hexagon) {
       fail(location, fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
                                  "'contact.rolling: none'",
                                  one.name));

@@ -101,7 +101,7 @@ Type<Frames> frames_type() {
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
-                "the speed drawn as the longest arrow, as wide as a cell: spacings per step, or "
+                "the speed drawn as the longest arrow, 0.9 cells: spacings per step, or "
                 "with `model: contact` m/s (√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),

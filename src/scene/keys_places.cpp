@@ -32,10 +32,12 @@ void check_region(const lattice::Rectangle& region, const Value& value, const st
 
 void check_end(const Eigen::Vector2d& end, const char* key, const KeyedMap& fields,
                const Box& box) {
-  if (end.x() < 0 || end.y() < 0 || end.x() > box.width || end.y() > box.height) {
+  // From one side of a periodic box to where it repeats.
+  const double width = box.periodic ? lattice_of(box).size().x() : box.width;
+  if (end.x() < 0 || end.y() < 0 || end.x() > width || end.y() > box.height) {
     fail(fields.at(key).location,
-         fmt::format("{}: expected a point in the box, {} wide and {} high, found [{}, {}]",
-                     fields.path(key), box.width, box.height, end.x(), end.y()));
+         fmt::format("{}: expected a point in the box, {:.6g} wide and {} high, found [{}, {}]",
+                     fields.path(key), width, box.height, end.x(), end.y()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clca/lattice/shape.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -58,7 +59,12 @@ void check(const KeyedMap& fields, Sizes& sizes, const Scene& /*scene*/) {
     }
     return;
   }
-  fields.at("mean");
+  const double smallest = lattice::Shape::hexagon(0).diameter();
+  if (*sizes.mean < smallest) {
+    fail(fields.at("mean").location,
+         fmt::format("{}: expected at least {:.3g}, the diameter of a single site, found {}",
+                     fields.path("mean"), smallest, *sizes.mean));
+  }
   const Value& sd = fields.at("sd");
   if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
     fail(sd.location,

@@ -30,14 +30,17 @@ double normal_below(double quantile) {
   return std::erfc(-quantile / std::sqrt(2.0)) / 2;
 }
 
-/// Diameters in the middle of classes of equal width between `low` and `high`.
-template <class Below>
-std::vector<Diameter> classes(double low, double high, std::uint64_t count, Below below) {
+/// Mean diameters of classes of equal width between `low` and `high`. `below`: share of the law
+/// below a diameter; `moment_below`: that share times its mean.
+template <class Below, class MomentBelow>
+std::vector<Diameter> classes(double low, double high, std::uint64_t count, Below below,
+                              MomentBelow moment_below) {
   std::vector<Diameter> result;
   const double width = (high - low) / static_cast<double>(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     const double start = low + width * static_cast<double>(i);
-    result.push_back({start + width / 2, below(start + width) - below(start)});
+    const double share = below(start + width) - below(start);
+    result.push_back({(moment_below(start + width) - moment_below(start)) / share, share});
   }
   return result;
 }
@@ -54,19 +57,22 @@ std::vector<Diameter> diameters_of(const Sizes& sizes) {
   const double sd = *sizes.sd;
   if (sizes.law == SizeLaw::uniform) {
     const double half = sd * std::sqrt(3.0);
-    return classes(mean - half, mean + half, sizes.kinds, [](double diameter) { return diameter; });
+    return classes(
+        mean - half, mean + half, sizes.kinds, [](double diameter) { return diameter; },
+        [](double diameter) { return diameter * diameter / 2; });
   }
   // Of the logarithm.
   const double spread = std::sqrt(std::log1p(sd * sd / (mean * mean)));
   const double middle = std::log(mean) - spread * spread / 2;
-  return classes(std::exp(middle - kCutQuantile * spread), std::exp(middle + kCutQuantile * spread),
-                 sizes.kinds, [=](double diameter) {
-                   return normal_below((std::log(diameter) - middle) / spread);
-                 });
+  const auto quantile = [=](double diameter) { return (std::log(diameter) - middle) / spread; };
+  return classes(
+      std::exp(middle - kCutQuantile * spread), std::exp(middle + kCutQuantile * spread),
+      sizes.kinds, [=](double diameter) { return normal_below(quantile(diameter)); },
+      [=](double diameter) { return mean * normal_below(quantile(diameter) - spread); });
 }
 
 struct RoundKind {
-  ShapeSpec spec;
+  double radius = 0;  ///< as in DiscSpec or HexagonSpec
   double sites = 0;
 
   double diameter() const {
@@ -74,11 +80,11 @@ struct RoundKind {
   }
 };
 
-/// Up to the first one that is not smaller.
+/// Two at least, up to the first one that is not smaller.
 std::vector<RoundKind> hexagons(double largest) {
   std::vector<RoundKind> kinds;
-  for (int radius = 0; kinds.empty() || kinds.back().diameter() < largest; ++radius) {
-    kinds.push_back({HexagonSpec{radius}, 3.0 * radius * (radius + 1) + 1});
+  for (int radius = 0; radius < 2 || kinds.back().diameter() < largest; ++radius) {
+    kinds.push_back({static_cast<double>(radius), 3.0 * radius * (radius + 1) + 1});
   }
   return kinds;
 }
@@ -97,18 +103,35 @@ std::vector<RoundKind> discs(double largest) {
   }
   std::vector<RoundKind> kinds;
   double inside = 0;
-  for (std::size_t square = 0; kinds.empty() || kinds.back().diameter() < largest; ++square) {
+  for (std::size_t square = 0; square < 2 || kinds.back().diameter() < largest; ++square) {
     if (sites[square] > 0) {
       inside += sites[square];
       // Two digits keep them apart.
-      kinds.push_back(
-          {DiscSpec{std::ceil(std::sqrt(static_cast<double>(square)) * 100) / 100}, inside});
+      kinds.push_back({std::ceil(std::sqrt(static_cast<double>(square)) * 100) / 100, inside});
     }
   }
   return kinds;
 }
 
 /// From light to dark.
+/// The two kinds around a diameter, and the share of the upper one with which their mean diameter
+/// is this one.
+struct Neighbours {
+  std::size_t upper = 1;
+  double upper_share = 0;
+};
+
+Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
+  Neighbours beside;
+  while (beside.upper + 1 < kinds.size() && kinds[beside.upper].diameter() < diameter) {
+    ++beside.upper;
+  }
+  const double low = kinds[beside.upper - 1].diameter();
+  const double high = kinds[beside.upper].diameter();
+  beside.upper_share = std::clamp((diameter - low) / (high - low), 0.0, 1.0);
+  return beside;
+}
+
 std::string shade(const Color& color, double place) {
   constexpr double kLightest = 0.6;  // share of white
   constexpr double kDarkest = 0.5;   // of black
@@ -320,17 +343,17 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   std::map<std::size_t, double> shares;  // by number, of the kinds
   double all = 0;
   for (const Diameter& diameter : diameters_of(sizes)) {
-    const auto distance = [&](const RoundKind& kind) {
-      return std::abs(kind.diameter() - diameter.value);
-    };
-    const auto nearest = std::min_element(
-        kinds.begin(), kinds.end(),
-        [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-    const double share =
-        sizes.by == SharesBy::area ? diameter.share / nearest->sites : diameter.share;
-    shares[static_cast<std::size_t>(nearest - kinds.begin())] += share;
+    const Neighbours beside = neighbours(kinds, diameter.value);
+    const double upper =
+        sizes.law == SizeLaw::list ? std::round(beside.upper_share) : beside.upper_share;
+    const double area =
+        (1 - upper) * kinds[beside.upper - 1].sites + upper * kinds[beside.upper].sites;
+    const double share = sizes.by == SharesBy::area ? diameter.share / area : diameter.share;
+    shares[beside.upper - 1] += (1 - upper) * share;
+    shares[beside.upper] += upper * share;
     all += share;
   }
+  std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
   double units = 0;
   for (auto& [kind, share] : shares) {
     share = std::max(1.0, std::round(share / all / kShareUnit));
@@ -338,7 +361,14 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   }
   std::vector<SizeClass> result;
   for (const auto& [kind, share] : shares) {
-    result.push_back({kinds[kind].spec, share / units});
+    const double radius = kinds[kind].radius;
+    SizeClass& one = result.emplace_back();
+    if (sizes.shape == RoundShape::disc) {
+      one.shape = DiscSpec{radius};
+    } else {
+      one.shape = HexagonSpec{static_cast<int>(radius)};
+    }
+    one.share = share / units;
   }
   return result;
 }

@@ -33,9 +33,10 @@ struct SizeClass {
 /// Of the classes of the law.
 double largest_diameter(const Sizes& sizes);
 
-/// The kinds of particles that come nearest to the law, from the smallest to the largest. Of
-/// uniform and lognormal: diameters in the middle of `kinds` classes of equal width, which cover
-/// the law, of lognormal without half a percent at each end. Those with the same sites are one.
+/// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to
+/// its diameters. Of uniform and lognormal: of each of `kinds` classes of equal width, the two
+/// around its mean diameter, with the same mean. The classes cover the law, of lognormal without
+/// half a percent at each end. Those with the same sites are one.
 std::vector<SizeClass> size_classes(const Sizes& sizes);
 
 /// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,

@@ -150,6 +150,7 @@ TEST_F(RenderCommandTest, DrawsSeveralRunsSideBySide) {
   expect_refused(render({"run", "second", "-o", "far"}), 2,
                  HasSubstr("--output goes with one run"));
   expect_refused(render({"run", "none"}), 2, HasSubstr("none"));
+  expect_refused(render({"run", "./run/"}), 2, HasSubstr("./run/: is given twice"));
 }
 
 TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
@@ -224,7 +225,7 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   fs::copy(path("run"), path("bare"), fs::copy_options::recursive);
   fs::remove_all(path("bare/trajectory"));
   expect_refused(render({"bare"}), 2, HasSubstr("output.trajectory"));
-  expect_refused(render({"run", "--from", "100000"}), 2, HasSubstr("no frame to draw"));
+  expect_refused(render({"run", "--from", "100000"}), 2, HasSubstr("no picture in that range"));
   expect_refused(render({"run", "--movie", "a.avi"}), 2,
                  AllOf(HasSubstr("a.avi"), HasSubstr(".mp4, .webm and .png")));
   expect_refused(render({"run", "--sheet", "a.jpg"}), 2, HasSubstr("ends in .png"));

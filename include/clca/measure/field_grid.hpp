@@ -1,7 +1,6 @@
 #pragma once
 // Coarse-grained fields: packing, velocity and its fluctuations on the cells of a grid.
 
-#include <utility>
 #include <vector>
 
 #include "clca/measure/grid.hpp"
@@ -15,7 +14,6 @@ struct FieldCell {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
   double packing = 0;                                ///< share of its sites taken by particles now
   std::size_t particles = 0;                         ///< that the means are over
-  double sites = 0;                                  ///< of these particles
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< mean, spacings per step
   /// 1/2 <|v - <v>|^2>: kinetic energy of the fluctuations per unit mass, (spacings per step)^2.
   double fluctuation = 0;
@@ -32,8 +30,6 @@ class FieldWindow {
  public:
   /// Starts the window.
   explicit FieldWindow(const grains::State& state) : begin_(state) {}
-  /// A window that started with the snapshot.
-  explicit FieldWindow(Snapshot begin) : begin_(std::move(begin)) {}
 
   /// The fields if the window ends now, on a Grid of side `cell` (lattice spacings).
   /// Particles that entered or left during the window count for the packing only. In a window of

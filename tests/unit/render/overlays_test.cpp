@@ -88,7 +88,7 @@ TEST(ArrowField, CutsArrowsThatAreTooLongAndSaysSoByTheirColour) {
   EXPECT_NE(whole.color, cut.color);
   const Legend::Line key = cut_arrow_key(5, "above 0.6");
   EXPECT_EQ(key.color, cut.color);
-  EXPECT_NEAR(key.length, 0.9 * 5, 1e-12);
+  EXPECT_EQ(key.length, 0);  // tells nothing
 }
 
 class LegendLine : public testing::Test {

@@ -192,7 +192,7 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
     const Redraw nothing(runs, options);
     FAIL() << "no error";
   } catch (const RedrawError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no frame to draw in that range; the "));
+    EXPECT_THAT(error.what(), HasSubstr("no picture in that range; the "));
   }
 }
 

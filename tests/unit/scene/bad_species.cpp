@@ -41,10 +41,15 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:5:54: error: species.small.sizes.sd: expected less than 1.732, so that all "
      "diameters are above 0, found 2",
      Judge::parser},
+    {"sizes below that of a single site",
+     "species: {small: {sizes: {law: uniform, mean: 1, sd: 0.1}}}",
+     "scene.yaml:5:47: error: species.small.sizes.mean: expected at least 1.05, the diameter of a "
+     "single site, found 1",
+     Judge::parser},
     {"sizes with a tail of giants", "species: {small: {sizes: {law: lognormal, mean: 90, sd: 90}}}",
      "scene.yaml:5:57: error: species.small.sizes.sd: expected less, so that all diameters are up "
      "to "
-     "100; the largest would be 509.9",
+     "100; the largest would be 506.9",
      Judge::parser},
     {"a list of sizes with a mean",
      "species: {small: {sizes: {law: list, diameters: [2], shares: [1], mean: 2}}}",

@@ -56,8 +56,24 @@ TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
                            .shares = {},
                            .shape = RoundShape::disc};
       const Moments found = moments_of(size_classes(sizes), by == SharesBy::area);
-      EXPECT_NEAR(found.mean, 20, 0.4);
+      EXPECT_NEAR(found.mean, 20, 0.2);
       EXPECT_NEAR(found.sd, 5, 0.3);
+    }
+  }
+}
+
+TEST(Sizes, OfFewHexagonsHaveTheMeanOfTheirLaw) {
+  for (const double sd : {0.6, 1.8}) {
+    for (const std::uint64_t kinds : {1, 4, 8, 64}) {
+      const Sizes sizes = {.law = SizeLaw::lognormal,
+                           .mean = 6,
+                           .sd = sd,
+                           .by = SharesBy::number,
+                           .kinds = kinds,
+                           .diameters = {},
+                           .shares = {},
+                           .shape = RoundShape::hexagon};
+      EXPECT_NEAR(moments_of(size_classes(sizes), false).mean, 6, 0.03) << sd << " " << kinds;
     }
   }
 }
