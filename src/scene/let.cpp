@@ -4,6 +4,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "clca/text/message.hpp"
@@ -58,8 +59,9 @@ void Evaluator::define(const Entry& entry) {
                      found(entry.value)));
   }
   constexpr const char* kNames =
-      "a name has up to 64 letters, digits and '_', no digit first, and is no function";
-  if (entry.key.size() > kMaxNameLength || parser_.GetFunDef().contains(entry.key)) {
+      "a name has up to 64 letters, digits and '_', no digit first, and is no function or constant";
+  if (entry.key.size() > kMaxNameLength || parser_.GetFunDef().contains(entry.key) ||
+      parser_.GetConst().contains(entry.key)) {
     refuse_name(kNames);
   }
   try {
@@ -106,8 +108,13 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
   const std::string expression = text::shown(value.text);
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
     // The rest of the expression, from the name on.
-    const std::string& rest = error.GetToken();
+    const std::string& token = error.GetToken();  // with a space behind
+    const std::string rest = token.substr(0, token.find_last_not_of(' ') + 1);
     const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
+    if (name.empty() || (name.front() != '_' && std::isalpha(name.front()) == 0)) {
+      fail(value.location,
+           fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
+    }
     fail(value.location,
          fmt::format("unknown name {} in {} ({}){}", text::shown(name), expression,
                      names_.empty() ? "nothing stands under let" : "known: " + text::listed(names_),

@@ -175,6 +175,11 @@ class Expansion {
     change(counts, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
       const auto all = static_cast<double>(
           read_count(entry.value, join_path(path, entry.key), 0, kMaxParticles));
+      if (all > 0 && all < static_cast<double>(family.kinds.size())) {
+        fail(entry.value.location,
+             fmt::format("{}: expected at least {}, one of each kind, found {}",
+                         join_path(path, entry.key), family.kinds.size(), all));
+      }
       std::vector<double> numbers;
       std::vector<std::size_t> order(family.kinds.size());
       double left = all;

@@ -15,13 +15,10 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "'wide'"},
     {"a let with a name that is none", "let: {2a: 3}",
      "scene.yaml:13:7: error: let.2a: a name has up to 64 letters, digits and '_', no digit first, "
-     "and is "
-     "no "
-     "function"},
+     "and is no function or constant"},
     {"a let with the name of a function", "let: {sqrt: 3}",
      "scene.yaml:13:7: error: let.sqrt: a name has up to 64 letters, digits and '_', no digit "
-     "first, and is "
-     "no function",
+     "first, and is no function or constant",
      Judge::parser},
     {"a let of a number in quotes", "let: {a: '5'}",
      "scene.yaml:13:10: error: let.a: expected a number or an expression like '=2*a', found '5' in "
@@ -30,6 +27,12 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:13:7: error: let.seed: a key of the scene has this name", Judge::parser},
     {"a let that uses a later one", "let: {a: =b, b: 3}",
      "scene.yaml:13:10: error: unknown name 'b' in '=b' (nothing stands under let)", Judge::parser},
+    {"a constant as a name", "let: {_pi: 3}",
+     "scene.yaml:13:7: error: let._pi: a name has up to 64 letters, digits and '_', no digit "
+     "first, and is no function or constant",
+     Judge::parser},
+    {"a sign that belongs to no expression", "box: {width: =2%3, height: 20}\nlet: {w: 30}",
+     "scene.yaml:4:14: error: cannot evaluate '=2%3': '%3' is not expected", Judge::parser},
     {"an unknown name", "box: {width: =widht + 1, height: 20}\nlet: {width: 30}",
      "scene.yaml:4:14: error: unknown name 'widht' in '=widht + 1' (known: width); did you mean "
      "'width'?",

@@ -41,6 +41,13 @@ constexpr auto kScenes = std::to_array<BadScene>({
      "scene.yaml:5:54: error: species.small.sizes.sd: expected less than 1.732, so that all "
      "diameters are above 0, found 2",
      Judge::parser},
+    {"fewer particles than kinds",
+     "species: {small: {sizes: {law: list, diameters: [1, 3, 5], shares: [1, 1, 1]}}, large: "
+     "{shape: {hexagon: 2}}}\n"
+     "sources: {}\nstages: [{name: a, fill: {region: [0, 0, 100, 50], counts: {small: 2}}}]",
+     "scene.yaml:10:68: error: stages.a.fill.counts.small: expected at least 3, one of each kind, "
+     "found 2",
+     Judge::parser},
     {"sizes below that of a single site",
      "species: {small: {sizes: {law: uniform, mean: 1, sd: 0.1}}}",
      "scene.yaml:5:47: error: species.small.sizes.mean: expected at least 1.05, the diameter of a "
