@@ -83,6 +83,20 @@ CLI::Validator finite_number() {
   return {check, ""};
 }
 
+CLI::Validator part_of_whole(std::uint64_t most) {
+  const auto check = [most](const std::string& text) -> std::string {
+    const std::size_t slash = text.find('/');
+    const auto number = quantity<std::uint64_t>(text.substr(0, slash));
+    const auto of = quantity<std::uint64_t>(slash < text.size() ? text.substr(slash + 1) : "");
+    const bool is_plain = number && of && number->unit.empty() && of->unit.empty() &&
+                          text == fmt::format("{}/{}", number->number, of->number);
+    return is_plain && number->number >= 1 && number->number <= of->number && of->number <= most
+               ? std::string()
+               : expected(fmt::format("K/N with K from 1 to N and N up to {}", most), text);
+  };
+  return {check, ""};
+}
+
 CLI::Validator time_span() {
   const auto convert = [](std::string& text) -> std::string {
     constexpr double kMaxSeconds = 1e9;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
@@ -26,6 +27,7 @@ struct SweepCommandOptions {
   std::string seeds = "1..8";
   std::vector<std::string> variations;
   std::string folder;
+  std::optional<sweep::Part> part;
   int jobs = machine_threads();
   bool all_pictures = false;
   bool quiet = false;
@@ -85,9 +87,13 @@ sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& op
   if (jobs < options.jobs && static_cast<std::size_t>(jobs) < plan.run_count()) {
     events.warning(fmt::format("{} runs at a time, as more do not fit into memory", jobs));
   }
-  return sweep::execute(
-      plan, {.folder = folder, .jobs = jobs, .all_pictures = options.all_pictures, .stop = &stop},
-      events);
+  return sweep::execute(plan,
+                        {.folder = folder,
+                         .part = options.part,
+                         .jobs = jobs,
+                         .all_pictures = options.all_pictures,
+                         .stop = &stop},
+                        events);
 }
 
 int run_sweep(const SweepCommandOptions& options) {
@@ -138,6 +144,18 @@ void add_sweep_command(CLI::App& app, int& code) {
                    "Runs at a time, each with one thread; the result does not depend on it")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--part",
+          [part = &options->part](const std::string& text) {
+            const std::size_t slash = text.find('/');
+            *part = {.number = std::stoul(text.substr(0, slash)),
+                     .of = std::stoul(text.substr(slash + 1))};
+          },
+          "Do part K of N of the runs only, without tables; the same command without --part "
+          "collects them and does what is missing")
+      ->type_name("K/N")
+      ->check(part_of_whole(100'000));
   command->add_flag("--frames", options->all_pictures,
                     "All pictures that the scene asks for, not only the last of each run");
   add_memory_limit(*command, options->scene);

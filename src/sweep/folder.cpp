@@ -37,7 +37,7 @@ std::string to_json(const Plan& plan) {
 
 }  // namespace
 
-Folder::Folder(const fs::path& path, const Plan& plan) : files_(path) {
+Folder::Folder(const fs::path& path) : files_(path) {
   if (files_.owns(store::kSummaryFile)) {
     throw store::StoreError(fmt::format(
         "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));
@@ -45,6 +45,9 @@ Folder::Folder(const fs::path& path, const Plan& plan) : files_(path) {
   for (const char* name : {kRuns, kMeasures, kOverview}) {
     files_.require_free(name);
   }
+}
+
+void Folder::begin(const Plan& plan) const {
   files_.write("sweep.json", to_json(plan));
   files_.remove(kOverview);
   files_.make_folder("runs");

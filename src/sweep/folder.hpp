@@ -11,9 +11,13 @@ namespace clca::sweep {
 
 class Folder {
  public:
+  /// Writes nothing. Throws store::StoreError for the folder of a run, or if a table could not be
+  /// written.
+  explicit Folder(const std::filesystem::path& path);
+
   /// Makes the folder if needed and writes the request. Existing files stay, except an old
-  /// overview. Throws store::StoreError, also for the folder of a run.
-  Folder(const std::filesystem::path& path, const Plan& plan);
+  /// overview. Throws store::StoreError.
+  void begin(const Plan& plan) const;
 
   std::filesystem::path run(const std::string& name) const { return files_.path() / "runs" / name; }
   void write_tables(const std::string& runs, const std::string& measures) const;

@@ -53,9 +53,16 @@ class Sweep {
       : plan_(plan),
         options_(options),
         events_(events),
-        folder_(options.folder, plan),
+        folder_(options.folder),
         results_(plan.run_count()) {
-    progress_.runs = plan.run_count();
+    const Part part = options.part.value_or(Part());
+    for (std::size_t run = part.number - 1; run < plan.run_count(); run += part.of) {
+      runs_.push_back(run);
+    }
+    progress_.runs = runs_.size();
+    if (!options.part) {
+      folder_.begin(plan);
+    }
   }
 
   Progress execute();
@@ -76,7 +83,8 @@ class Sweep {
   const Options& options_;
   const Events& events_;
   Folder folder_;
-  std::vector<Result> results_;  // in the order of the plan
+  std::vector<std::size_t> runs_;  // to be done, of the plan
+  std::vector<Result> results_;    // in the order of the plan
   Progress progress_;
   std::string store_error_;  // the first
   Clock::time_point start_ = Clock::now();
@@ -95,14 +103,16 @@ Progress Sweep::execute() {
   if (!store_error_.empty()) {
     throw store::StoreError(store_error_);
   }
-  write_tables();
-  write_overview();
+  if (!options_.part) {
+    write_tables();
+    write_overview();
+  }
   return progress_;
 }
 
 std::vector<std::size_t> Sweep::remaining_runs() {
   std::vector<std::size_t> remaining;
-  for (std::size_t run = 0; run < results_.size(); ++run) {
+  for (const std::size_t run : runs_) {
     auto earlier = stop_asked() ? std::nullopt
                                 : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run),
                                               options_.all_pictures);
@@ -180,7 +190,7 @@ void Sweep::refresh_tables() {
   constexpr std::chrono::seconds kInterval(5);
   constexpr int kShare = 20;
   const Clock::time_point now = Clock::now();
-  if (!tables_stale_ || now < tables_due_) {
+  if (options_.part || !tables_stale_ || now < tables_due_) {
     return;
   }
   write_tables();

@@ -122,6 +122,7 @@ TEST_F(SweepCommandTest, WrongCallsAreOneLineAndExitCodeTwo) {
       {{"small.yaml", "--set", "rules.inertia=2"}, "--set rules.inertia=2: error: "},
       {{"missing.yaml"}, "missing.yaml:1:1: error: "},
       {{"small.yaml", "--jobs", "0"}, "clca: error: "},
+      {{"small.yaml", "--part", "4/3"}, "clca: error: --part: expected K/N with K from 1 to N "},
       {{"small.yaml", "--seed", "3"}, "clca: error: "},
       {{"small.yaml", "--memory-limit", "64KiB"}, "small.yaml:2:"},
   };

@@ -7,7 +7,8 @@
 //   measures.csv             mean, standard deviation ... of each measure over the seeds
 //   overview.png             final pictures, a row for each combination, a column for each seed
 //
-// Complete runs of an earlier sweep in the folder are reused.
+// Complete runs of an earlier sweep in the folder are reused. Parts of a sweep write run folders
+// only, so that several may write at the same time, also from several machines.
 
 #include <atomic>
 #include <filesystem>
@@ -19,9 +20,16 @@
 
 namespace clca::sweep {
 
+/// Every `of`-th run of a plan, from the run `number` (from 1) on.
+struct Part {
+  std::size_t number = 1;
+  std::size_t of = 1;
+};
+
 struct Options {
   std::filesystem::path folder;
-  int jobs = 1;  ///< runs at a time, each with one thread
+  std::optional<Part> part = {};  ///< only these runs, without tables and overview
+  int jobs = 1;                   ///< runs at a time, each with one thread
   /// All pictures of the scene; otherwise only the final state.
   bool all_pictures = false;
   /// If not zero, the sweep stops with complete files.
@@ -30,7 +38,7 @@ struct Options {
 
 /// Progress of a sweep, in numbers of runs.
 struct Progress {
-  std::size_t runs = 0;
+  std::size_t runs = 0;    ///< of the part, if there is one
   std::size_t done = 0;    ///< with those of an earlier sweep
   std::size_t reused = 0;  ///< those
   std::size_t failed = 0;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <thread>
 
 #include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
@@ -96,6 +97,29 @@ TEST_F(SweepTest, TablesAndOverviewDoNotDependOnTheNumberOfJobs) {
   run(plan_of(), "four", 4);
   for (const std::string file : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
     EXPECT_EQ(text("one/" + file), text("four/" + file)) << file;
+  }
+}
+
+TEST_F(SweepTest, PartsAtTheSameTimeLeaveTheRunsOfAllOfIt) {
+  const Plan plan = plan_of();
+  run(plan, "all");
+  std::vector<std::thread> processes;
+  for (const std::size_t number : {1, 2, 3, 4}) {
+    processes.emplace_back([&, number] {
+      const Progress part =
+          execute(plan, {.folder = at("parts"), .part = Part{.number = number, .of = 4}}, {});
+      EXPECT_EQ(part.runs, number <= 2 ? 2U : 1U);  // of six
+      EXPECT_EQ(part.done, part.runs);
+    });
+  }
+  for (std::thread& process : processes) {
+    process.join();
+  }
+  EXPECT_FALSE(fs::exists(at("parts/runs.csv")));
+  EXPECT_FALSE(fs::exists(at("parts/sweep.json")));
+  EXPECT_EQ(run(plan, "parts").reused, 6U);
+  for (const char* name : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
+    EXPECT_EQ(text(std::string("parts/") + name), text(std::string("all/") + name)) << name;
   }
 }
 
