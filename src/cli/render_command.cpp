@@ -10,6 +10,7 @@
 
 #include "clca/run/redraw.hpp"
 #include "clca/run/run.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
@@ -103,6 +104,19 @@ void set_space_time(RenderOptions& options) {
   wanted.slit = choice.slit.value_or(wanted.slit);
 }
 
+void check_memory_of_all(const std::vector<run::RunToDraw>& runs, double limit) {
+  double bytes = 0;
+  for (const run::RunToDraw& run : runs) {
+    bytes += scene::size_of(run.scene).bytes;
+  }
+  if (bytes > limit) {
+    throw run::RedrawError(fmt::format(
+        "{} runs need about {:.0f} MiB of memory together, more than the limit of {:.0f} "
+        "MiB; draw fewer of them or raise --memory-limit",
+        runs.size(), bytes / kMebibyte, limit / kMebibyte));
+  }
+}
+
 std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
   if (options.runs.size() > 1 && !options.folder.empty()) {
     throw run::RedrawError(
@@ -119,6 +133,7 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
     }
     runs.push_back({.scene = scene_of(folder, options), .folder = folder});
   }
+  check_memory_of_all(runs, memory_limit(options.scene));
   return runs;
 }
 
