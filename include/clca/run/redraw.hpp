@@ -70,9 +70,9 @@ struct RedrawEvents {
   std::function<void(const std::string&)> warning = {};
 };
 
-/// Several runs share the ends of their colour bars and the widths of forces. Their movie and sheet
-/// show them side by side at equal times (if all are of the contact model) or steps: a moment for
-/// each picture of each run, with the nearest pictures of the others.
+/// Several runs share the ends of their colour bars and the scales of forces and velocities. Their
+/// movie and sheet show them side by side at equal times (if all are of the contact model) or
+/// steps: a moment for each picture of each run, with the nearest pictures of the others.
 class Redraw {
  public:
   /// Checks what is to be drawn and that it can be; draws nothing. Throws RedrawError,
