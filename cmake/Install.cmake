@@ -3,8 +3,9 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clca)
 
-if(TARGET clca_program)
-  install(TARGETS clca_program RUNTIME)
+install(TARGETS clca_program RUNTIME)
+if(CLCA_MPI)
+  install(TARGETS clca_mpi_program RUNTIME)
 endif()
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/scenes
         FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json" PATTERN "*.png")

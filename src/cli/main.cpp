@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
@@ -15,9 +16,11 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/text/input_error.hpp"
+#include "clca/tasks/leader.hpp"
 #include "clca/text/message.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/ranks.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
@@ -59,7 +62,7 @@ std::vector<const char*> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
   CLI::App app(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
@@ -76,9 +79,9 @@ int run_program(int argc, char** argv) {
 
   int code = 0;
   clca::cli::add_run_command(app, code);
-  clca::cli::add_resume_command(app, code);
-  clca::cli::add_boltzmann_command(app, code);
-  clca::cli::add_sweep_command(app, code);
+  clca::cli::add_resume_command(app, code, ranks);
+  clca::cli::add_boltzmann_command(app, code, ranks);
+  clca::cli::add_sweep_command(app, code, ranks);
   clca::cli::add_check_command(app, code);
   clca::cli::add_compare_command(app);
   clca::cli::add_diff_command(app, code);
@@ -107,9 +110,9 @@ int run_program(int argc, char** argv) {
   return code;
 }
 
-int run_or_complain(int argc, char** argv) {
+int run_or_complain(int argc, char** argv, clca::tasks::Ranks* ranks) {
   try {
-    return run_program(argc, argv);
+    return run_program(argc, argv, ranks);
   } catch (const clca::scene::SceneError& error) {
     return fail(ExitCode::wrong_input, error.what());
   } catch (const clca::text::InputError& error) {
@@ -127,6 +130,33 @@ int run_or_complain(int argc, char** argv) {
   }
 }
 
+/// Of several ranks the first runs the program, and the others serve it.
+int run_with_ranks(int argc, char** argv) {
+  std::unique_ptr<clca::tasks::Ranks> ranks;
+  try {
+    ranks = clca::cli::started_ranks(argv);
+  } catch (const clca::text::InputError& error) {
+    if (*error.what() != '\0') {
+      fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
+    }
+    return static_cast<int>(ExitCode::wrong_input);
+  }
+  if (!ranks || ranks->size() == 1) {
+    return run_or_complain(argc, argv, nullptr);
+  }
+  if (ranks->rank() == 0) {
+    const int code = run_or_complain(argc, argv, ranks.get());
+    clca::tasks::dismiss(*ranks);
+    return code;
+  }
+  clca::cli::be_silent();
+  if (argc > 1 && clca::cli::is_shared(argv[1])) {
+    const int code = run_or_complain(argc, argv, ranks.get());
+    return code == static_cast<int>(ExitCode::failed) ? code : static_cast<int>(ExitCode::done);
+  }
+  return static_cast<int>(ExitCode::done);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,7 +164,7 @@ int main(int argc, char** argv) {
   clca::cli::set_up_signals();
   int code = static_cast<int>(ExitCode::failed);
   try {
-    code = run_or_complain(argc, argv);
+    code = run_with_ranks(argc, argv);
   } catch (...) {  // no memory for a message either
     clca::cli::write_error("clca: error: out of memory\n");
   }

@@ -21,6 +21,9 @@ struct ResumeOptions {
 };
 
 int resume_run(const ResumeOptions& options) {
+  if (options.run.ranks != nullptr && options.run.ranks->rank() > 0) {
+    return serve_gases(options.run);  // or wait for rank 0, which goes on with grains alone
+  }
   const double limit = memory_limit(options.scene);
   run::SavedRun saved =
       as_input([&] { return run::load_run(options.folder, limit, options.until); });
@@ -41,10 +44,11 @@ int resume_run(const ResumeOptions& options) {
 
 }  // namespace
 
-void add_resume_command(CLI::App& app, int& code) {
+void add_resume_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
   CLI::App* command = app.add_subcommand(
       "resume", "Continue a run that was stopped or killed, or prolong one that is done");
   auto options = std::make_shared<ResumeOptions>();
+  share(options->run, ranks);
   command->add_option("DIR", options->folder, "Folder of the run")->required();
   command->add_option("--until", options->until,
                       "Run to this end instead of the scene's: steps of the last stage, the time "

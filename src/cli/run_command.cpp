@@ -51,6 +51,9 @@ int run_scene(const RunCommandOptions& options) {
 
 /// As run_scene(), for Boltzmann scenes only.
 int run_boltzmann_scene(const RunCommandOptions& options) {
+  if (options.run.ranks != nullptr && options.run.ranks->rank() > 0) {
+    return serve_gases(options.run);
+  }
   const scene::AnyScene scene = load_any_scene(options.scene, options.run.threads);
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
@@ -61,10 +64,11 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   return run_one(std::get<scene::BoltzmannScene>(scene), options);
 }
 
-CLI::App* add_command(CLI::App& app, int& code, const char* name, const char* what,
-                      int (*run_it)(const RunCommandOptions&)) {
+CLI::App* add_command(CLI::App& app, int& code, tasks::Ranks* ranks, const char* name,
+                      const char* what, int (*run_it)(const RunCommandOptions&)) {
   CLI::App* command = app.add_subcommand(name, what);
   auto options = std::make_shared<RunCommandOptions>();
+  share(options->run, ranks);
   add_scene_options(*command, options->scene);
   command->add_option("-o,--output", options->folder, "Folder to write to [renders/SCENE-NAME]");
   CLI::Option* keep = command->add_flag(
@@ -81,13 +85,13 @@ CLI::App* add_command(CLI::App& app, int& code, const char* name, const char* wh
 }  // namespace
 
 void add_run_command(CLI::App& app, int& code) {
-  add_command(app, code, "run", "Run a scene: pictures, tables and numbers into a folder",
+  add_command(app, code, nullptr, "run", "Run a scene: pictures, tables and numbers into a folder",
               run_scene);
 }
 
-void add_boltzmann_command(CLI::App& app, int& code) {
-  CLI::App* command = add_command(app, code, "boltzmann", "Run a scene of the Boltzmann equation",
-                                  run_boltzmann_scene);
+void add_boltzmann_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
+  CLI::App* command = add_command(app, code, ranks, "boltzmann",
+                                  "Run a scene of the Boltzmann equation", run_boltzmann_scene);
   command->remove_option(command->get_option("--frames-every"));  // it draws no pictures
   command->remove_option(command->get_option("--begin"));
 }

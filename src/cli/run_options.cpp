@@ -8,6 +8,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
@@ -32,6 +33,13 @@ int exit_code_of(const store::RunSummary& summary, int signal) {
 }
 
 }  // namespace
+
+void share(RunCommonOptions& options, tasks::Ranks* ranks) {
+  if (ranks != nullptr) {
+    options.ranks = ranks;
+    options.threads = 1;
+  }
+}
 
 void add_run_options(CLI::App& command, RunCommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads; the result does not depend on it")
@@ -59,6 +67,13 @@ void add_run_options(CLI::App& command, RunCommonOptions& options) {
   command.add_flag("--json", options.json, "Print run.json at the end");
 }
 
+int serve_gases(const RunCommonOptions& options) {
+  const std::atomic<int>& stop = catch_stop_signals();
+  return serve_rank(*options.ranks, [&] {
+    run::serve({.threads = options.threads, .stop = &stop, .ranks = options.ranks});
+  });
+}
+
 int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it) {
   ProgressLine line;
   run::RunEvents events;
@@ -78,7 +93,8 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
                                             .threads = options.threads,
                                             .reference = options.reference,
                                             .stop = &stop,
-                                            .time_limit = options.time_limit},
+                                            .time_limit = options.time_limit,
+                                            .ranks = options.ranks},
                                            events);
   if (options.json) {
     constexpr double kMaxBytes = 1 << 30;

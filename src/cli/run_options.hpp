@@ -17,11 +17,17 @@ struct RunCommonOptions {
   bool quiet = false;
   bool verbose = false;
   bool json = false;
+  tasks::Ranks* ranks = nullptr;
 };
 
+/// Call first: a rank has one thread if it is not told otherwise.
+void share(RunCommonOptions& options, tasks::Ranks* ranks);
 void add_run_options(CLI::App& command, RunCommonOptions& options);
 
 using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run::RunEvents&)>;
+
+/// Advances gases for rank 0, as another rank. Returns the exit code.
+int serve_gases(const RunCommonOptions& options);
 
 /// Calls `run_it`, shows progress and results; `folder` is the run folder. Returns the exit code.
 int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it);

@@ -14,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -29,9 +30,18 @@ struct SweepCommandOptions {
   std::string folder;
   std::optional<sweep::Part> part;
   int jobs = machine_threads();
+  bool collect_only = false;
   bool all_pictures = false;
   bool quiet = false;
+  tasks::Ranks* ranks = nullptr;
 };
+
+/// Of this process, in bytes: ranks on one machine share its memory.
+double memory_of_rank(const SweepCommandOptions& options) {
+  const double limit = memory_limit(options.scene);
+  const bool is_shared = options.ranks != nullptr && !options.scene.memory_limit;
+  return is_shared ? limit / options.ranks->on_this_machine() : limit;
+}
 
 sweep::Plan plan_of(const SweepCommandOptions& options) {
   sweep::Request request = {.scene = options.scene.file,
@@ -41,13 +51,13 @@ sweep::Plan plan_of(const SweepCommandOptions& options) {
   for (const std::string& text : options.variations) {
     request.variations.push_back(sweep::parse_variation(text));
   }
-  return sweep::plan(std::move(request), memory_limit(options.scene));
+  return sweep::plan(std::move(request), memory_of_rank(options));
 }
 
 /// Number of parallel runs: as requested and as fit into memory. Throws scene::SceneError if not
 /// even one fits.
 int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
-  const double limit = memory_limit(options.scene);
+  const double limit = memory_of_rank(options);
   double largest = 1;
   for (const sweep::Variant& variant : plan.variants) {
     check_memory(variant.scene, limit);
@@ -62,8 +72,10 @@ void print_totals(const sweep::Progress& totals, double seconds, const std::stri
   const std::string reused =
       totals.reused > 0 ? fmt::format(" ({} from before)", totals.reused) : "";
   const std::size_t missing = totals.runs - totals.done - totals.failed;
+  const std::size_t left = missing - totals.elsewhere;
   const std::string interrupted =
-      missing > 0 ? fmt::format(", {} interrupted or not begun", missing) : "";
+      (totals.elsewhere > 0 ? fmt::format(", {} under way elsewhere", totals.elsewhere) : "") +
+      (left > 0 ? fmt::format(", {} interrupted or not begun", left) : "");
   print_out("{} runs: {} done{}, {} failed{}, in {:.3g} s\n", totals.runs, totals.done, reused,
             totals.failed, interrupted, seconds);
   print_out("{}\n", folder);
@@ -79,6 +91,23 @@ sweep::Events events_to(ProgressLine& line, bool quiet) {
   return events;
 }
 
+std::string folder_of(const sweep::Plan& plan, const SweepCommandOptions& options) {
+  return options.folder.empty() ? "renders/" + plan.variants.front().scene.name + "-sweep"
+                                : options.folder;
+}
+
+sweep::Options sweep_options(const SweepCommandOptions& options, const std::string& folder,
+                             int jobs, const std::atomic<int>& stop) {
+  return {.folder = folder,
+          .part = options.part,
+          .collect_only = options.collect_only,
+          .jobs = jobs,
+          .all_pictures = options.all_pictures,
+          .max_bytes = memory_of_rank(options) / jobs,
+          .ranks = options.ranks,
+          .stop = &stop};
+}
+
 sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& options,
                           const std::string& folder, const std::atomic<int>& stop) {
   ProgressLine line;
@@ -87,20 +116,24 @@ sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& op
   if (jobs < options.jobs && static_cast<std::size_t>(jobs) < plan.run_count()) {
     events.warning(fmt::format("{} runs at a time, as more do not fit into memory", jobs));
   }
-  return sweep::execute(plan,
-                        {.folder = folder,
-                         .part = options.part,
-                         .jobs = jobs,
-                         .all_pictures = options.all_pictures,
-                         .stop = &stop},
-                        events);
+  return sweep::execute(plan, sweep_options(options, folder, jobs, stop), events);
+}
+
+int serve_sweep(const SweepCommandOptions& options) {
+  const std::atomic<int>& stop = catch_stop_signals();
+  return serve_rank(*options.ranks, [&] {
+    const sweep::Plan plan = plan_of(options);
+    sweep::serve(plan, sweep_options(options, folder_of(plan, options),
+                                     fitting_jobs(plan, options), stop));
+  });
 }
 
 int run_sweep(const SweepCommandOptions& options) {
+  if (options.ranks != nullptr && options.ranks->rank() > 0) {
+    return serve_sweep(options);
+  }
   const sweep::Plan plan = plan_of(options);
-  const std::string folder = options.folder.empty()
-                                 ? "renders/" + plan.variants.front().scene.name + "-sweep"
-                                 : options.folder;
+  const std::string folder = folder_of(plan, options);
   const std::atomic<int>& stop = catch_stop_signals();
   const auto start = std::chrono::steady_clock::now();
   const sweep::Progress totals = carry_out(plan, options, folder, stop);
@@ -108,11 +141,15 @@ int run_sweep(const SweepCommandOptions& options) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     print_totals(totals, seconds.count(), folder);
   }
-  if (totals.done + totals.failed < totals.runs) {
+  if (stop != 0 && totals.done + totals.failed < totals.runs) {
     return static_cast<int>(ExitCode::signal_base) + stop;
   }
   if (totals.failed > 0) {
     print_error("clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
+    return static_cast<int>(ExitCode::failed);
+  }
+  if (totals.done < totals.runs) {
+    print_error("clca: error: {} of {} runs are missing\n", totals.runs - totals.done, totals.runs);
     return static_cast<int>(ExitCode::failed);
   }
   return static_cast<int>(ExitCode::done);
@@ -120,10 +157,14 @@ int run_sweep(const SweepCommandOptions& options) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, int& code) {
+void add_sweep_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
   CLI::App* command = app.add_subcommand(
       "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
   auto options = std::make_shared<SweepCommandOptions>();
+  if (ranks != nullptr) {
+    options->ranks = ranks;
+    options->jobs = 1;
+  }
   add_scene_and_set(*command, options->scene);
   command
       ->add_option(
@@ -141,11 +182,11 @@ void add_sweep_command(CLI::App& app, int& code) {
                       "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
   command
       ->add_option("--jobs", options->jobs,
-                   "Runs at a time, each with one thread; the result does not depend on it")
+                   "Runs at a time, each with one thread; with mpirun on each rank; the result does "
+                   "not depend on it")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
-  command
-      ->add_option_function<std::string>(
+  CLI::Option* part = command->add_option_function<std::string>(
           "--part",
           [part = &options->part](const std::string& text) {
             const std::size_t slash = text.find('/');
@@ -153,11 +194,14 @@ void add_sweep_command(CLI::App& app, int& code) {
                      .of = std::stoul(text.substr(slash + 1))};
           },
           "Do part K of N of the runs only, without tables; the same command without --part "
-          "collects them and does what is missing")
-      ->type_name("K/N")
-      ->check(part_of_whole(100'000));
+          "collects them and does what is missing");
+  part->type_name("K/N")->check(part_of_whole(100'000));
+  command->add_flag("--collect", options->collect_only,
+                    "Run nothing: tables over the runs that are there, and how many are missing")
+      ->excludes(part);
   command->add_flag("--frames", options->all_pictures,
-                    "All pictures that the scene asks for, not only the last of each run");
+                    "All pictures that the scene asks for, not only the last of each run that the "
+                    "overview shows");
   add_memory_limit(*command, options->scene);
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
   command->callback([options, &code] { code = run_sweep(*options); });

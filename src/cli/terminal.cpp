@@ -16,6 +16,8 @@ namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): so is standard output
 int output_error = 0;  // errno of the first failure
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
+bool is_silent = false;
 
 /// 0, or errno.
 int write_all(int stream, std::string_view text) noexcept {
@@ -43,13 +45,23 @@ void occupy_closed_streams() {
   }
 }
 
+void be_silent() noexcept {
+  is_silent = true;
+}
+
 void write_out(std::string_view text) noexcept {
-  if (output_error == 0) {
+  if (output_error == 0 && !is_silent) {
     output_error = write_all(STDOUT_FILENO, text);
   }
 }
 
 void write_error(std::string_view text) noexcept {
+  if (!is_silent) {
+    write_all(STDERR_FILENO, text);
+  }
+}
+
+void write_always(std::string_view text) noexcept {
   write_all(STDERR_FILENO, text);
 }
 

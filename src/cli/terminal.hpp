@@ -11,10 +11,14 @@ namespace clca::cli {
 /// Call first. Reserves closed standard streams, so that no other file gets their number.
 void occupy_closed_streams();
 
+/// From then on nothing is written but by write_always(): of several processes one speaks.
+void be_silent() noexcept;
+
 /// Writes to standard output. A failure is remembered for end_output().
 void write_out(std::string_view text) noexcept;
 /// Writes to standard error; failures are ignored.
 void write_error(std::string_view text) noexcept;
+void write_always(std::string_view text) noexcept;
 
 template <class... T>
 void print_out(fmt::format_string<T...> format, T&&... values) {

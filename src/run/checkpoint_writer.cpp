@@ -15,7 +15,7 @@ CheckpointWriter::CheckpointWriter(const std::optional<scene::Checkpoints>& when
 
 bool CheckpointWriter::due(std::uint64_t step) {
   const bool by_steps = when_ && when_->every && step % *when_->every == 0;
-  return by_steps || (timer_ && timer_->due());
+  return by_steps || due_by_clock();
 }
 
 void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,

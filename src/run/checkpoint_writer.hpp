@@ -17,6 +17,7 @@ class CheckpointWriter {
 
   /// Whether a checkpoint is due after `step` steps.
   bool due(std::uint64_t step);
+  bool due_by_clock() { return timer_ && timer_->due(); }
   /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
   /// rethrows its error.
   /// Calls `before` first, which syncs files that the checkpoint refers to.

@@ -3,20 +3,20 @@
 #include "run/gas_run.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
+#include <optional>
+#include <thread>
 #include <utility>
 
-#include "clca/parallel/first_failure.hpp"
 #include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/tasks/pool.hpp"
 #include "run/begin.hpp"
 #include "run/checkpoint_writer.hpp"
+#include "run/gas_request.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_slots.hpp"
 #include "run/meter.hpp"
@@ -32,6 +32,12 @@ constexpr double kMinSeconds = 1e-9;
 std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
+
+/// A gas that is being advanced in this process.
+struct GasAtWork {
+  std::atomic<double> time = 0;
+  std::atomic<std::uint64_t> participations = 0;
+};
 
 class GasRun : public RunBase {
  public:
@@ -60,9 +66,18 @@ class GasRun : public RunBase {
   void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
   void run_case(GasCase& one);
-  /// True while the run goes on; shows progress from the thread that called run().
-  bool keep_going(const boltzmann::Gas& gas, double restitution);
-  void show_progress(const boltzmann::Gas& gas, double restitution);
+  tasks::Pool<bool>::Work work(GasCase& one, GasSlots& slots);
+  /// True while the run goes on; shows progress in the thread that called run().
+  bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
+                  const std::atomic<int>& stop);
+  void show_progress(double restitution);
+  /// Gases at a time in this process, and threads of each.
+  std::size_t at_a_time() const {
+    const auto ranks = static_cast<std::uint64_t>(options().ranks ? options().ranks->size() : 1);
+    return std::min<std::uint64_t>(static_cast<std::uint64_t>(options().threads),
+                                   (scene_.ensemble + ranks - 1) / ranks);
+  }
+  int threads_of_gas() const { return std::max(1, options().threads / static_cast<int>(at_a_time())); }
   void finish_case(const GasCase& one);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save();
@@ -86,7 +101,10 @@ class GasRun : public RunBase {
   std::uint64_t cases_logged_;  // by the lines of log.txt that were there
   std::vector<store::StageSummary> stages_;
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
-  std::atomic<std::uint64_t> gases_done_ = 0;
+  std::uint64_t gases_done_ = 0;
+  std::vector<GasAtWork> at_work_;  // one for each member of a case
+  std::optional<tasks::Leader> leader_;
+  std::thread::id thread_ = std::this_thread::get_id();
   TimeEstimate forecast_;
   bool complete_ = true;
   std::uint64_t steps_ = 0;
@@ -99,7 +117,12 @@ void GasRun::carry_out() {
   if (log().bytes() == 0) {
     warn();
   }
+  if (options().ranks != nullptr && options().ranks->size() > 1) {
+    leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", 0, at_a_time(),
+                    [this](const std::string& text) { log().warning(text); });
+  }
   run_cases();
+  leader_.reset();
 }
 
 void GasRun::warn() {
@@ -145,62 +168,105 @@ void GasRun::run_case(GasCase& one) {
     collisions_ += collisions(member);
   }
   forecast_ = TimeEstimate();
-  const int members = static_cast<int>(std::min<std::uint64_t>(scene_.ensemble, 1U << 30U));
-  const int outer = std::min(options().threads, members);
-  const int inner = std::max(1, options().threads / outer);
+  at_work_ = std::vector<GasAtWork>(one.members.size());
   GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
-  parallel::FirstFailure failure;
-  const auto carry = [&](int i) {
+  tasks::Pool<bool> pool(at_a_time(), leader_ ? &*leader_ : nullptr, work(one, slots),
+                         options().stop, true);
+  for (std::size_t number = 0; number < one.members.size(); ++number) {
+    pool.add(number);
+  }
+  constexpr std::chrono::milliseconds kPause(100);
+  while (!pool.finished()) {
+    for (const auto& [number, is_done] : pool.take_finished(kPause)) {
+      if (is_done) {
+        ++gases_done_;
+      } else if (!stop_asked()) {
+        pool.put_back(number);  // another rank was stopped
+      }
+    }
     if (stop_asked()) {
-      return;
+      pool.stop();
     }
-    const auto number = static_cast<std::uint64_t>(i);
-    GasMember member = slots.begin(number);
-    collisions_ -= collisions(member);
-    integrator_.integrate(member, one.restitution, boltzmann::member_seed(scene_.seed, number),
-                          inner, [&](const GasMember& now) {
-                            slots.after_step(number, now);
-                            return !failure.failed() && keep_going(*now.gas, one.restitution);
-                          });
-    collisions_ += collisions(member);
-    ++gases_done_;
-    slots.end(number, std::move(member));
+    if (leader_) {
+      slots.save_if_time();
+    }
+    if (timer_.due()) {
+      show_progress(one.restitution);
+    }
+  }
+}
+
+tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
+  const auto seed = [this](std::size_t number) {
+    return boltzmann::member_seed(scene_.seed, number);
   };
-  if (outer == 1) {  // regions within a region start their threads anew each time
-    for (int i = 0; i < members; ++i) {
-      carry(i);
-    }
-    return;
-  }
-  omp_set_max_active_levels(2);  // gases, and groups of particles in each
-#pragma omp parallel for schedule(dynamic) num_threads(outer) default(shared)
-  for (int i = 0; i < members; ++i) {
-    failure.guard([&] { carry(i); });
-  }
-  failure.rethrow();
+  const auto is_done = [this](const GasMember& member) {
+    return member.observations.size() == integrator_.times().size();
+  };
+  return {
+      .carry_out =
+          [this, &one, &slots, seed, is_done](std::size_t number, const std::atomic<int>& stop) {
+            GasMember member = slots.begin(number);
+            collisions_ -= collisions(member);
+            integrator_.integrate(member, one.restitution, seed(number), threads_of_gas(),
+                                  [&](const GasMember& now) {
+                                    slots.after_step(number, now);
+                                    return keep_going(number, *now.gas, one.restitution, stop);
+                                  });
+            collisions_ += collisions(member);
+            at_work_[number].time = 0;
+            const bool done = is_done(member);
+            slots.end(number, std::move(member));
+            return done;
+          },
+      .request =
+          [this, &one, &slots, seed](std::size_t number) {
+            return to_bytes({.restitution = one.restitution,
+                             .seed = seed(number),
+                             .threads = threads_of_gas(),
+                             .member = slots.copy(number)},
+                            scene_);
+          },
+      .result =
+          [this, &slots, is_done](std::size_t number, const tasks::Bytes& answer) {
+            GasMember member = gas_member(answer);
+            collisions_ += collisions(member) - collisions(slots.copy(number));
+            const bool done = is_done(member);
+            slots.end(number, std::move(member));
+            return done;
+          }};
 }
 
-bool GasRun::keep_going(const boltzmann::Gas& gas, double restitution) {
-  if (omp_get_thread_num() == 0 && timer_.due()) {
-    show_progress(gas, restitution);
+bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
+                        const std::atomic<int>& stop) {
+  at_work_[number].time = gas.time;
+  at_work_[number].participations = gas.participations;
+  if (std::this_thread::get_id() == thread_ && timer_.due()) {
+    show_progress(restitution);
   }
-  return !stop_asked();
+  return stop == 0 && !stop_asked();
 }
 
-void GasRun::show_progress(const boltzmann::Gas& gas, double restitution) {
+void GasRun::show_progress(double restitution) {
   if (!events().gas_progress) {
     return;
   }
-  const double part = gas.time / scene_.until;
-  const auto done = static_cast<double>(gases_done_);
+  double sum = 0;
+  double latest = 0;
+  std::uint64_t participations = 0;
+  for (const GasAtWork& one : at_work_) {
+    const double time = one.time;
+    sum += time;
+    latest = std::max(latest, time);
+    participations += time > 0 ? one.participations.load() : 0;
+  }
   const auto gases = static_cast<double>(scene_.ensemble);
-  const double at_work = std::min(static_cast<double>(options().threads), gases - done);
-  forecast_.update((done + at_work * part) / gases);
-  const double running = at_work * static_cast<double>(gas.participations) / particles_changed();
+  forecast_.update((static_cast<double>(gases_done_) + sum / scene_.until) / gases);
+  const double running = static_cast<double>(participations) / particles_changed();
   events().gas_progress({.stage = case_name(restitution),
                          .stage_number = course_.cases_ended + 1,
                          .stage_count = scene_.restitutions.size(),
-                         .time = gas.time,
+                         .time = latest,
                          .until = scene_.until,
                          .gases_done = gases_done_,
                          .gases = scene_.ensemble,

@@ -11,6 +11,11 @@ GasMember GasSlots::begin(std::size_t number) {
   return std::exchange(members_[number], {});
 }
 
+GasMember GasSlots::copy(std::size_t number) {
+  const std::lock_guard lock(mutex_);
+  return members_[number];
+}
+
 void GasSlots::after_step(std::size_t number, const GasMember& member) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) {
@@ -20,14 +25,26 @@ void GasSlots::after_step(std::size_t number, const GasMember& member) {
     if (!checkpoint_writer_.due(member.gas->step)) {
       return;
     }
-    collecting_ = true;
-    for (auto& [_, awaited] : running_) {
-      awaited = true;
-    }
+    collect();
   }
   if (std::exchange(running_[number], false)) {
     members_[number] = member;
     save_when_complete();
+  }
+}
+
+void GasSlots::save_if_time() {
+  const std::lock_guard lock(mutex_);
+  if (!collecting_ && checkpoint_writer_.due_by_clock()) {
+    collect();
+    save_when_complete();
+  }
+}
+
+void GasSlots::collect() {
+  collecting_ = true;
+  for (auto& [_, awaited] : running_) {
+    awaited = true;
   }
 }
 

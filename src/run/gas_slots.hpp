@@ -24,11 +24,16 @@ class GasSlots {
 
   /// Moves a member out, to be advanced.
   GasMember begin(std::size_t number);
+  /// A copy, for another process.
+  GasMember copy(std::size_t number);
   void after_step(std::size_t number, const GasMember& member);
-  /// Moves it back.
+  /// Where gases of this process may all have ended: saves if that is due by the clock.
+  void save_if_time();
+  /// Moves it back, from here or another process.
   void end(std::size_t number, GasMember member);
 
  private:
+  void collect();
   void save_when_complete();
 
   std::vector<GasMember>& members_;

@@ -15,8 +15,8 @@ constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at 
 }  // namespace
 
 Outputs::Outputs(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
-    : scene_(scene), last_picture_only_(options.last_picture_only) {
-  if (scene.output.frames) {
+    : scene_(scene), wanted_pictures_(options.pictures) {
+  if (scene.output.frames && wanted_pictures_ != WantedPictures::none) {
     pictures_.emplace(scene, state, options.threads);
   }
   if (scene.output.series) {
@@ -52,13 +52,16 @@ void Outputs::GrowingTable::take(store::Table& table, std::size_t least) {
 }
 
 void Outputs::open(const store::RunFolder& folder, const grains::State& state) {
-  reopen(folder, state, {.last_picture_only = last_picture_only_});
+  reopen(folder, state, {.wanted_pictures = wanted_pictures_});
 }
 
 void Outputs::reopen(const store::RunFolder& folder, const grains::State& state,
                      const OutputHistory& history) {
   folder_ = &folder;
-  last_picture_only_ = history.last_picture_only;
+  wanted_pictures_ = history.wanted_pictures;
+  if (wanted_pictures_ == WantedPictures::none) {
+    pictures_.reset();
+  }
   series_file_.emplace(
       GrowingTable{{folder.files(), store::table_name("series"), history.series_bytes}});
   cycles_file_.emplace(
@@ -90,7 +93,7 @@ OutputHistory Outputs::flush(Records& records) {
                            .cycles_bytes = cycles_file_->file.bytes(),
                            .fields_bytes = fields_file_->file.bytes(),
                            .probes_bytes = probes_file_->file.bytes(),
-                           .last_picture_only = last_picture_only_};
+                           .wanted_pictures = wanted_pictures_};
   if (series_) {
     history.series_step = series_->last_step();
   }
@@ -139,7 +142,7 @@ void Outputs::begin_stage(const scene::Stage& stage, const Model& model, const R
   if (pictures_) {
     pictures_->begin_stage(stage, model.state());
   }
-  if (pictures_ && !last_picture_only_) {
+  if (pictures_ && wanted_pictures_ == WantedPictures::all) {
     pictures_->draw(model, records, *folder_);
   }
   add_rows(stage, model, records, 0, true);
@@ -162,7 +165,7 @@ void Outputs::add_to_trajectory(const scene::Stage& stage, const Model& model,
 
 void Outputs::after_step(const scene::Stage& stage, const Model& model, Records& records,
                          std::uint64_t steps_in_stage, std::size_t moving) {
-  if (pictures_ && !last_picture_only_ && steps_in_stage % scene_.output.frames->every == 0) {
+  if (pictures_ && wanted_pictures_ == WantedPictures::all && steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(model, records, *folder_);
   }
   add_rows(stage, model, records, moving, false);
@@ -174,7 +177,7 @@ void Outputs::after_step(const scene::Stage& stage, const Model& model, Records&
 
 void Outputs::end_stage(const scene::Stage& stage, const Model& model, Records& records,
                         std::size_t moving, const StageHistory& history) {
-  if (pictures_ && (!last_picture_only_ || &stage == &scene_.stages.back())) {
+  if (pictures_ && (wanted_pictures_ == WantedPictures::all || &stage == &scene_.stages.back())) {
     pictures_->draw(model, records, *folder_);
   }
   add_rows(stage, model, records, moving, true);

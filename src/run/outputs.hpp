@@ -28,7 +28,7 @@ struct OutputHistory {
   PictureHistory pictures = {};
   store::TrajectoryWriter::Written trajectory = {};
   std::optional<std::uint64_t> trajectory_step = {};  ///< of the last frame
-  bool last_picture_only = false;
+  WantedPictures wanted_pictures = WantedPictures::all;
 
   static constexpr auto fields() {
     using reflection::field;
@@ -41,7 +41,7 @@ struct OutputHistory {
                            field("pictures", &OutputHistory::pictures),
                            field("trajectory", &OutputHistory::trajectory),
                            field("trajectory_step", &OutputHistory::trajectory_step),
-                           field("last_picture_only", &OutputHistory::last_picture_only));
+                           field("wanted_pictures", &OutputHistory::wanted_pictures));
   }
 };
 
@@ -90,7 +90,7 @@ class Outputs {
   bool requests(scene::Measure measure) const;
 
   const scene::Scene& scene_;
-  bool last_picture_only_;
+  WantedPictures wanted_pictures_;
   const store::RunFolder* folder_ = nullptr;
   std::optional<Pictures> pictures_;
   std::optional<SeriesTable> series_;

@@ -156,7 +156,9 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
     throw reflection::Mismatch("its probes are of another run");
   }
   const PictureHistory& pictures = parts.outputs.pictures;
-  if (shows_velocities(scene) != pictures.window.has_value() ||
+  const bool has_window =
+      shows_velocities(scene) && parts.outputs.wanted_pictures != WantedPictures::none;
+  if (has_window != pictures.window.has_value() ||
       (pictures.window && !pictures.window->precedes(grains))) {
     throw reflection::Mismatch("its velocities are of another run");
   }

@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "clca/store/file.hpp"
-#include "store/checkpoint_format.hpp"
 
 namespace clca::store {
 

@@ -63,7 +63,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
       refuse_lock(file, std::strerror(errno));
     }
     const std::string holder = holder_of(opened.number());
-    throw StoreError(fmt::format("cannot write to {}: another run is at work in it{}",
+    throw FolderInUseError(fmt::format("cannot write to {}: another run is at work in it{}",
                                  folder.string(),
                                  holder.empty() ? "" : fmt::format(" (process {})", holder)));
   }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <string_view>
+#include <system_error>
 
-#include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 
@@ -22,32 +23,60 @@ bool has_text(const fs::path& file, std::string_view text) {
 }
 
 bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64_t last_step,
-                  bool all) {
+                  run::WantedPictures wanted) {
   const auto has = [&](std::uint64_t step) {
     return fs::exists(store::frame_path(folder, scene.name, step));
   };
   // Step 0 is drawn whenever the course of a run is.
-  return !scene.output.frames || (has(last_step) && (!all || has(0)));
+  return !scene.output.frames || wanted == run::WantedPictures::none ||
+         (has(last_step) && (wanted == run::WantedPictures::last || has(0)));
+}
+
+/// Reads the summary of the run in a folder; none if it is not there, cut off or not to be read.
+std::optional<store::RunSummary> summary_in(const fs::path& folder) {
+  std::error_code unknown;
+  if (!fs::exists(folder / store::kSummaryFile, unknown)) {
+    return std::nullopt;
+  }
+  try {
+    return store::read_summary(folder / store::kSummaryFile);
+  } catch (const store::StoreError&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether a run is of this scene and program version.
+bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
+  try {
+    return summary.version == run::version() &&
+           has_text(folder / store::kSceneFile, scene::to_yaml(scene));
+  } catch (const store::StoreError&) {
+    return false;
+  }
 }
 
 }  // namespace
 
-std::optional<store::RunSummary> earlier_run(const fs::path& folder, const scene::Scene& scene,
-                                             bool all_pictures) {
-  try {
-    if (!fs::exists(folder / "run.json") ||
-        !has_text(folder / "scene.yaml", scene::to_yaml(scene))) {
-      return std::nullopt;
-    }
-    store::RunSummary summary = store::read_summary(folder / "run.json");
-    const bool whole = summary.status == "done" && summary.version == run::version() &&
-                       has_pictures(folder, scene, summary.steps, all_pictures);
-    return whole ? std::optional(std::move(summary)) : std::nullopt;
-  } catch (const store::StoreError&) {
-    return std::nullopt;  // cut off, or not to be read: the run is done anew
-  } catch (const fs::filesystem_error&) {
+std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene& scene,
+                                      run::WantedPictures pictures) {
+  std::optional<store::RunSummary> summary = summary_in(folder);
+  if (!summary || summary->status != "done") {
     return std::nullopt;
   }
+  EarlierRun earlier = {*std::move(summary)};
+  try {
+    earlier.is_whole = is_same(folder, earlier.summary, scene) &&
+                       has_pictures(folder, scene, earlier.summary.steps, pictures);
+  } catch (const fs::filesystem_error&) {  // not to be read: the run is done anew
+  }
+  return earlier;
+}
+
+bool can_go_on(const fs::path& folder, const scene::Scene& scene) {
+  const std::optional<store::RunSummary> summary = summary_in(folder);
+  std::error_code unknown;
+  return summary && (summary->status == "interrupted" || summary->status == "running") &&
+         fs::exists(folder / store::kCheckpointFile, unknown) && is_same(folder, *summary, scene);
 }
 
 }  // namespace clca::sweep

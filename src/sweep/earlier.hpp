@@ -4,14 +4,24 @@
 #include <filesystem>
 #include <optional>
 
+#include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
 
 namespace clca::sweep {
 
-/// The summary of the run in `folder` if it is complete, of exactly this scene and program version,
-/// and has its pictures: the final state, or all.
-std::optional<store::RunSummary> earlier_run(const std::filesystem::path& folder,
-                                             const scene::Scene& scene, bool all_pictures);
+/// A run that was once done.
+struct EarlierRun {
+  store::RunSummary summary;
+  /// It is of exactly this scene and program version, and has the pictures that are wanted.
+  bool is_whole = false;
+};
+
+/// The run in `folder`, if one was done there.
+std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
+                                      const scene::Scene& scene, run::WantedPictures pictures);
+
+/// Whether a run of exactly this scene and program version was stopped or killed in `folder`.
+bool can_go_on(const std::filesystem::path& folder, const scene::Scene& scene);
 
 }  // namespace clca::sweep

@@ -9,6 +9,12 @@
 
 namespace clca::sweep {
 
+/// The folder of a run in the folder of a sweep.
+inline std::filesystem::path run_folder(const std::filesystem::path& folder,
+                                        const std::string& name) {
+  return folder / "runs" / name;
+}
+
 class Folder {
  public:
   /// Writes nothing. Throws store::StoreError for the folder of a run, or if a table could not be
@@ -19,7 +25,9 @@ class Folder {
   /// overview. Throws store::StoreError.
   void begin(const Plan& plan) const;
 
-  std::filesystem::path run(const std::string& name) const { return files_.path() / "runs" / name; }
+  std::filesystem::path run(const std::string& name) const {
+    return run_folder(files_.path(), name);
+  }
   void write_tables(const std::string& runs, const std::string& measures) const;
   void write_overview(const std::vector<std::uint8_t>& png) const;
 

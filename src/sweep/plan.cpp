@@ -6,7 +6,9 @@
 #include <cctype>
 #include <set>
 
+#include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/scene/resolve.hpp"
 
 namespace clca::sweep {
 
@@ -146,6 +148,14 @@ Plan plan(Request request, double max_bytes) {
   }
   find_begins(result.variants, max_bytes);
   return result;
+}
+
+std::uint64_t fingerprint(const Plan& plan) {
+  std::string all = run::version() + to_text(plan.request.seeds);
+  for (const Variant& variant : plan.variants) {
+    all += scene::to_yaml(variant.scene);
+  }
+  return hash(all);
 }
 
 std::vector<std::string> Plan::keys() const {

@@ -4,15 +4,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <system_error>
 
 #include "clca/image/png.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/folder_lock.hpp"
+#include "clca/tasks/pool.hpp"
 #include "sweep/earlier.hpp"
 #include "sweep/folder.hpp"
 #include "sweep/overview.hpp"
-#include "sweep/run_pool.hpp"
+#include "sweep/run_task.hpp"
 #include "sweep/tables.hpp"
 
 namespace clca::sweep {
@@ -47,12 +54,45 @@ void prepare_drawing(const Plan& plan) {
   }
 }
 
+/// A run as other ranks are told of it: its number in the plan.
+tasks::Bytes number_bytes(std::size_t run) {
+  const std::uint64_t number = run;
+  tasks::Bytes bytes(sizeof number);
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return bytes;
+}
+
+std::size_t run_number(const tasks::Bytes& bytes) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, bytes.data(), sizeof number);
+  return number;
+}
+
+/// Which pictures each run draws: those of runs that the overview does not show are not asked for.
+class Pictures {
+ public:
+  Pictures(const Plan& plan, const Options& options) : all_(options.all_pictures) {
+    const Selection shown = selection(plan);
+    shown_.insert(shown.runs.begin(), shown.runs.end());
+  }
+  run::WantedPictures of(std::size_t run) const {
+    return all_                   ? run::WantedPictures::all
+           : shown_.contains(run) ? run::WantedPictures::last
+                                  : run::WantedPictures::none;
+  }
+
+ private:
+  bool all_;
+  std::set<std::size_t> shown_;
+};
+
 class Sweep {
  public:
   Sweep(const Plan& plan, const Options& options, const Events& events)
       : plan_(plan),
         options_(options),
         events_(events),
+        pictures_(plan, options),
         folder_(options.folder),
         results_(plan.run_count()) {
     const Part part = options.part.value_or(Part());
@@ -62,16 +102,22 @@ class Sweep {
     progress_.runs = runs_.size();
     if (!options.part) {
       folder_.begin(plan);
+      lock_.emplace(options.folder);
     }
   }
 
   Progress execute();
 
  private:
-  /// Takes over what earlier sweeps have left; returns the runs that remain.
+  using Pool = tasks::Pool<FinishedRun>;
+
+  /// Takes over what earlier sweeps have left; returns the runs that remain, the longest first as
+  /// far as earlier runs tell.
   std::vector<std::size_t> remaining_runs();
-  void carry_out(const std::vector<std::size_t>& runs);
-  void take(FinishedRun one);
+  void carry_out(const std::vector<std::size_t>& runs, tasks::Leader* leader);
+  std::optional<tasks::Leader> leader();
+  Pool::Work work();
+  void take(std::size_t run, FinishedRun one, Pool& pool);
   void show_progress();
   void write_tables();
   void refresh_tables();
@@ -82,7 +128,9 @@ class Sweep {
   const Plan& plan_;
   const Options& options_;
   const Events& events_;
+  Pictures pictures_;
   Folder folder_;
+  std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;  // to be done, of the plan
   std::vector<Result> results_;    // in the order of the plan
   Progress progress_;
@@ -99,7 +147,10 @@ Progress Sweep::execute() {
          fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
   }
   start_ = Clock::now();
-  carry_out(runs);
+  if (!options_.collect_only && !runs.empty() && !stop_asked()) {
+    std::optional<tasks::Leader> others = leader();
+    carry_out(runs, others ? &*others : nullptr);
+  }
   if (!store_error_.empty()) {
     throw store::StoreError(store_error_);
   }
@@ -112,37 +163,84 @@ Progress Sweep::execute() {
 
 std::vector<std::size_t> Sweep::remaining_runs() {
   std::vector<std::size_t> remaining;
+  std::vector<double> seconds(plan_.run_count(), std::numeric_limits<double>::infinity());
+  std::vector<std::vector<double>> seconds_of_variants(plan_.variants.size());
+  const auto variant = [&](std::size_t run) { return run / plan_.request.seeds.size(); };
   for (const std::size_t run : runs_) {
-    auto earlier = stop_asked() ? std::nullopt
-                                : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run),
-                                              options_.all_pictures);
+    auto earlier =
+        stop_asked()
+            ? std::nullopt
+            : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run), pictures_.of(run));
     if (earlier) {
-      results_[run] = {Status::done, std::move(*earlier), {}};
+      seconds[run] = earlier->summary.wall_seconds;
+      seconds_of_variants[variant(run)].push_back(seconds[run]);
+    }
+    if (earlier && earlier->is_whole) {
+      results_[run] = {Status::done, std::move(earlier->summary), {}};
       ++progress_.reused;
     } else {
       remaining.push_back(run);
     }
   }
   progress_.done = progress_.reused;
+  for (const std::size_t run : remaining) {
+    const std::vector<double>& known = seconds_of_variants[variant(run)];
+    if (!known.empty()) {
+      seconds[run] = std::min(seconds[run], std::accumulate(known.begin(), known.end(), 0.0) /
+                                                static_cast<double>(known.size()));
+    }
+  }
+  // Those of which nothing is known may be the longest.
+  std::stable_sort(remaining.begin(), remaining.end(),
+                   [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
   return remaining;
 }
 
-void Sweep::carry_out(const std::vector<std::size_t>& runs) {
-  constexpr std::chrono::milliseconds kPause(100);
-  if (stop_asked()) {
-    return;
+std::optional<tasks::Leader> Sweep::leader() {
+  if (options_.ranks == nullptr || options_.ranks->size() == 1) {
+    return std::nullopt;
   }
-  RunPool pool(plan_, folder_, runs, options_);
-  if (pool.at_a_time() < pool.wanted()) {
+  // Parts may be at work in the folder at the same time.
+  const std::string part =
+      options_.part ? fmt::format("-{}-{}", options_.part->number, options_.part->of) : "";
+  store::make_folder(options_.folder);
+  try {
+    return std::optional<tasks::Leader>(
+        std::in_place, *options_.ranks, options_.folder / fmt::format(".clca.ranks{}", part),
+        fingerprint(plan_), kMaxRuns, [this](const std::string& text) { tell(events_.warning, text); });
+  } catch (const std::system_error& error) {
+    throw store::StoreError(error.what());
+  }
+}
+
+Sweep::Pool::Work Sweep::work() {
+  return {.carry_out =
+              [this](std::size_t run, const std::atomic<int>& stop) {
+                return execute_run(plan_.scene(run), folder_.run(plan_.name(run)), options_,
+                                   pictures_.of(run), &stop);
+              },
+          .request = [](std::size_t run) { return number_bytes(run); },
+          .result = [](std::size_t /*run*/,
+                       const tasks::Bytes& answer) { return finished_run(answer); }};
+}
+
+void Sweep::carry_out(const std::vector<std::size_t>& runs, tasks::Leader* leader) {
+  constexpr std::chrono::milliseconds kPause(100);
+  const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
+  Pool pool(wanted, leader, work(), options_.stop);
+  if (pool.at_a_time() < wanted) {
     tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
                                       "started",
-                                      pool.at_a_time(), pool.wanted()));
+                                      pool.at_a_time(), wanted));
+  }
+  for (const std::size_t run : runs) {
+    pool.add(run);
   }
   while (!pool.finished()) {
-    for (FinishedRun& one : pool.take_finished(kPause)) {
-      take(std::move(one));
+    for (auto& [run, one] : pool.take_finished(kPause)) {
+      take(run, std::move(one), pool);
     }
-    if (stop_asked() || !store_error_.empty()) {
+    if (!store_error_.empty()) {
       pool.stop();
     }
     show_progress();
@@ -150,8 +248,8 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
   }
 }
 
-void Sweep::take(FinishedRun one) {
-  const std::string name = plan_.name(one.run);
+void Sweep::take(std::size_t run, FinishedRun one, Pool& pool) {
+  const std::string name = plan_.name(run);
   for (const std::string& warning : one.warnings) {
     tell(events_.warning, fmt::format("{}: {}", name, warning));
   }
@@ -163,13 +261,17 @@ void Sweep::take(FinishedRun one) {
     tell(events_.warning, fmt::format("{} failed: {}", name, one.result.error));
   } else if (one.result.status == Status::done) {
     ++progress_.done;
+  } else if (one.is_elsewhere) {
+    ++progress_.elsewhere;
+  } else if (!stop_asked()) {
+    pool.put_back(run);  // another rank was stopped
   }
-  results_[one.run] = std::move(one.result);
+  results_[run] = std::move(one.result);
   tables_stale_ = true;
 }
 
 void Sweep::show_progress() {
-  const std::size_t ended = progress_.done + progress_.failed;
+  const std::size_t ended = progress_.done + progress_.failed + progress_.elsewhere;
   const auto executed = static_cast<double>(ended - progress_.reused);
   if (executed > 0) {
     progress_.runs_per_second = executed / seconds_since(start_);
@@ -217,6 +319,18 @@ void Sweep::write_overview() {
 Progress execute(const Plan& plan, const Options& options, const Events& events) {
   prepare_drawing(plan);
   return Sweep(plan, options, events).execute();
+}
+
+void serve(const Plan& plan, const Options& options) {
+  prepare_drawing(plan);
+  const Pictures pictures(plan, options);
+  const auto execute_one = [&](const tasks::Bytes& request, const std::atomic<int>& stop) {
+    const std::size_t run = run_number(request);
+    return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
+                                options, pictures.of(run), &stop));
+  };
+  tasks::serve(*options.ranks, static_cast<std::size_t>(options.jobs), fingerprint(plan),
+               execute_one, options.stop);
 }
 
 }  // namespace clca::sweep

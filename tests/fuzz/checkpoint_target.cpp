@@ -4,8 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "clca/store/checkpoint.hpp"
 #include "memory_meter.hpp"
-#include "store/checkpoint_format.hpp"
 #include "store/checksum_header.hpp"
 #include "target.hpp"
 

@@ -163,7 +163,7 @@ image::Image over_time(std::optional<double> column) {
        "output.trajectory={every: 6}",
        "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
        "layers: 5, view: [-5, 0, 110, 220]}"});
-  run::run(scene, {.folder = folder.path() / "run", .last_picture_only = true});
+  run::run(scene, {.folder = folder.path() / "run", .pictures = run::WantedPictures::last});
   run::Redraw({{scene, folder.path() / "run"}},
               {.space_time = run::SpaceTimeOptions{.file = file, .column = column}})
       .draw();

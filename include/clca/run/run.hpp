@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/tasks/ranks.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::run {
@@ -51,6 +53,9 @@ struct GasProgress {
   std::optional<double> seconds_left;
 };
 
+/// All pictures of a scene, that of the final state or none.
+enum class WantedPictures : std::uint8_t { all, last, none };
+
 struct RunOptions {
   std::filesystem::path folder = {};
   int threads = 1;
@@ -62,12 +67,14 @@ struct RunOptions {
   const std::atomic<int>* stop = nullptr;
   /// Wall-clock seconds after which the run stops in the same way.
   std::optional<double> time_limit = {};
-  /// Draws only the final state, whatever the scene says.
-  bool last_picture_only = false;
+  /// Of the pictures that the scene asks for.
+  WantedPictures pictures = WantedPictures::all;
   /// Also replaces an interrupted run in the folder.
   bool overwrite = false;
   /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
   bool keep = false;
+  /// That share the gases of an ensemble; this is rank 0. A run of grains is the work of one process.
+  tasks::Ranks* ranks = nullptr;
 };
 
 /// The folder holds an interrupted run. what() is one line with the folder.
@@ -103,6 +110,10 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
 /// As the other run(), for the Boltzmann equation: an ensemble for each restitution.
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
+
+/// What the other ranks call in place of run() or resume() of a scene of the Boltzmann equation:
+/// advances gases that rank 0 sends. Throws tasks::LeaderLostError.
+void serve(const RunOptions& options);
 
 /// A run as of its last checkpoint: stopped, killed or finished. Locks its folder while it exists.
 struct SavedRun {

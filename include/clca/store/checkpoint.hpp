@@ -1,9 +1,12 @@
 #pragma once
 // Checkpoints: everything that a run needs to resume.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "clca/reflection/columns.hpp"
 #include "clca/store/output_folder.hpp"
@@ -20,6 +23,13 @@ struct Checkpoint {
   /// Whether the run has not taken a step yet.
   bool is_start() const { return fields.empty(); }
 };
+
+/// The bytes of a file, which also go from one process to another.
+std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint);
+
+/// Throws std::runtime_error with the reason for data that checkpoint_bytes() does not produce, or
+/// that needs more than `max_bytes` including the file; checked before allocation.
+Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes);
 
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
 inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";

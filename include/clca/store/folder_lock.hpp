@@ -3,14 +3,22 @@
 
 #include <filesystem>
 
+#include "clca/store/file.hpp"
+
 namespace clca::store {
+
+/// Another process is at work in a folder.
+class FolderInUseError : public StoreError {
+ public:
+  using StoreError::StoreError;
+};
 
 /// Locks the file `.clca.lock` of a folder. The system releases the lock when the process ends. The
 /// file is empty and remains.
 class FolderLock {
  public:
-  /// Throws StoreError if another process holds the lock, with its id if known, or if the file
-  /// cannot be made.
+  /// Throws FolderInUseError if another process holds the lock, with its id if known, and StoreError
+  /// if the file cannot be made.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;

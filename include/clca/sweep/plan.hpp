@@ -34,6 +34,10 @@ struct Plan {
   std::string name(std::size_t run) const;
 };
 
+/// A number of all its scenes and of the version of clca: the same in every process with the same
+/// plan.
+std::uint64_t fingerprint(const Plan& plan);
+
 /// Parses every combination. `max_bytes`: for the state of another run that they begin with. Throws
 /// scene::SceneError for the first that is wrong.
 Plan plan(Request request, double max_bytes = std::numeric_limits<double>::infinity());

@@ -7,16 +7,19 @@
 //   measures.csv             mean, standard deviation ... of each measure over the seeds
 //   overview.png             final pictures, a row for each combination, a column for each seed
 //
-// Complete runs of an earlier sweep in the folder are reused. Parts of a sweep write run folders
-// only, so that several may write at the same time, also from several machines.
+// Complete runs of an earlier sweep in the folder are reused, and runs that were stopped or killed go
+// on. Parts of a sweep write run folders only, so that several may write at the same time, also from
+// several machines. Other ranks write run folders, too, and rank 0 the rest.
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "clca/sweep/plan.hpp"
+#include "clca/tasks/ranks.hpp"
 
 namespace clca::sweep {
 
@@ -29,9 +32,13 @@ struct Part {
 struct Options {
   std::filesystem::path folder;
   std::optional<Part> part = {};  ///< only these runs, without tables and overview
-  int jobs = 1;                   ///< runs at a time, each with one thread
-  /// All pictures of the scene; otherwise only the final state.
+  bool collect_only = false;      ///< tables over the runs that are there; runs nothing
+  int jobs = 1;                   ///< runs at a time in this process, each with one thread
+  /// All pictures of the scene; otherwise only the final state of the runs in the overview.
   bool all_pictures = false;
+  /// Memory for what is read of a run that goes on, in bytes.
+  double max_bytes = std::numeric_limits<double>::infinity();
+  tasks::Ranks* ranks = nullptr;  ///< that share the runs
   /// If not zero, the sweep stops with complete files.
   const std::atomic<int>* stop = nullptr;
 };
@@ -42,6 +49,7 @@ struct Progress {
   std::size_t done = 0;    ///< with those of an earlier sweep
   std::size_t reused = 0;  ///< those
   std::size_t failed = 0;
+  std::size_t elsewhere = 0;  ///< under way in another process that is no rank of this sweep
   double runs_per_second = 0;  ///< over the runs of this sweep
   std::optional<double> seconds_left;
 };
@@ -53,10 +61,14 @@ struct Events {
   std::function<void(const std::string&)> warning = {};  ///< failed runs among them
 };
 
-/// Returns the final Progress: runs neither done nor failed were interrupted or not started. A
-/// failed run does not stop the others.
+/// Returns the final Progress: runs neither done nor failed are elsewhere, or were interrupted or
+/// not started. A failed run does not stop the others.
 /// Throws store::StoreError if something cannot be written, and run::SceneRunError if no picture
 /// can be drawn here.
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
+
+/// What the other ranks call in place of execute(), with the same plan: executes runs that rank 0
+/// chooses. Throws std::runtime_error if rank 0 ends before the sweep does.
+void serve(const Plan& plan, const Options& options);
 
 }  // namespace clca::sweep

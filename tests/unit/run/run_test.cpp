@@ -276,7 +276,7 @@ TEST(Run, DrawsTheFinalStateAloneWhenAskedAndIsTheSameRun) {
   const testing::ScratchFolder folder;
   const auto course = run(small_scene(), {.folder = folder.path() / "course"});
   const auto last =
-      run(small_scene(), {.folder = folder.path() / "last", .last_picture_only = true});
+      run(small_scene(), {.folder = folder.path() / "last", .pictures = WantedPictures::last});
   EXPECT_EQ(last.state_hash, course.state_hash);
   const fs::path frames = folder.path() / "last" / "frames";
   ASSERT_EQ(std::distance(fs::directory_iterator(frames), fs::directory_iterator()), 1);

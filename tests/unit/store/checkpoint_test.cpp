@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "clca/store/file.hpp"
-#include "store/checkpoint_format.hpp"
 #include "store/checksum_header.hpp"
 #include "support/runs.hpp"
 

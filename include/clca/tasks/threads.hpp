@@ -1,0 +1,49 @@
+#pragma once
+// Threads that each make one call at a time.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace clca::tasks {
+
+class Threads {
+ public:
+  /// Starts as many threads as are wanted, or as the system allows. Without any, or if `inline_one`
+  /// says so where one is wanted, start() makes the call itself.
+  explicit Threads(std::size_t wanted, bool inline_one = false);
+  /// Waits for the calls that are under way.
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+  /// Calls at a time, at least 1.
+  std::size_t count() const { return threads_.empty() ? 1 : threads_.size(); }
+  /// Whether start() makes the calls itself.
+  bool are_inline() const { return threads_.empty(); }
+  /// Calls that can be started now.
+  std::size_t idle() const;
+  /// One that does not throw; idle() must not be 0.
+  void start(std::function<void()> call);
+  /// Waits until a call has ended since the last time, but not longer than `most`.
+  void wait(std::chrono::microseconds most);
+
+ private:
+  void work();
+
+  mutable std::mutex mutex_;  // of all below but the threads
+  std::condition_variable started_;
+  std::condition_variable ended_;
+  std::vector<std::function<void()>> calls_;  // that no thread has begun
+  std::size_t under_way_ = 0;                 // with those
+  bool has_ended_ = false;                    // a call, since the last wait
+  bool over_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace clca::tasks

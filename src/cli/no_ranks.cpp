@@ -1,0 +1,53 @@
+// Without MPI: hands over to clca-mpi where mpirun has started this program.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "clca/text/input_error.hpp"
+#include "cli/ranks.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+/// The first of these variables that is there.
+template <std::size_t kCount>
+std::optional<std::string> variable(const std::array<const char*, kCount>& names) {
+  for (const char* name : names) {
+    if (const char* text = std::getenv(name)) {  // NOLINT(concurrency-mt-unsafe): nobody sets them
+      return text;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
+  // Open MPI, Slurm with PMIx, MPICH and Intel MPI.
+  const auto rank = variable<4>({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
+  const auto size = variable<3>({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});
+  if (arguments[0] == nullptr || arguments[1] == nullptr || !is_shared(arguments[1]) || !rank ||
+      !size || *size == "1") {
+    return nullptr;
+  }
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string other = (self.parent_path() / "clca-mpi").string();
+  ::execv(other.c_str(), arguments);
+  throw text::InputError(*rank != "0" ? ""
+                                      : fmt::format("{} processes have been started together, which "
+                                                    "wants clca-mpi beside {}: build clca where "
+                                                    "MPI is installed, or use --part",
+                                                    *size, self.string()));
+}
+
+}  // namespace clca::cli

@@ -1,0 +1,33 @@
+#pragma once
+// One run of a sweep.
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "clca/scene/scene.hpp"
+#include "clca/sweep/sweep.hpp"
+#include "clca/tasks/ranks.hpp"
+#include "sweep/result.hpp"
+
+namespace clca::sweep {
+
+/// A run that has ended.
+struct FinishedRun {
+  Result result;
+  std::vector<std::string> warnings;
+  std::string store_error;   ///< something could not be written; empty: all was
+  bool is_elsewhere = false;  ///< another process is at work on it
+};
+
+/// Executes a run in its folder, or goes on with it where it was stopped or killed.
+FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
+                        const Options& options, run::WantedPictures pictures,
+                        const std::atomic<int>* stop);
+
+/// From one process to another.
+tasks::Bytes to_bytes(const FinishedRun& run);
+FinishedRun finished_run(const tasks::Bytes& bytes);
+
+}  // namespace clca::sweep

@@ -1,0 +1,157 @@
+#include "clca/tasks/leader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "tasks/messages.hpp"
+
+namespace clca::tasks {
+
+namespace {
+
+void send_to_all(Ranks& ranks, const Bytes& bytes) {
+  for (int number = 1; number < ranks.size(); ++number) {
+    ranks.send(number, bytes);
+  }
+}
+
+}  // namespace
+
+void dismiss(Ranks& ranks) {
+  try {
+    send_to_all(ranks, bytes_of(Kind::end));
+  } catch (const std::bad_alloc&) {  // they see that this rank has ended
+  }
+}
+
+std::chrono::microseconds PollInterval::now() const {
+  constexpr std::chrono::microseconds kShortest(200);
+  constexpr std::chrono::microseconds kLongest(20'000);
+  constexpr int kPart = 20;
+  const auto without = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - last_);
+  return std::clamp(without / kPart, kShortest, kLongest);
+}
+
+Leader::Leader(Ranks& ranks, std::filesystem::path lock_file, std::uint64_t fingerprint,
+               std::size_t most, std::function<void(const std::string&)> warning)
+    : ranks_(ranks),
+      lock_file_(std::filesystem::absolute(lock_file)),
+      presence_(lock_file_, 0),
+      fingerprint_(fingerprint),
+      most_(most),
+      warning_(std::move(warning)),
+      others_(static_cast<std::size_t>(ranks.size())) {
+  send_to_all(ranks_, bytes_of(Kind::begin, 0, lock_file_.string()));
+}
+
+Leader::~Leader() {
+  std::error_code unknown;
+  std::filesystem::remove(lock_file_, unknown);
+  dismiss(ranks_);
+}
+
+std::size_t Leader::idle() const {
+  std::size_t sum = 0;
+  for (const Rank& one : others_) {
+    sum += one.idle;
+  }
+  return sum;
+}
+
+std::size_t Leader::busy() const {
+  std::size_t sum = 0;
+  for (const Rank& one : others_) {
+    sum += one.tasks.size();
+  }
+  return sum;
+}
+
+void Leader::start(std::size_t task, const Bytes& request) {
+  const auto one =
+      std::max_element(others_.begin(), others_.end(),
+                       [](const Rank& a, const Rank& b) { return a.idle < b.idle; });
+  --one->idle;
+  one->tasks.push_back(task);
+  ranks_.send(static_cast<int>(one - others_.begin()), bytes_of(Kind::request, task, request));
+}
+
+void Leader::stop() {
+  send_to_all(ranks_, bytes_of(Kind::stop));
+}
+
+std::vector<Leader::Answer> Leader::take_answers() {
+  std::vector<Answer> answers;
+  while (const auto message = ranks_.receive()) {
+    interval_.note_message();
+    handle(*message, answers);
+  }
+  constexpr std::chrono::seconds kPause(1);
+  const auto now = std::chrono::steady_clock::now();
+  if (sees_locks_ && now - looked_ >= kPause) {
+    looked_ = now;
+    look_for_lost_ranks();
+  }
+  return answers;
+}
+
+std::vector<std::size_t> Leader::take_lost() {
+  return std::exchange(lost_, {});
+}
+
+void Leader::handle(const Message& message, std::vector<Answer>& answers) {
+  Content content = content_of(message.bytes);
+  Rank& one = others_[static_cast<std::size_t>(message.from)];
+  if (content.kind == Kind::greeting) {
+    greet(message.from, message.bytes);
+  } else if (content.kind == Kind::refusal) {
+    give_up(message.from, content.text());
+  } else if (content.kind == Kind::answer && one.is_useful) {
+    const auto task = std::find(one.tasks.begin(), one.tasks.end(), content.number);
+    if (task != one.tasks.end()) {
+      one.tasks.erase(task);
+      ++one.idle;
+      answers.push_back({content.number, std::move(content.rest)});
+    }
+  }
+}
+
+void Leader::greet(int number, const Bytes& greeting) {
+  const Content content = content_of(greeting);
+  if (content.number != fingerprint_) {
+    give_up(number, "it has read another scene or is another version");
+    return;
+  }
+  if (sees_locks_ && !presence_.has(number)) {
+    sees_locks_ = false;
+    warning_(fmt::format("the lock of rank {} is not seen here: the file system of the folder does not lock "
+                         "between processes, so ranks that end are not noticed",
+                         number));
+  }
+  Rank& one = others_[static_cast<std::size_t>(number)];
+  one.is_useful = true;
+  one.idle = std::min<std::size_t>(std::stoul(content.text()), most_);
+}
+
+/// Messages come first: what a rank sent before it ended counts.
+void Leader::look_for_lost_ranks() {
+  for (int number = 1; number < ranks_.size(); ++number) {
+    if (others_[static_cast<std::size_t>(number)].is_useful && !presence_.has(number)) {
+      give_up(number, "it has ended");
+    }
+  }
+}
+
+void Leader::give_up(int number, const std::string& why) {
+  Rank& one = others_[static_cast<std::size_t>(number)];
+  if (!why.empty()) {
+    warning_(fmt::format("rank {} takes no more tasks: {}", number, why));
+  }
+  lost_.insert(lost_.end(), one.tasks.begin(), one.tasks.end());
+  one = {};
+}
+
+}  // namespace clca::tasks

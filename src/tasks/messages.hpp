@@ -1,0 +1,52 @@
+#pragma once
+// Messages between rank 0 and the others: a byte for the kind, a number of eight bytes, the rest.
+
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "clca/tasks/ranks.hpp"
+
+namespace clca::tasks {
+
+enum class Kind : std::uint8_t {
+  // from rank 0
+  begin,    ///< number: none; rest: path of the lock file
+  request,  ///< number: of the task; rest: of the request
+  stop,     ///< break off all tasks
+  end,      ///< there are no more
+  // to rank 0
+  greeting,  ///< number: fingerprint; rest: number of threads as text
+  answer,    ///< number: of the task; rest: the result
+  refusal,   ///< rest: why this rank serves no longer; empty: it was asked to end
+};
+
+struct Content {
+  Kind kind = Kind::end;
+  std::uint64_t number = 0;
+  Bytes rest;
+
+  std::string text() const { return {rest.begin(), rest.end()}; }
+};
+
+inline Bytes bytes_of(Kind kind, std::uint64_t number = 0, const Bytes& rest = {}) {
+  Bytes bytes(1 + sizeof number);
+  bytes[0] = static_cast<std::uint8_t>(kind);
+  std::memcpy(&bytes[1], &number, sizeof number);
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
+  return bytes;
+}
+
+inline Bytes bytes_of(Kind kind, std::uint64_t number, std::string_view rest) {
+  return bytes_of(kind, number, Bytes(rest.begin(), rest.end()));
+}
+
+inline Content content_of(const Bytes& bytes) {
+  Content content;
+  content.kind = static_cast<Kind>(bytes.at(0));
+  std::memcpy(&content.number, &bytes.at(1), sizeof content.number);
+  content.rest.assign(bytes.begin() + 1 + sizeof content.number, bytes.end());
+  return content;
+}
+
+}  // namespace clca::tasks

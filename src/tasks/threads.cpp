@@ -1,0 +1,78 @@
+#include "clca/tasks/threads.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace clca::tasks {
+
+Threads::Threads(std::size_t wanted, bool inline_one) {
+  if (wanted == 1 && inline_one) {
+    return;
+  }
+  try {
+    threads_.reserve(wanted);
+    while (threads_.size() < wanted) {
+      threads_.emplace_back([this] { work(); });
+    }
+  } catch (const std::exception&) {  // no more can be had
+  }
+}
+
+Threads::~Threads() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  started_.notify_all();
+  for (std::thread& thread : threads_) {
+    thread.join();
+  }
+}
+
+std::size_t Threads::idle() const {
+  const std::lock_guard lock(mutex_);
+  if (are_inline()) {
+    return has_ended_ ? 0 : 1;  // the one before is to be taken first
+  }
+  return threads_.size() - under_way_;
+}
+
+void Threads::start(std::function<void()> call) {
+  if (are_inline()) {
+    call();
+    has_ended_ = true;
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    calls_.push_back(std::move(call));
+    ++under_way_;
+  }
+  started_.notify_one();
+}
+
+void Threads::wait(std::chrono::microseconds most) {
+  std::unique_lock lock(mutex_);
+  ended_.wait_for(lock, most, [this] { return has_ended_; });
+  has_ended_ = false;
+}
+
+void Threads::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    started_.wait(lock, [this] { return over_ || !calls_.empty(); });
+    if (calls_.empty()) {
+      return;
+    }
+    const std::function<void()> call = std::move(calls_.back());
+    calls_.pop_back();
+    lock.unlock();
+    call();
+    lock.lock();
+    --under_way_;
+    has_ended_ = true;
+    ended_.notify_all();
+  }
+}
+
+}  // namespace clca::tasks
