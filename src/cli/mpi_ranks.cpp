@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstring>
@@ -48,8 +49,12 @@ struct Transfer {
 class MpiRanks : public tasks::Ranks {
  public:
   MpiRanks() {
+    // A rank that ends during this call would leave the others in it for ever.
+    constexpr unsigned kLongest = 600;  // seconds
+    ::alarm(kLongest);
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    ::alarm(0);
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // a rank may have ended
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);

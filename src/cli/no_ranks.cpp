@@ -43,11 +43,12 @@ std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string other = (self.parent_path() / "clca-mpi").string();
   ::execv(other.c_str(), arguments);
-  throw text::InputError(*rank != "0" ? ""
-                                      : fmt::format("{} processes have been started together, which "
-                                                    "wants clca-mpi beside {}: build clca where "
-                                                    "MPI is installed, or use --part",
-                                                    *size, self.string()));
+  throw text::InputError(*rank != "0"
+                             ? ""
+                             : fmt::format("{} processes have been started together, which "
+                                           "wants clca-mpi beside {}: build clca where "
+                                           "MPI is installed, or use --part",
+                                           *size, self.string()));
 }
 
 }  // namespace clca::cli

@@ -9,8 +9,8 @@
 
 namespace clca::cli {
 
-/// Calls `serve` on a rank that is not rank 0. Why it cannot serve goes to rank 0; that rank 0 is lost
-/// is told here. Returns the exit code.
+/// Calls `serve` on a rank that is not rank 0. Why it cannot serve goes to rank 0; that rank 0 is
+/// lost is told here. Returns the exit code.
 int serve_rank(tasks::Ranks& ranks, const std::function<void()>& serve);
 
 /// Whether several processes can carry out a command together.

@@ -123,8 +123,8 @@ int serve_sweep(const SweepCommandOptions& options) {
   const std::atomic<int>& stop = catch_stop_signals();
   return serve_rank(*options.ranks, [&] {
     const sweep::Plan plan = plan_of(options);
-    sweep::serve(plan, sweep_options(options, folder_of(plan, options),
-                                     fitting_jobs(plan, options), stop));
+    sweep::serve(
+        plan, sweep_options(options, folder_of(plan, options), fitting_jobs(plan, options), stop));
   });
 }
 
@@ -181,23 +181,25 @@ void add_sweep_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
   command->add_option("-o,--output", options->folder,
                       "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
   command
-      ->add_option("--jobs", options->jobs,
-                   "Runs at a time, each with one thread; with mpirun on each rank; the result does "
-                   "not depend on it")
+      ->add_option(
+          "--jobs", options->jobs,
+          "Runs at a time, each with one thread; with mpirun on each rank; the result does "
+          "not depend on it")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
   CLI::Option* part = command->add_option_function<std::string>(
-          "--part",
-          [part = &options->part](const std::string& text) {
-            const std::size_t slash = text.find('/');
-            *part = {.number = std::stoul(text.substr(0, slash)),
-                     .of = std::stoul(text.substr(slash + 1))};
-          },
-          "Do part K of N of the runs only, without tables; the same command without --part "
-          "collects them and does what is missing");
+      "--part",
+      [part = &options->part](const std::string& text) {
+        const std::size_t slash = text.find('/');
+        *part = {.number = std::stoul(text.substr(0, slash)),
+                 .of = std::stoul(text.substr(slash + 1))};
+      },
+      "Do part K of N of the runs only, without tables; the same command without --part "
+      "collects them and does what is missing");
   part->type_name("K/N")->check(part_of_whole(100'000));
-  command->add_flag("--collect", options->collect_only,
-                    "Run nothing: tables over the runs that are there, and how many are missing")
+  command
+      ->add_flag("--collect", options->collect_only,
+                 "Run nothing: tables over the runs that are there, and how many are missing")
       ->excludes(part);
   command->add_flag("--frames", options->all_pictures,
                     "All pictures that the scene asks for, not only the last of each run that the "

@@ -3,6 +3,7 @@
 #include "run/gas_run.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -77,7 +78,9 @@ class GasRun : public RunBase {
     return std::min<std::uint64_t>(static_cast<std::uint64_t>(options().threads),
                                    (scene_.ensemble + ranks - 1) / ranks);
   }
-  int threads_of_gas() const { return std::max(1, options().threads / static_cast<int>(at_a_time())); }
+  int threads_of_gas() const {
+    return std::max(1, options().threads / static_cast<int>(at_a_time()));
+  }
   void finish_case(const GasCase& one);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save();

@@ -165,7 +165,8 @@ void Outputs::add_to_trajectory(const scene::Stage& stage, const Model& model,
 
 void Outputs::after_step(const scene::Stage& stage, const Model& model, Records& records,
                          std::uint64_t steps_in_stage, std::size_t moving) {
-  if (pictures_ && wanted_pictures_ == WantedPictures::all && steps_in_stage % scene_.output.frames->every == 0) {
+  if (pictures_ && wanted_pictures_ == WantedPictures::all &&
+      steps_in_stage % scene_.output.frames->every == 0) {
     pictures_->draw(model, records, *folder_);
   }
   add_rows(stage, model, records, moving, false);

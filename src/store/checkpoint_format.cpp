@@ -13,8 +13,6 @@
 //
 // All numbers are little-endian, f64 as IEEE 754 has it.
 
-#include "clca/store/checkpoint.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -24,6 +22,7 @@
 #include <string_view>
 #include <utility>
 
+#include "clca/store/checkpoint.hpp"
 #include "store/checksum_header.hpp"
 #include "store/column_compression.hpp"
 

@@ -64,8 +64,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
     }
     const std::string holder = holder_of(opened.number());
     throw FolderInUseError(fmt::format("cannot write to {}: another run is at work in it{}",
-                                 folder.string(),
-                                 holder.empty() ? "" : fmt::format(" (process {})", holder)));
+                                       folder.string(),
+                                       holder.empty() ? "" : fmt::format(" (process {})", holder)));
   }
   descriptor_ = opened.release();
 }

@@ -26,8 +26,7 @@ std::optional<store::RunSummary> continued(const scene::Scene& scene,
     return std::nullopt;
   }
   try {
-    store::RunSummary summary =
-        run::resume(run::load_run(folder, options.max_bytes), run, events);
+    store::RunSummary summary = run::resume(run::load_run(folder, options.max_bytes), run, events);
     const auto now = earlier_run(folder, scene, run.pictures);
     // It draws the pictures that were wanted when it began.
     return summary.status != "done" || (now && now->is_whole) ? std::optional(std::move(summary))

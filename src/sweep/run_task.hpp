@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "clca/tasks/ranks.hpp"
@@ -17,7 +18,7 @@ namespace clca::sweep {
 struct FinishedRun {
   Result result;
   std::vector<std::string> warnings;
-  std::string store_error;   ///< something could not be written; empty: all was
+  std::string store_error;    ///< something could not be written; empty: all was
   bool is_elsewhere = false;  ///< another process is at work on it
 };
 

@@ -101,8 +101,9 @@ class Sweep {
     }
     progress_.runs = runs_.size();
     if (!options.part) {
-      folder_.begin(plan);
+      store::make_folder(options.folder);
       lock_.emplace(options.folder);
+      folder_.begin(plan);
     }
   }
 
@@ -167,10 +168,9 @@ std::vector<std::size_t> Sweep::remaining_runs() {
   std::vector<std::vector<double>> seconds_of_variants(plan_.variants.size());
   const auto variant = [&](std::size_t run) { return run / plan_.request.seeds.size(); };
   for (const std::size_t run : runs_) {
-    auto earlier =
-        stop_asked()
-            ? std::nullopt
-            : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run), pictures_.of(run));
+    auto earlier = stop_asked() ? std::nullopt
+                                : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run),
+                                              pictures_.of(run));
     if (earlier) {
       seconds[run] = earlier->summary.wall_seconds;
       seconds_of_variants[variant(run)].push_back(seconds[run]);
@@ -207,7 +207,8 @@ std::optional<tasks::Leader> Sweep::leader() {
   try {
     return std::optional<tasks::Leader>(
         std::in_place, *options_.ranks, options_.folder / fmt::format(".clca.ranks{}", part),
-        fingerprint(plan_), kMaxRuns, [this](const std::string& text) { tell(events_.warning, text); });
+        fingerprint(plan_), kMaxRuns,
+        [this](const std::string& text) { tell(events_.warning, text); });
   } catch (const std::system_error& error) {
     throw store::StoreError(error.what());
   }

@@ -71,9 +71,8 @@ std::size_t Leader::busy() const {
 }
 
 void Leader::start(std::size_t task, const Bytes& request) {
-  const auto one =
-      std::max_element(others_.begin(), others_.end(),
-                       [](const Rank& a, const Rank& b) { return a.idle < b.idle; });
+  const auto one = std::max_element(others_.begin(), others_.end(),
+                                    [](const Rank& a, const Rank& b) { return a.idle < b.idle; });
   --one->idle;
   one->tasks.push_back(task);
   ranks_.send(static_cast<int>(one - others_.begin()), bytes_of(Kind::request, task, request));
@@ -127,9 +126,10 @@ void Leader::greet(int number, const Bytes& greeting) {
   }
   if (sees_locks_ && !presence_.has(number)) {
     sees_locks_ = false;
-    warning_(fmt::format("the lock of rank {} is not seen here: the file system of the folder does not lock "
-                         "between processes, so ranks that end are not noticed",
-                         number));
+    warning_(fmt::format(
+        "the lock of rank {} is not seen here: the file system of the folder does not lock "
+        "between processes, so ranks that end are not noticed",
+        number));
   }
   Rank& one = others_[static_cast<std::size_t>(number)];
   one.is_useful = true;

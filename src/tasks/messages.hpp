@@ -1,7 +1,7 @@
 #pragma once
 // Messages between rank 0 and the others: a byte for the kind, a number of eight bytes, the rest.
 
-#include <cstring>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -29,24 +29,8 @@ struct Content {
   std::string text() const { return {rest.begin(), rest.end()}; }
 };
 
-inline Bytes bytes_of(Kind kind, std::uint64_t number = 0, const Bytes& rest = {}) {
-  Bytes bytes(1 + sizeof number);
-  bytes[0] = static_cast<std::uint8_t>(kind);
-  std::memcpy(&bytes[1], &number, sizeof number);
-  bytes.insert(bytes.end(), rest.begin(), rest.end());
-  return bytes;
-}
-
-inline Bytes bytes_of(Kind kind, std::uint64_t number, std::string_view rest) {
-  return bytes_of(kind, number, Bytes(rest.begin(), rest.end()));
-}
-
-inline Content content_of(const Bytes& bytes) {
-  Content content;
-  content.kind = static_cast<Kind>(bytes.at(0));
-  std::memcpy(&content.number, &bytes.at(1), sizeof content.number);
-  content.rest.assign(bytes.begin() + 1 + sizeof content.number, bytes.end());
-  return content;
-}
+Bytes bytes_of(Kind kind, std::uint64_t number = 0, const Bytes& rest = {});
+Bytes bytes_of(Kind kind, std::uint64_t number, std::string_view rest);
+Content content_of(const Bytes& bytes);
 
 }  // namespace clca::tasks

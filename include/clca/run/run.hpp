@@ -73,7 +73,8 @@ struct RunOptions {
   bool overwrite = false;
   /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
   bool keep = false;
-  /// That share the gases of an ensemble; this is rank 0. A run of grains is the work of one process.
+  /// That share the gases of an ensemble; this is rank 0. A run of grains is the work of one
+  /// process.
   tasks::Ranks* ranks = nullptr;
 };
 

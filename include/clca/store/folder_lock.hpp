@@ -17,8 +17,8 @@ class FolderInUseError : public StoreError {
 /// file is empty and remains.
 class FolderLock {
  public:
-  /// Throws FolderInUseError if another process holds the lock, with its id if known, and StoreError
-  /// if the file cannot be made.
+  /// Throws FolderInUseError if another process holds the lock, with its id if known, and
+  /// StoreError if the file cannot be made.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;

@@ -7,9 +7,9 @@
 //   measures.csv             mean, standard deviation ... of each measure over the seeds
 //   overview.png             final pictures, a row for each combination, a column for each seed
 //
-// Complete runs of an earlier sweep in the folder are reused, and runs that were stopped or killed go
-// on. Parts of a sweep write run folders only, so that several may write at the same time, also from
-// several machines. Other ranks write run folders, too, and rank 0 the rest.
+// Complete runs of an earlier sweep in the folder are reused, and runs that were stopped or killed
+// go on. Parts of a sweep write run folders only, so that several may write at the same time, also
+// from several machines. Other ranks write run folders, too, and rank 0 the rest.
 
 #include <atomic>
 #include <filesystem>
@@ -49,7 +49,7 @@ struct Progress {
   std::size_t done = 0;    ///< with those of an earlier sweep
   std::size_t reused = 0;  ///< those
   std::size_t failed = 0;
-  std::size_t elsewhere = 0;  ///< under way in another process that is no rank of this sweep
+  std::size_t elsewhere = 0;   ///< under way in another process that is no rank of this sweep
   double runs_per_second = 0;  ///< over the runs of this sweep
   std::optional<double> seconds_left;
 };

@@ -11,7 +11,9 @@
 #include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/folder_lock.hpp"
 #include "support/runs.hpp"
+#include "support/thread_ranks.hpp"
 
 namespace clca::sweep {
 namespace {
@@ -219,6 +221,125 @@ TEST_F(SweepTest, StopsWhenAskedAndGoesOnLater) {
   EXPECT_EQ(run(plan, "out").done, 6U);
   run(plan, "whole");
   EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
+}
+
+TEST_F(SweepTest, ARunThatWasStoppedGoesOnWhereItWas) {
+  const Plan plan = plan_of("stages.flow.until.steps=20000");
+  std::atomic<int> stop = 0;
+  const fs::path log = at("out/runs/stages.flow.until.steps=20000,seed=1/log.txt");
+  const auto once_it_flows = [&](const Progress& /*progress*/) {
+    stop = fs::exists(log) && testing::bytes_of(log).size() > 0 ? 2 : 0;
+  };
+  execute(plan, {.folder = at("out"), .jobs = 1, .stop = &stop}, {.progress = once_it_flows});
+  EXPECT_EQ(run(plan, "out").done, 3U);
+  run(plan, "whole");
+  EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
+  EXPECT_THAT(text("out/runs/stages.flow.until.steps=20000,seed=1/log.txt"),
+              HasSubstr("ended: interrupted"));
+  EXPECT_EQ(text("out/runs/stages.flow.until.steps=20000,seed=1/series.csv"),
+            text("whole/runs/stages.flow.until.steps=20000,seed=1/series.csv"));
+}
+
+TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
+  const Plan plan = plan_of("rules.inertia=0,0.5,0.9");
+  run(plan, "one");
+  testing::ThreadRanks all(3);
+  std::vector<std::thread> others;
+  for (const int number : {1, 2}) {
+    others.emplace_back([&, number] {
+      const auto ranks = all.seen_from(number);
+      serve(plan, {.folder = at("ranks"), .ranks = ranks.get()});
+    });
+  }
+  const auto ranks = all.seen_from(0);
+  EXPECT_EQ(execute(plan, {.folder = at("ranks"), .ranks = ranks.get()}).done, 9U);
+  for (std::thread& other : others) {
+    other.join();
+  }
+  for (const char* name : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
+    EXPECT_EQ(text(std::string("ranks/") + name), text(std::string("one/") + name)) << name;
+  }
+}
+
+TEST_F(SweepTest, FailuresAndWarningsOfOtherRanksAreToldAsThoseOfThisOne) {
+  const Plan plan = plan_of("stages.packing.fill.counts.small=136,12");
+  run(plan, "one");
+  testing::ThreadRanks all(2);
+  std::thread other([&] {
+    const auto ranks = all.seen_from(1);
+    serve(plan, {.folder = at("ranks"), .jobs = 8, .ranks = ranks.get()});
+  });
+  const auto ranks = all.seen_from(0);
+  std::vector<std::string> warnings;
+  const Progress totals =
+      execute(plan, {.folder = at("ranks"), .ranks = ranks.get()},
+              {.warning = [&](const std::string& line) { warnings.push_back(line); }});
+  other.join();
+  EXPECT_EQ(totals.failed, 3U);
+  EXPECT_THAT(warnings, ::testing::UnorderedElementsAreArray(warnings_));
+  EXPECT_EQ(text("ranks/runs.csv"), text("one/runs.csv"));
+}
+
+TEST_F(SweepTest, TheLongestComeFirstWhereEarlierRunsTell) {
+  const auto of_seeds = [this](std::vector<std::uint64_t> seeds) {
+    return plan({.scene = file(),
+                 .overrides = {},
+                 .variations = {parse_variation("rules.inertia=0,0.5,0.9")},
+                 .seeds = std::move(seeds)});
+  };
+  run(of_seeds({1}), "out");
+  const auto tell = [&](const std::string& value, const std::string& seconds) {
+    const std::string file = "out/runs/rules.inertia=" + value + ",seed=1/run.json";
+    auto json = nlohmann::ordered_json::parse(text(file));
+    json["wall_seconds"] = std::stod(seconds);
+    store::write_whole(at(file), json.dump(2) + "\n");
+  };
+  tell("0", "2");
+  tell("0.5", "30");
+  tell("0.9", "7");
+  run(of_seeds({1, 2}), "out", 1);
+  const auto ended = [&](const std::string& value) {
+    return fs::last_write_time(at("out/runs/rules.inertia=" + value + ",seed=2/run.json"));
+  };
+  EXPECT_LT(ended("0.5"), ended("0.9"));
+  EXPECT_LT(ended("0.9"), ended("0"));
+}
+
+TEST_F(SweepTest, ARunThatIsUnderWayElsewhereIsLeftToTheOtherProcess) {
+  const fs::path taken = at("out/runs/rules.inertia=0.9,seed=2");
+  fs::create_directories(taken);
+  {
+    const store::FolderLock other(taken);
+    const Progress totals = run(plan_of(), "out");
+    EXPECT_EQ(totals.done, 5U);
+    EXPECT_EQ(totals.elsewhere, 1U);
+    EXPECT_THAT(text("out/runs.csv"), HasSubstr("0.9,2,waiting,"));
+  }
+  EXPECT_EQ(run(plan_of(), "out").done, 6U);
+}
+
+TEST_F(SweepTest, OneSweepAtATimeWritesTheTables) {
+  run(plan_of(), "out");
+  const store::FolderLock other(at("out"));
+  EXPECT_THROW(run(plan_of(), "out"), store::FolderInUseError);
+}
+
+TEST_F(SweepTest, CollectsWithoutRunning) {
+  execute(plan_of(), {.folder = at("out"), .part = Part{.number = 1, .of = 2}}, {});
+  const Progress totals = execute(plan_of(), {.folder = at("out"), .collect_only = true}, {});
+  EXPECT_EQ(totals.done, 3U);
+  EXPECT_EQ(totals.runs, 6U);
+  EXPECT_THAT(text("out/runs.csv"), AllOf(HasSubstr("0,1,done,"), HasSubstr("0,2,waiting,")));
+  EXPECT_FALSE(fs::exists(at("out/runs/rules.inertia=0,seed=2")));
+}
+
+TEST_F(SweepTest, DrawsNoPicturesThatTheOverviewDoesNotShow) {
+  Plan many = plan_of();
+  many.request.seeds = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  run(many, "out");
+  EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=8"), 1U);
+  EXPECT_FALSE(fs::exists(at("out/runs/rules.inertia=0,seed=9/frames")));
+  EXPECT_EQ(run(many, "out").reused, 18U);
 }
 
 TEST_F(SweepTest, WhatCannotBeWrittenEndsTheSweepWithItsPath) {

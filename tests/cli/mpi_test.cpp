@@ -1,0 +1,196 @@
+// clca by mpirun, as a user meets it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+#include "clca/process/program.hpp"
+#include "support/missing.hpp"
+#include "support/program.hpp"
+#include "support/runs.hpp"
+
+namespace clca {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kScene = R"(clca: 1
+box: {width: 60, height: 60}
+species:
+  small: {shape: {hexagon: 1}}
+walls:
+  gate: {box: [30, 0, 31, 60]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 30, 60], counts: {small: 30}}
+  - name: flow
+    remove: [gate]
+output:
+  frames: none
+)";
+
+constexpr const char* kGas = R"(clca: 1
+seed: 5
+boltzmann:
+  particles: 2000
+  ensemble: 7
+  restitution: [0.5, 0.8]
+  friction: 0.3
+  until: 2
+output:
+  series: {every: 0.1}
+  histograms: [0, 1]
+  bins: q10
+)";
+
+/// Open MPI does not start programs of root unless it is told to.
+const std::map<std::string, std::string> kEnvironment = {
+    {"OMPI_ALLOW_RUN_AS_ROOT", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
+
+class MpiTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto mpirun = process::find_program("mpirun");
+    if (!mpirun || !fs::exists(fs::path(CLCA_PROGRAM).parent_path() / "clca-mpi")) {
+      CLCA_SKIP_AS_MISSING("mpirun or clca-mpi is missing");
+    }
+    mpirun_ = *mpirun;
+    std::ofstream(folder_.path() / "small.yaml") << kScene;
+    std::ofstream(folder_.path() / "gas.yaml") << kGas;
+  }
+  testing::ProgramResult clca(const std::vector<std::string>& arguments) const {
+    return testing::run_program(arguments, {.folder = folder_.path().string()});
+  }
+  /// mpirun with `options`, then clca with `arguments`.
+  testing::ProgramResult together(std::vector<std::string> options,
+                                  const std::vector<std::string>& arguments) const {
+    options.insert(options.begin(), "--oversubscribe");
+    options.emplace_back(CLCA_PROGRAM);
+    options.insert(options.end(), arguments.begin(), arguments.end());
+    return testing::run_program(options, {.folder = folder_.path().string(),
+                                          .environment = kEnvironment,
+                                          .program = mpirun_.string()});
+  }
+  std::string text(const std::string& file) const {
+    const auto bytes = testing::bytes_of(folder_.path() / file);
+    return {bytes.begin(), bytes.end()};
+  }
+  void expect_same_tables(const std::string& one, const std::string& other,
+                          const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
+      EXPECT_EQ(text(one + "/" + name), text(other + "/" + name)) << name;
+    }
+  }
+
+  testing::ScratchFolder folder_;
+  fs::path mpirun_;
+};
+
+TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
+  const std::vector<std::string> call = {"sweep",  "small.yaml", "--vary", "rules.inertia=0,0.9",
+                                         "--seeds", "1..6",      "-o",     "one"};
+  clca(call);
+  auto by_ranks = call;
+  by_ranks.back() = "ranks";
+  const auto result = together({"-n", "3"}, by_ranks);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("12 runs: 12 done, 0 failed, in "));
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << result.out;
+  expect_same_tables("one", "ranks", {"runs.csv", "measures.csv", "sweep.json"});
+  EXPECT_THAT(together({"-n", "2"}, by_ranks).out, StartsWith("12 runs: 12 done (12 from before)"));
+}
+
+TEST_F(MpiTest, AMistakeIsToldOnce) {
+  const auto result = together({"-n", "3"}, {"sweep", "small.yaml", "--seeds", "4..1"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, StartsWith("--seeds 4..1: error: "));
+  EXPECT_EQ(result.err.find("--seeds", 1), std::string::npos) << result.err;
+  EXPECT_EQ(together({"-n", "2"}, {"sweep", "missing.yaml"}).code, 2);
+}
+
+TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
+  clca({"boltzmann", "gas.yaml", "-o", "one", "--quiet"});
+  const auto result = together({"-n", "3"}, {"boltzmann", "gas.yaml", "-o", "ranks"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  expect_same_tables("one", "ranks", {"series.csv", "histogram-0.csv", "histogram-1.csv"});
+  const std::string json = text("one/run.json");
+  const std::size_t hash = json.find("\"state_hash\"");
+  EXPECT_THAT(text("ranks/run.json"), HasSubstr(json.substr(hash, json.find('\n', hash) - hash)));
+  EXPECT_FALSE(fs::exists(folder_.path() / "ranks/.clca.ranks"));
+}
+
+TEST_F(MpiTest, ARunThatIsTheWorkOfOneProcessIsDoneOnceAndResumedOnce) {
+  ASSERT_EQ(clca({"run", "small.yaml", "-o", "out", "--quiet"}).code, 0);
+  const auto result = together({"-n", "2"}, {"resume", "out", "--until", "3000"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(text("out/run.json"), HasSubstr("\"done\""));
+}
+
+// timeout is the process that mpirun has started, and kills clca below it, which takes the place of
+// a rank. CLCA_KILLS says how many.
+TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
+  const char* kills = std::getenv("CLCA_KILLS");
+  const int rounds = kills != nullptr ? std::atoi(kills) : 2;
+  const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..120", "-o", "out"};
+  auto alone = call;
+  alone.back() = "one";
+  clca(alone);
+  std::mt19937 random(std::random_device{}());
+  for (int round = 0; round < rounds; ++round) {
+    fs::remove_all(folder_.path() / "out");
+    const double seconds = std::uniform_real_distribution(0.8, 1.6)(random);
+    const bool first = round % 2 == 1;  // rank 0
+    std::vector<std::string> options = {"--enable-recovery", "-n", "1"};
+    const std::vector<std::string> killed = {"timeout", "-s", "KILL", std::to_string(seconds),
+                                             CLCA_PROGRAM};
+    const auto add = [&options](const std::vector<std::string>& more) {
+      options.insert(options.end(), more.begin(), more.end());
+    };
+    add(first ? killed : std::vector<std::string>{CLCA_PROGRAM});
+    add(call);
+    add({":", "-n", "1"});
+    add(first ? std::vector<std::string>{} : killed);
+    if (!first) {
+      add(call);
+      add({":", "-n", "1"});
+    }
+    const auto result = together(options, call);
+    if (first) {  // the ranks that are left end, and the same command goes on
+      EXPECT_EQ(together({"-n", "3"}, call).code, 0);
+    }
+    SCOPED_TRACE(testing::Message() << "killed after " << seconds << " s: " << result.err);
+    expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
+  }
+}
+
+TEST(WithoutMpi, AProgramThatIsStartedTogetherSaysWhatItWantsOnce) {
+  const testing::ScratchFolder folder;
+  std::ofstream(folder.path() / "small.yaml") << kScene;
+  fs::copy_file(CLCA_PROGRAM, folder.path() / "clca");
+  testing::ProgramSetting setting = {.folder = folder.path().string(),
+                                     .environment = {{"OMPI_COMM_WORLD_SIZE", "4"},
+                                                     {"OMPI_COMM_WORLD_RANK", "0"}},
+                                     .program = (folder.path() / "clca").string()};
+  const auto first = testing::run_program({"sweep", "small.yaml"}, setting);
+  EXPECT_EQ(first.code, 2);
+  EXPECT_THAT(first.err, AllOf(StartsWith("clca: error: 4 processes have been started together"),
+                               HasSubstr("--part")));
+  setting.environment["OMPI_COMM_WORLD_RANK"] = "1";
+  const auto second = testing::run_program({"sweep", "small.yaml"}, setting);
+  EXPECT_EQ(second.code, 2);
+  EXPECT_EQ(second.err, "");
+  EXPECT_FALSE(fs::exists(folder.path() / "renders"));
+  EXPECT_EQ(testing::run_program({"check", "small.yaml"}, setting).code, 0);
+}
+
+}  // namespace
+}  // namespace clca
