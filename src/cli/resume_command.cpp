@@ -34,7 +34,7 @@ int resume_run(const ResumeOptions& options) {
   if (const auto* automaton = std::get_if<scene::Scene>(&saved.scene)) {
     check_memory(*automaton, limit);
   } else {
-    check_memory(std::get<scene::BoltzmannScene>(saved.scene), limit, options.run.threads);
+    check_memory(std::get<scene::BoltzmannScene>(saved.scene), limit, threads_here(options.run));
   }
   return show_run(options.folder, options.run,
                   [&](const run::RunOptions& run, const run::RunEvents& events) {

@@ -54,7 +54,7 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   if (options.run.ranks != nullptr && options.run.ranks->rank() > 0) {
     return serve_gases(options.run);
   }
-  const scene::AnyScene scene = load_any_scene(options.scene, options.run.threads);
+  const scene::AnyScene scene = load_any_scene(options.scene, threads_here(options.run));
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
         "{}: error: a scene of grains, which clca run takes; clca boltzmann wants a block "

@@ -41,6 +41,10 @@ void share(RunCommonOptions& options, tasks::Ranks* ranks) {
   }
 }
 
+int threads_here(const RunCommonOptions& options) {
+  return options.threads * (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
+}
+
 void add_run_options(CLI::App& command, RunCommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads; the result does not depend on it")
       ->check(whole_number(1, 1024))

@@ -22,6 +22,8 @@ struct RunCommonOptions {
 
 /// Call first: a rank has one thread if it is not told otherwise.
 void share(RunCommonOptions& options, tasks::Ranks* ranks);
+/// Of all ranks on this machine, which share its memory.
+int threads_here(const RunCommonOptions& options);
 void add_run_options(CLI::App& command, RunCommonOptions& options);
 
 using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run::RunEvents&)>;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "clca/parallel/team.hpp"
+#include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
@@ -52,9 +53,17 @@ GasMember gas_member(const tasks::Bytes& answer) {
   return member;
 }
 
+std::uint64_t gas_fingerprint() {
+  random::WordHash hash;
+  for (const char letter : version()) {
+    hash.add(static_cast<unsigned char>(letter));
+  }
+  return hash.value();
+}
+
 void serve(const RunOptions& options) {
-  tasks::serve(*options.ranks, static_cast<std::size_t>(options.threads), 0, answer_to,
-               options.stop);
+  tasks::serve(*options.ranks, static_cast<std::size_t>(options.threads), gas_fingerprint(),
+               answer_to, options.stop);
 }
 
 }  // namespace clca::run

@@ -23,6 +23,9 @@ struct GasRequest {
 
 tasks::Bytes to_bytes(const GasRequest& request, const scene::BoltzmannScene& scene);
 
+/// The same in all processes of one version of clca.
+std::uint64_t gas_fingerprint();
+
 /// From the answer of a rank.
 GasMember gas_member(const tasks::Bytes& answer);
 

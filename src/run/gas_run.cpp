@@ -121,8 +121,8 @@ void GasRun::carry_out() {
     warn();
   }
   if (options().ranks != nullptr && options().ranks->size() > 1) {
-    leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", 0, at_a_time(),
-                    [this](const std::string& text) { log().warning(text); });
+    leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", gas_fingerprint(),
+                    at_a_time(), [this](const std::string& text) { log().warning(text); });
   }
   run_cases();
   leader_.reset();

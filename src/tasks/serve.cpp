@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -42,7 +44,7 @@ class Server {
       send_answers();
     }
     if (!leader_is_lost_) {
-      ranks_.send(0, bytes_of(Kind::refusal));
+      refuse_to_serve(ranks_, failure_);
     } else if (is_first_left()) {
       throw LeaderLostError("rank 0 has ended before the others; the same command goes on");
     }
@@ -105,9 +107,18 @@ class Server {
   void start(std::size_t task, Bytes request) {
     ++under_way_;
     threads_.start([this, task, request = std::move(request)] {
-      Bytes result = carry_out_(request, stop_tasks_);
+      Bytes answer;
+      std::string failure;
+      try {
+        answer = bytes_of(Kind::answer, task, carry_out_(request, stop_tasks_));
+      } catch (const std::bad_alloc&) {
+        failure = "out of memory";
+      } catch (const std::exception& error) {
+        failure = error.what();
+      }
       const std::lock_guard lock(mutex_);
-      ended_.push_back(bytes_of(Kind::answer, task, result));
+      failure_ = failure_.empty() ? failure : failure_;
+      ended_.push_back(std::move(answer));
     });
   }
 
@@ -116,11 +127,14 @@ class Server {
     {
       const std::lock_guard lock(mutex_);
       std::swap(ended, ended_);
+      is_over_ |= !failure_.empty();
     }
     for (Bytes& answer : ended) {
       --under_way_;
       interval_.note_message();
-      ranks_.send(0, std::move(answer));
+      if (!answer.empty()) {
+        ranks_.send(0, std::move(answer));
+      }
     }
   }
 
@@ -137,8 +151,9 @@ class Server {
   std::size_t under_way_ = 0;
   std::atomic<int> stop_tasks_ = 0;
   std::mutex mutex_;
-  std::vector<Bytes> ended_;
-  Threads threads_;  // last: at the end it waits for its threads, which use the rest
+  std::vector<Bytes> ended_;  // answers; empty where a task has failed
+  std::string failure_;       // of the first; rank 0 has its tasks done elsewhere
+  Threads threads_;           // last: at the end it waits for its threads, which use the rest
 };
 
 }  // namespace

@@ -53,8 +53,8 @@ output:
 )";
 
 /// Open MPI does not start programs of root unless it is told to.
-const std::map<std::string, std::string> kEnvironment = {
-    {"OMPI_ALLOW_RUN_AS_ROOT", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
+const std::map<std::string, std::string> kEnvironment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+                                                         {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
 
 class MpiTest : public ::testing::Test {
  protected:
@@ -96,8 +96,8 @@ class MpiTest : public ::testing::Test {
 };
 
 TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
-  const std::vector<std::string> call = {"sweep",  "small.yaml", "--vary", "rules.inertia=0,0.9",
-                                         "--seeds", "1..6",      "-o",     "one"};
+  const std::vector<std::string> call = {"sweep",   "small.yaml", "--vary", "rules.inertia=0,0.9",
+                                         "--seeds", "1..6",       "-o",     "one"};
   clca(call);
   auto by_ranks = call;
   by_ranks.back() = "ranks";
@@ -167,7 +167,7 @@ TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
     if (first) {  // the ranks that are left end, and the same command goes on
       EXPECT_EQ(together({"-n", "3"}, call).code, 0);
     }
-    SCOPED_TRACE(testing::Message() << "killed after " << seconds << " s: " << result.err);
+    SCOPED_TRACE(::testing::Message() << "killed after " << seconds << " s: " << result.err);
     expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
   }
 }
@@ -176,10 +176,10 @@ TEST(WithoutMpi, AProgramThatIsStartedTogetherSaysWhatItWantsOnce) {
   const testing::ScratchFolder folder;
   std::ofstream(folder.path() / "small.yaml") << kScene;
   fs::copy_file(CLCA_PROGRAM, folder.path() / "clca");
-  testing::ProgramSetting setting = {.folder = folder.path().string(),
-                                     .environment = {{"OMPI_COMM_WORLD_SIZE", "4"},
-                                                     {"OMPI_COMM_WORLD_RANK", "0"}},
-                                     .program = (folder.path() / "clca").string()};
+  testing::ProgramSetting setting = {
+      .folder = folder.path().string(),
+      .environment = {{"OMPI_COMM_WORLD_SIZE", "4"}, {"OMPI_COMM_WORLD_RANK", "0"}},
+      .program = (folder.path() / "clca").string()};
   const auto first = testing::run_program({"sweep", "small.yaml"}, setting);
   EXPECT_EQ(first.code, 2);
   EXPECT_THAT(first.err, AllOf(StartsWith("clca: error: 4 processes have been started together"),

@@ -86,7 +86,7 @@ class Leader {
 };
 
 /// What another rank does with a request until `stop` is not zero; returns what Leader::Answer has.
-/// Called by several threads at once; must not throw.
+/// Called by several threads at once. A rank where it throws takes no more tasks.
 using Serve = std::function<Bytes(const Bytes& request, const std::atomic<int>& stop)>;
 
 /// Rank 0 has ended before the others.

@@ -9,11 +9,13 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "run/gas_saved.hpp"
 #include "support/runs.hpp"
+#include "support/thread_ranks.hpp"
 
 namespace clca::run {
 namespace {
@@ -194,6 +196,39 @@ TEST_F(GasResumeTest, StoppedInAnyEnsembleItEndsAsAnUnbrokenRun) {
       "interrupted");
   EXPECT_EQ(content(folder_.path()), interrupted);
   EXPECT_EQ(resume_to().status, "done");
+  expect_as_unbroken(scene);
+}
+
+TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
+  const scene::BoltzmannScene scene = gas(kLong);
+  testing::ThreadRanks all(3);
+  const auto ranks = all.seen_from(0);
+  const auto with_others = [&](const std::function<store::RunSummary()>& lead) {
+    std::vector<std::thread> others;
+    for (const int number : {1, 2}) {
+      others.emplace_back([&, number] {
+        const auto mine = all.seen_from(number);
+        serve({.threads = 1, .ranks = mine.get()});
+      });
+    }
+    const store::RunSummary summary = lead();
+    for (std::thread& other : others) {
+      other.join();
+    }
+    return summary;
+  };
+  std::atomic<int> stop = 0;
+  const RunEvents stopping = {
+      .gas_progress = [&](const GasProgress& at) { stop = at.stage_number == 2 ? 2 : 0; },
+      .progress_interval = {}};
+  const auto first = with_others([&] {
+    return run(scene, {.folder = folder_.path(), .stop = &stop, .ranks = ranks.get()}, stopping);
+  });
+  EXPECT_EQ(first.status, "interrupted");
+  const auto second = with_others([&] {
+    return resume(load_run(folder_.path(), kMaxBytes), {.folder = {}, .ranks = ranks.get()});
+  });
+  EXPECT_EQ(second.status, "done");
   expect_as_unbroken(scene);
 }
 

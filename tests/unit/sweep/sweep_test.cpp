@@ -224,20 +224,35 @@ TEST_F(SweepTest, StopsWhenAskedAndGoesOnLater) {
 }
 
 TEST_F(SweepTest, ARunThatWasStoppedGoesOnWhereItWas) {
-  const Plan plan = plan_of("stages.flow.until.steps=20000");
-  std::atomic<int> stop = 0;
-  const fs::path log = at("out/runs/stages.flow.until.steps=20000,seed=1/log.txt");
-  const auto once_it_flows = [&](const Progress& /*progress*/) {
-    stop = fs::exists(log) && testing::bytes_of(log).size() > 0 ? 2 : 0;
-  };
-  execute(plan, {.folder = at("out"), .jobs = 1, .stop = &stop}, {.progress = once_it_flows});
-  EXPECT_EQ(run(plan, "out").done, 3U);
+  const Plan plan = plan_of();
   run(plan, "whole");
-  EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
-  EXPECT_THAT(text("out/runs/stages.flow.until.steps=20000,seed=1/log.txt"),
-              HasSubstr("ended: interrupted"));
-  EXPECT_EQ(text("out/runs/stages.flow.until.steps=20000,seed=1/series.csv"),
-            text("whole/runs/stages.flow.until.steps=20000,seed=1/series.csv"));
+  const std::string name = "runs/rules.inertia=0,seed=2/";
+  std::atomic<int> stop = 0;
+  run::run(
+      plan.scene(1),
+      {.folder = at("out/" + name), .stop = &stop, .pictures = run::WantedPictures::last},
+      {.detail = [&](const std::string& text) { stop = text.starts_with("stage flow") ? 2 : 0; }});
+  ASSERT_THAT(text("out/" + name + "run.json"), HasSubstr("\"interrupted\""));
+  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_THAT(text("out/" + name + "log.txt"),
+              HasSubstr("stage flow: 0 steps, ended: interrupted"));
+  EXPECT_EQ(text("out/" + name + "series.csv"), text("whole/" + name + "series.csv"));
+  for (const char* file : {"runs.csv", "measures.csv", "overview.png"}) {
+    EXPECT_EQ(text(std::string("out/") + file), text(std::string("whole/") + file)) << file;
+  }
+}
+
+TEST_F(SweepTest, ARunThatWasStoppedWithoutAPictureThatIsWantedNowIsDoneAnew) {
+  const Plan plan = plan_of();
+  std::atomic<int> stop = 0;
+  run::run(
+      plan.scene(1),
+      {.folder = at("out/runs/rules.inertia=0,seed=2"),
+       .stop = &stop,
+       .pictures = run::WantedPictures::none},
+      {.detail = [&](const std::string& text) { stop = text.starts_with("stage flow") ? 2 : 0; }});
+  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=2"), 1U);
 }
 
 TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {

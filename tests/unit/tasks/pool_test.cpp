@@ -269,6 +269,19 @@ TEST_F(PoolTest, WhyARankCannotServeIsToldAndTheOthersGoOn) {
   EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("rank 2"), HasSubstr("scene.yaml:1:1"))));
 }
 
+TEST_F(PoolTest, ARankWhereATaskFailsTakesNoMoreAndTheTaskIsDoneElsewhere) {
+  others_.emplace_back([this] {
+    serve(
+        *all_.seen_from(1), 2, kSame,
+        [](const Bytes& /*request*/, const std::atomic<int>& /*stop*/) -> Bytes {
+          throw std::bad_alloc();
+        },
+        nullptr);
+  });
+  expect_squares(results(1, true));
+  EXPECT_THAT(warnings_, ElementsAre("rank 1 takes no more tasks: out of memory"));
+}
+
 TEST_F(PoolTest, RanksForWhichThereIsNothingToDoAreDismissed) {
   start_rank(1);
   start_rank(2);
