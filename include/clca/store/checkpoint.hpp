@@ -24,8 +24,8 @@ struct Checkpoint {
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
 inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
 
-/// Writes a checkpoint; the previous one is renamed to kCheckpointBefore. One complete checkpoint
-/// exists at any moment. Throws StoreError.
+/// Writes a checkpoint, after all that was written before it is on the disk; the previous one is
+/// renamed to kCheckpointBefore. One complete checkpoint exists at any moment. Throws StoreError.
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
 /// The same, replacing the newest one.
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
