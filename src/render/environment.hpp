@@ -1,6 +1,7 @@
 #pragma once
 // What the drivers need: settings in the environment, and memory.
 
+#include <cstddef>
 #include <string>
 
 namespace clca::render {

@@ -116,9 +116,9 @@ TEST_F(CliTest, OsMesaIsLoadedForPicturesOnly) {
   write("lib/libOSMesa.so.8", "no library");
   const testing::ProgramSetting broken = {
       .environment = {{"LD_LIBRARY_PATH", (folder_.path() / "lib").string()}}};
-  expect_refused(
-      run({"run", "small.yaml"}, broken), 2,
-      AllOf(StartsWith("small.yaml:14:11: error: cannot load OSMesa"), HasSubstr("libOSMesa.so.8")));
+  expect_refused(run({"run", "small.yaml"}, broken), 2,
+                 AllOf(StartsWith("small.yaml:14:11: error: cannot load OSMesa"),
+                       HasSubstr("libOSMesa.so.8")));
   const auto without = run({"run", "small.yaml", "-o", "out", "--frames-every", "0"}, broken);
   EXPECT_EQ(without.code, 0) << without.err;
 }

@@ -59,8 +59,8 @@ class RunFolder {
   std::optional<EarlierRun> earlier_run() const;
 
   /// Starts a run that is going to write the files `planned` and those of every run: replaces the
-  /// checkpoint by `start`, then removes all else that clca has written there. May be repeated until
-  /// it succeeds.
+  /// checkpoint by `start`, then removes all else that clca has written there. May be repeated
+  /// until it succeeds.
   void start_over(const Checkpoint& start, std::set<std::string> planned) const;
   /// Removes the pictures of steps after `last_step`; all if none.
   void remove_frames_after(std::optional<std::uint64_t> last_step) const;
