@@ -25,13 +25,12 @@ std::string environment_problem(const char* driver, const char* vector_width) {
   return {};
 }
 
-void require_memory() {
-  constexpr std::size_t kBytes = std::size_t{128} << 20U;
-  void* room = ::mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+void require_memory(std::size_t bytes) {
+  void* room = ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) {
     throw std::bad_alloc();
   }
-  ::munmap(room, kBytes);
+  ::munmap(room, bytes);
 }
 
 void prepare_environment() {

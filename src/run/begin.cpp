@@ -66,7 +66,8 @@ void require_no_foreign(const store::OutputFolder& folder, const std::string& be
 }  // namespace
 
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start, const std::vector<std::string>& files) {
+                           const store::Checkpoint& start, const std::vector<std::string>& files,
+                           const std::set<std::string>& planned) {
   const fs::path path = options.keep ? made_free(options.folder) : options.folder;
   if (events.folder) {
     events.folder(path);
@@ -89,7 +90,7 @@ store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
       events.message(fmt::format("replacing the run in {}: {}", path.string(), run));
     }
   }
-  folder.start_over(start);
+  folder.start_over(start, planned);
   return folder;
 }
 

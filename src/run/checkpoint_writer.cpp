@@ -18,14 +18,10 @@ bool CheckpointWriter::due(std::uint64_t step) {
   return by_steps || due_by_clock();
 }
 
-void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
-                            std::function<void()> before) {
+void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint) {
   finish();
   const auto shared = std::make_shared<const store::Checkpoint>(std::move(checkpoint));
-  const auto write = [run_folder, shared, before = std::move(before)] {
-    before();
-    store::write_checkpoint(run_folder, *shared);
-  };
+  const auto write = [run_folder, shared] { store::write_checkpoint(run_folder, *shared); };
   try {
     writing_ = std::async(std::launch::async, write);
   } catch (const std::system_error&) {  // no more threads can be had

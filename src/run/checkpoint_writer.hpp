@@ -1,7 +1,6 @@
 #pragma once
 // Decides when to save a checkpoint and writes it in the background.
 
-#include <functional>
 #include <future>
 #include <optional>
 
@@ -20,9 +19,7 @@ class CheckpointWriter {
   bool due_by_clock() { return timer_ && timer_->due(); }
   /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
   /// rethrows its error.
-  /// Calls `before` first, which syncs files that the checkpoint refers to.
-  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint,
-            std::function<void()> before);
+  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint);
   /// Waits until everything is written. Rethrows its error.
   void finish();
 

@@ -300,7 +300,7 @@ void GasRun::save() {
   course_.log_bytes = log().bytes();
   store::Checkpoint saved = checkpoint();
   reflection::encode(kSavedGases, course_, saved.fields);
-  checkpoint_writer_.save(folder().files(), std::move(saved), [] {});
+  checkpoint_writer_.save(folder().files(), std::move(saved));
 }
 
 void GasRun::complete_summary(store::RunSummary& summary) const {
@@ -323,7 +323,7 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   if (saved.checkpoint.is_start()) {
-    saved.folder.clear_results();
+    saved.folder.start_over(saved.checkpoint, {});
     return GasRun(scene, options, events, std::move(saved.folder)).execute();
   }
   GasCourse course = saved_course(saved);

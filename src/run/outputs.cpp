@@ -44,6 +44,25 @@ std::vector<std::string> Outputs::file_names() const {
   return names;
 }
 
+std::set<std::string> Outputs::planned_names() const {
+  std::set<std::string> names;
+  if (scene_.output.checkpoint) {
+    names.insert(store::kCheckpointBefore);
+  }
+  if (scene_.output.series) {
+    names.insert(store::table_name("series"));
+  }
+  if (scene_.output.trajectory) {
+    names.insert({"trajectory.h5", "trajectory/part-000000.h5"});
+  }
+  if (requests(scene::Measure::profile)) {
+    for (const scene::Stage& stage : scene_.stages) {
+      names.insert(store::table_name("profile", stage.name));
+    }
+  }
+  return names;
+}
+
 void Outputs::GrowingTable::take(store::Table& table, std::size_t least) {
   if (table.waiting() > 0 && table.waiting() >= least) {
     const std::string header = file.bytes() == 0 ? table.header() : "";
@@ -110,12 +129,6 @@ OutputHistory Outputs::flush(Records& records) {
     history.trajectory_step = trajectory_step_;
   }
   return history;
-}
-
-void Outputs::sync() const {
-  for (const auto* growing : {&series_file_, &cycles_file_, &fields_file_, &probes_file_}) {
-    (*growing)->file.sync();
-  }
 }
 
 void Outputs::write_rows(Records& records, std::size_t least) {

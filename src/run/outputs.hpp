@@ -2,6 +2,7 @@
 // Pictures, tables and trajectory of a run.
 
 #include <optional>
+#include <set>
 
 #include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
@@ -51,6 +52,8 @@ class Outputs {
   Outputs(const scene::Scene& scene, const grains::State& state, const RunOptions& options);
   /// File names of the tables and trajectory that the scene may produce.
   std::vector<std::string> file_names() const;
+  /// Those of them that it will write for certain.
+  std::set<std::string> planned_names() const;
 
   /// Starts writing to `folder`, which must outlive this object. `state`: of the run.
   void open(const store::RunFolder& folder, const grains::State& state);
@@ -65,8 +68,6 @@ class Outputs {
                  std::size_t moving, const StageHistory& history);
   /// Writes all pending output and returns how much has been written.
   OutputHistory flush(Records& records);
-  /// Syncs the growing tables to disk. Thread-safe.
-  void sync() const;
   /// Waits until everything is written.
   void finish();
 

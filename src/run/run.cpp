@@ -43,7 +43,8 @@ class Run : public RunBase {
       : Run(scene, options, events, first_state(scene)) {
     prepare_stage(model_, scene, scene.stages.front());
     write_to(folder ? std::move(*folder)
-                    : begin_run(options, events, checkpoint(), outputs_.file_names()),
+                    : begin_run(options, events, checkpoint(), outputs_.file_names(),
+                                outputs_.planned_names()),
              0, 0);
   }
 
@@ -88,6 +89,7 @@ class Run : public RunBase {
   void end_stage(StageEnd end);
   /// Writes a checkpoint of the run between two steps.
   void save();
+  store::Checkpoint checkpoint_now();
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
@@ -105,6 +107,7 @@ class Run : public RunBase {
   bool in_stage_ = false;  // one that goes on
   bool interrupted_ = false;
   std::vector<store::StageSummary> stages_;
+  std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
   CheckpointWriter
       checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
@@ -132,6 +135,9 @@ void Run::carry_out() {
     ++course_.stage;
   }
   outputs_.finish();
+  if (end_checkpoint_) {
+    checkpoint_writer_.save(folder().files(), *std::move(end_checkpoint_));
+  }
   checkpoint_writer_.finish();
 }
 
@@ -163,8 +169,10 @@ void Run::run_stage() {
   const StageEnd end = run_steps();
   interrupted_ = end == StageEnd::interrupted;
   const bool last = course_.stage + 1 == scene_.stages.size();
-  if (interrupted_ || (last && scene_.output.checkpoint)) {
+  if (interrupted_) {
     save();
+  } else if (last && scene_.output.checkpoint) {
+    end_checkpoint_ = checkpoint_now();
   }
   end_stage(end);
 }
@@ -251,6 +259,10 @@ void Run::end_stage(StageEnd end) {
 }
 
 void Run::save() {
+  checkpoint_writer_.save(folder().files(), checkpoint_now());
+}
+
+store::Checkpoint Run::checkpoint_now() {
   tell(fmt::format("checkpoint of step {}", model_.state().step));
   const OutputHistory outputs = outputs_.flush(records_);
   RunCourse course = course_;
@@ -263,7 +275,7 @@ void Run::save() {
   reflection::encode(kSavedHistory, history_, saved.fields);
   reflection::encode(kSavedOutputs, outputs, saved.fields);
   records_.save(saved.fields);
-  checkpoint_writer_.save(folder().files(), std::move(saved), [this] { outputs_.sync(); });
+  return saved;
 }
 
 void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
@@ -348,7 +360,7 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   }
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
-    saved.folder.clear_results();
+    saved.folder.start_over(saved.checkpoint, {});
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }
   return resumed_run(scene, startable, events, saved)->execute();

@@ -51,6 +51,19 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   return summary;
 }
 
+/// On the disk after all else that the run has written: who reads that it is done finds the rest
+/// whole.
+void RunBase::write_summary(const std::string& status) const {
+  const store::OutputFolder& files = folder_->files();
+  store::AtomicFile file = files.create(store::kSummaryFile);
+  file.write(store::to_json(summary(status)));
+  if (status != "running") {
+    files.flush();
+    file.flush();
+  }
+  file.finish();
+}
+
 /// If writing the summary fails too (full disk, no memory), the first error is reported.
 void RunBase::note_failure(const std::exception& failure) {
   reserve_.reset();

@@ -65,9 +65,7 @@ class RunBase {
 
  private:
   store::RunSummary summary(const std::string& status) const;
-  void write_summary(const std::string& status) const {
-    folder_->files().write(store::kSummaryFile, store::to_json(summary(status)));
-  }
+  void write_summary(const std::string& status) const;
   void note_failure(const std::exception& failure);
 
   Identity identity_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
-#include <system_error>
 
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
@@ -42,14 +41,14 @@ scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path
   return scene;
 }
 
-/// The summary of a finished run, unless another end is requested.
+/// The summary of a finished run. Others need not be whole after a power failure.
 std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(folder.path() / store::kSummaryFile, unknown)) {
+  try {
+    store::RunSummary summary = store::read_summary(folder.path() / store::kSummaryFile);
+    return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
+  } catch (const store::StoreError&) {
     return std::nullopt;
   }
-  store::RunSummary summary = store::read_summary(folder.path() / store::kSummaryFile);
-  return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
 }
 
 /// Whether a new run has started to replace the one that wrote run.json.

@@ -60,6 +60,7 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
     fail_writing(state_->path);
   }
   state_->size += bytes.size();
+  state_->flushed = false;
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -74,10 +75,18 @@ void AtomicFile::rewrite_begin(std::span<const std::uint8_t> bytes) {
   }
 }
 
+void AtomicFile::flush() {
+  if (::fsync(state_->file.number()) != 0) {
+    fail_writing(state_->path);
+  }
+  state_->flushed = true;
+}
+
 void AtomicFile::finish() {
   State& state = *state_;
-  if (::fsync(state.file.number()) != 0) {
-    fail_writing(state.path);
+  const bool later = !state.flushed && state.flush_later;
+  if (!state.flushed && !later) {
+    flush();
   }
   const int folder = state.folder.number();
   const bool renamed =
@@ -91,6 +100,9 @@ void AtomicFile::finish() {
     fail_writing(state.path);
   }
   state.temporary.clear();
+  if (later) {
+    state.flush_later();
+  }
 }
 
 }  // namespace clca::store

@@ -24,6 +24,9 @@ struct AtomicFile::State {
   std::function<bool()> claim;
   /// Called if the name turned out to be taken by another file.
   std::function<void()> disown = [] {};
+  /// Called once it has its name, if it is not flushed yet; none: it is flushed before.
+  std::function<void()> flush_later;
+  bool flushed = false;
   std::uint64_t size = 0;
 };
 

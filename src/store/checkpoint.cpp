@@ -19,6 +19,13 @@ fs::path one_before(const fs::path& run_folder) {
   return run_folder / kCheckpointBefore;
 }
 
+AtomicFile on_the_disk(const OutputFolder& folder, const Checkpoint& checkpoint) {
+  AtomicFile file = folder.create(kCheckpointFile);
+  file.write(checkpoint_bytes(checkpoint));
+  file.flush();
+  return file;
+}
+
 Checkpoint read(const fs::path& file, double max_bytes) {
   const std::vector<std::uint8_t> bytes = read_whole(file, max_bytes);
   try {
@@ -31,14 +38,14 @@ Checkpoint read(const fs::path& file, double max_bytes) {
 }  // namespace
 
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  AtomicFile file = folder.create(kCheckpointFile);
-  file.write(checkpoint_bytes(checkpoint));
+  AtomicFile file = on_the_disk(folder, checkpoint);
+  folder.flush();
   folder.rename(kCheckpointFile, kCheckpointBefore);
   file.finish();
 }
 
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  folder.write(kCheckpointFile, checkpoint_bytes(checkpoint));
+  on_the_disk(folder, checkpoint).finish();
 }
 
 void remove_checkpoints(const OutputFolder& folder) {

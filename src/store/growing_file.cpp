@@ -35,6 +35,7 @@ void GrowingFile::append(std::string_view text) {
         fmt::format("cannot write {}: {}", folder_.path(name_).string(), std::strerror(error)));
   }
   bytes_ += text.size();
+  folder_.flush_later(name_);
 }
 
 }  // namespace clca::store

@@ -1,12 +1,10 @@
 #include "store/hdf5.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
 
-#include <array>
-#include <cstring>
 #include <new>
 
-#include "clca/process/child.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::store::hdf5 {
@@ -30,18 +28,15 @@ std::vector<std::uint8_t> bytes_of(const Handle& file) {
   return bytes;
 }
 
-void send_image(const std::function<void(const Handle& file)>& fill,
-                const process::Child::Send& send) {
-  constexpr std::size_t kGrowth = 1U << 20U;
-  begin();
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
-  check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
-  const Handle file(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "file");
-  fill(file);
-  const std::vector<std::uint8_t> bytes = bytes_of(file);
-  const std::uint64_t size = bytes.size();
-  send({reinterpret_cast<const std::uint8_t*>(&size), sizeof size});
-  send(bytes);
+/// A child process gets the library between two calls, and free.
+std::mutex& library() {
+  static std::mutex mutex;
+  static const int kFailed =
+      ::pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
+  if (kFailed != 0) {
+    throw std::bad_alloc();
+  }
+  return mutex;
 }
 
 }  // namespace
@@ -55,7 +50,7 @@ void fail(const char* what) {
   throw Error(what);
 }
 
-void begin() {
+Session::Session() : lock_(library()) {
   static const herr_t kFirst = H5dont_atexit();  // may be called once
   check(kFirst, "begin");
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
@@ -64,19 +59,18 @@ void begin() {
 
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill) {
+  constexpr std::size_t kGrowth = 1U << 18U;
+  static std::uint64_t count = 0;  // one that could not be closed keeps its name
   try {
-    constexpr process::ChildLimits kLimits = {.memory_bytes = 1e18, .cpu_seconds = 600};
-    process::Child child([&](const process::Child::Send& send) { send_image(fill, send); },
-                         kLimits);
-    std::array<std::uint8_t, sizeof(std::uint64_t)> size_bytes = {};
-    child.receive(size_bytes);
-    std::uint64_t size = 0;
-    std::memcpy(&size, size_bytes.data(), sizeof size);
-    std::vector<std::uint8_t> bytes(size);
-    child.receive(bytes);
-    child.finish();
-    return bytes;
-  } catch (const process::ProcessError& error) {
+    const Session session;
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+    check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
+    const Handle file(H5Fcreate(fmt::format("image-{}", ++count).c_str(), H5F_ACC_TRUNC,
+                                H5P_DEFAULT, access.id()),
+                      H5Fclose, "file");
+    fill(file);
+    return bytes_of(file);
+  } catch (const Error& error) {
     throw StoreError(
         fmt::format("cannot write {}: the HDF5 library: {}", path.string(), error.what()));
   }

@@ -1,12 +1,12 @@
 #pragma once
-// Wrappers for the C interface of HDF5, used in child processes only: objects that close
-// themselves, errors that throw.
+// Wrappers for the C interface of HDF5: objects that close themselves, errors that throw.
 
 #include <hdf5.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -57,11 +57,17 @@ class Handle {
   Close close_;
 };
 
-/// Call first in a child: no error output, no plugin code.
-void begin();
+/// The library, for one thread at a time: no error output, no plugin code. Make one before a child
+/// process that makes one.
+class Session {
+ public:
+  Session();
 
-/// The bytes of an HDF5 file that `fill` creates in a child process. Throws StoreError: `cannot
-/// write PATH: REASON`.
+ private:
+  std::lock_guard<std::mutex> lock_;
+};
+
+/// The bytes of an HDF5 file that `fill` creates. Throws StoreError: `cannot write PATH: REASON`.
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill);
 

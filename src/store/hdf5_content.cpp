@@ -177,7 +177,7 @@ void for_each_named(const std::vector<Hdf5Dataset>& datasets, Call call) {
 
 void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dataset>& datasets,
                    double max_bytes, const process::Child::Send& send) {
-  begin();
+  const Session session;
   const Handle image = open_image(file);
   std::vector<CheckedDataset> all;
   all.reserve(datasets.size());

@@ -1,7 +1,6 @@
 #pragma once
 // HDF5 files with a checksum header, readable by any HDF5 program.
-// The library runs in child processes only, so that damaged files or lack of memory cannot harm
-// this process.
+// Files are read in child processes only, so that damaged ones cannot harm this process.
 
 #include <concepts>
 #include <cstdint>
@@ -23,8 +22,8 @@ concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t>
     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
     std::same_as<T, std::int32_t> || std::same_as<T, double>;
 
-/// Adds datasets to a file, in the child process that creates it. Paths are relative to the root;
-/// groups are made as needed. Throws as hdf5::check.
+/// Adds datasets to a file. Paths are relative to the root; groups are made as needed. Throws as
+/// hdf5::check.
 class Hdf5Writer {
  public:
   /// `file`: HDF5 identifier.
@@ -42,7 +41,7 @@ class Hdf5Writer {
   std::int64_t file_;
 };
 
-/// The bytes of a file for `path`. `add` is called in a child process. Throws StoreError.
+/// The bytes of a file for `path`, filled by `add`. Throws StoreError.
 std::vector<std::uint8_t> hdf5_file(const std::filesystem::path& path, const FileKind& kind,
                                     const std::function<void(const Hdf5Writer& file)>& add);
 

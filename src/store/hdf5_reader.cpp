@@ -4,6 +4,7 @@
 
 #include "clca/process/child.hpp"
 #include "clca/store/file.hpp"
+#include "store/hdf5.hpp"
 #include "store/hdf5_content.hpp"
 #include "store/hdf5_file.hpp"
 
@@ -65,6 +66,7 @@ class Receiver {
 
 void receive_all(std::span<const std::uint8_t> content, const std::vector<Hdf5Dataset>& datasets,
                  double max_bytes) {
+  hdf5::Session();  // no fork before it amid a call of another thread
   process::Child child(
       [&](const process::Child::Send& send) {
         hdf5::send_datasets(content, datasets, max_bytes, send);

@@ -99,7 +99,7 @@ class ManifestFile::Locked {
     }
   }
 
-  void append(std::string text) {
+  void append(std::string text, Sync sync) {
     char last = '\n';
     if (size_ < static_cast<off_t>(kHeader.size())) {
       text = std::string(kHeader) + text;
@@ -110,7 +110,8 @@ class ManifestFile::Locked {
       text = '\n' + text;  // the line before was not written whole
     }
     const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    if (!write_all(file_.number(), bytes) || ::fdatasync(file_.number()) != 0) {
+    if (!write_all(file_.number(), bytes) ||
+        (sync == Sync::yes && ::fdatasync(file_.number()) != 0)) {
       const int error = errno;
       [[maybe_unused]] const int undone = ::ftruncate(file_.number(), size_);
       errno = error;
@@ -193,8 +194,13 @@ Manifest ManifestFile::read() const {
   return manifest;
 }
 
-void ManifestFile::append(std::string_view kind, const std::string& name) const {
-  Locked(*this).append(line_of(kind, name));
+void ManifestFile::append(std::string_view kind, const std::set<std::string>& names,
+                          Sync sync) const {
+  std::string lines;
+  for (const std::string& name : names) {
+    lines += line_of(kind, name);
+  }
+  Locked(*this).append(lines, sync);
 }
 
 void ManifestFile::put(std::string_view text) const {

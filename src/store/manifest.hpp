@@ -1,6 +1,7 @@
 #pragma once
 // The file `.clca.manifest` of an output folder.
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -12,6 +13,8 @@ struct Manifest {
   std::set<std::string> files;
   std::set<std::string> folders;    ///< that clca has made
   std::set<std::string> temporary;  ///< marks in the names of temporary files
+
+  bool operator==(const Manifest&) const = default;
 };
 
 /// Reads and writes the manifest of the open folder `folder`; `path` is used in messages. Other
@@ -24,12 +27,16 @@ class ManifestFile {
 
   /// Empty if there is no manifest. Throws if it is damaged or names files outside the folder.
   Manifest read() const;
-  /// Adds an entry and syncs it to disk.
-  void add_file(const std::string& name) const { append("file", name); }
-  void add_folder(const std::string& name) const { append("folder", name); }
-  void add_temporary(const std::string& mark) const { append("temporary", mark); }
-  /// Removes a file from the list.
-  void remove_file(const std::string& name) const { append("removed", name); }
+  /// Adds entries and syncs them to disk.
+  void add_files(const std::set<std::string>& names) const { append("file", names, Sync::yes); }
+  /// Adds an entry without syncing it: what a power failure loses is an empty folder or a temporary
+  /// file that stays.
+  void add_folder(const std::string& name) const { append("folder", {name}, Sync::no); }
+  void add_temporary(const std::string& mark) const { append("temporary", {mark}, Sync::no); }
+  /// Removes files from the list.
+  void remove_files(const std::set<std::string>& names) const {
+    append("removed", names, Sync::yes);
+  }
   /// Replaces the manifest by `left` and entries that other processes added since `seen` was read.
   void replace(const Manifest& seen, Manifest left) const;
   /// Removes a manifest that lists no file and no folder.
@@ -37,7 +44,8 @@ class ManifestFile {
 
  private:
   class Locked;
-  void append(std::string_view kind, const std::string& name) const;
+  enum class Sync : std::uint8_t { no, yes };
+  void append(std::string_view kind, const std::set<std::string>& names, Sync sync) const;
   /// Writes a temporary file and renames it to the manifest.
   void put(std::string_view text) const;
   [[noreturn]] void refuse(std::string_view what, const char* reason) const;

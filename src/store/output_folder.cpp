@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <iterator>
 #include <mutex>
 #include <random>
 #include <utility>
@@ -109,6 +110,9 @@ class OutputFolder::State {
       return;
     }
     try {
+      if (const std::set<std::string> unmade = only_planned(); !unmade.empty()) {
+        manifest_file().remove_files(unmade);
+      }
       const std::vector<std::string> names = names_in(folder_.number());
       if (std::none_of(names.begin(), names.end(), is_temporary)) {
         manifest_file().remove_if_empty();
@@ -128,7 +132,8 @@ class OutputFolder::State {
     }
   }
   ManifestFile manifest_file() const {
-    return {folder_.number(), path_, !manifest_.files.empty() || !manifest_.folders.empty()};
+    return {folder_.number(), path_,
+            !manifest_.files.empty() || !manifest_.folders.empty() || !planned_.empty()};
   }
 
   bool owns(const std::string& name) {
@@ -137,7 +142,8 @@ class OutputFolder::State {
   }
   std::vector<std::string> files(const std::string& prefix);
   void require_free(const std::string& name);
-  /// Lists a file before it gets its name. Returns whether it was listed already.
+  void plan(const std::set<std::string>& names);
+  /// Lists a file before it gets its name, unless that was planned. Returns whether it is its own.
   bool claim(const std::string& name);
   /// Removes a file from the list.
   void disown(const std::string& name);
@@ -150,6 +156,13 @@ class OutputFolder::State {
   void mark();
   void remove(const std::string& name) const;
   void clear(const std::string& first, const std::string& kept);
+  void delay_flushing() { delays_flushing_ = true; }
+  bool delays_flushing() const { return delays_flushing_; }
+  void flush_later(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    not_flushed_.insert(name);
+  }
+  void flush();
   /// Removes temporary files of killed processes.
   void remove_temporary_files() const;
 
@@ -169,14 +182,29 @@ class OutputFolder::State {
     const char* path = path_.empty() ? "." : path_.c_str();
     folder_ = Descriptor(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   }
-  /// Re-reads the manifest, which another process may have changed.
-  void refresh() { manifest_.files.merge(manifest_file().read().files); }
+  std::set<std::string> only_planned() const {
+    std::set<std::string> names;
+    std::set_difference(planned_.begin(), planned_.end(), manifest_.files.begin(),
+                        manifest_.files.end(), std::inserter(names, names.end()));
+    return names;
+  }
+  /// The manifest as it is, which another process may have changed, without what is only planned.
+  Manifest read_manifest() const {
+    Manifest manifest = manifest_file().read();
+    for (const std::string& name : only_planned()) {
+      manifest.files.erase(name);
+    }
+    return manifest;
+  }
 
   fs::path path_;
   bool named_;
+  std::atomic<bool> delays_flushing_ = false;
   std::mutex mutex_;  // of all below
   Descriptor folder_;
   Manifest manifest_;
+  std::set<std::string> planned_;  // listed before they are written
+  std::set<std::string> not_flushed_;
   bool marked_ = false;
 };
 
@@ -202,10 +230,20 @@ void OutputFolder::State::require_free(const std::string& name) {
     fail_at("write", path_ / name, "it is not a regular file");
   }
   if (found == Found::file && !manifest_.files.contains(name)) {
-    refresh();
+    manifest_.files.merge(read_manifest().files);
     if (!manifest_.files.contains(name)) {
       refuse_foreign(path_ / name);
     }
+  }
+}
+
+void OutputFolder::State::plan(const std::set<std::string>& names) {
+  make_parent("");
+  mark();
+  const std::lock_guard lock(mutex_);
+  planned_ = names;
+  if (const std::set<std::string> unlisted = only_planned(); !unlisted.empty()) {
+    manifest_file().add_files(unlisted);
   }
 }
 
@@ -214,7 +252,9 @@ bool OutputFolder::State::claim(const std::string& name) {
   if (manifest_.files.contains(name)) {
     return true;
   }
-  manifest_file().add_file(name);
+  if (!planned_.contains(name)) {
+    manifest_file().add_files({name});
+  }
   manifest_.files.insert(name);
   return false;
 }
@@ -222,8 +262,9 @@ bool OutputFolder::State::claim(const std::string& name) {
 void OutputFolder::State::disown(const std::string& name) {
   const std::lock_guard lock(mutex_);
   if (manifest_.files.contains(name)) {
-    manifest_file().remove_file(name);
+    manifest_file().remove_files({name});
     manifest_.files.erase(name);
+    planned_.erase(name);
   }
 }
 
@@ -296,7 +337,7 @@ void OutputFolder::State::remove(const std::string& name) const {
 void OutputFolder::State::clear(const std::string& first, const std::string& kept) {
   mark();
   const std::lock_guard lock(mutex_);
-  manifest_ = manifest_file().read();
+  manifest_ = read_manifest();
   if (manifest_.files.contains(first)) {
     remove(first);
   }
@@ -318,8 +359,40 @@ void OutputFolder::State::clear(const std::string& first, const std::string& kep
     }
   }
   left.temporary = {mark_of_process()};
-  manifest_file().replace(manifest_, left);
-  manifest_ = manifest_file().read();
+  const Manifest before = std::exchange(manifest_, left);
+  if (before != left) {
+    left.files.insert(planned_.begin(), planned_.end());
+    manifest_file().replace(before, left);
+    manifest_ = read_manifest();
+  }
+}
+
+void OutputFolder::State::flush() {
+  std::set<std::string> names;
+  {
+    const std::lock_guard lock(mutex_);
+    names.swap(not_flushed_);
+  }
+  const auto open = [this](const std::string& name) {
+    const Descriptor folder = parent(name);
+    Descriptor file(folder.is_open()
+                        ? ::openat(folder.number(), folder_and_leaf(name).second.c_str(),
+                                   O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)
+                        : -1);
+    if (!file.is_open() && errno != ENOENT) {
+      fail_at("write", path_ / name, std::strerror(errno));
+    }
+    return file;
+  };
+  for (const std::string& name : names) {  // all on their way before the first is waited for
+    ::sync_file_range(open(name).number(), 0, 0, SYNC_FILE_RANGE_WRITE);
+  }
+  for (const std::string& name : names) {
+    const Descriptor file = open(name);
+    if (file.is_open() && ::fsync(file.number()) != 0) {
+      fail_at("write", path_ / name, std::strerror(errno));
+    }
+  }
 }
 
 void OutputFolder::State::remove_temporary_files() const {
@@ -372,6 +445,10 @@ void OutputFolder::require_free(const std::string& name) const {
   state_->require_free(prefix_ + name);
 }
 
+void OutputFolder::plan(const std::set<std::string>& names) const {
+  state_->plan(names);
+}
+
 void OutputFolder::make_folder(const std::string& name) const {
   state_->make_parent(prefix_ + name + "/");
 }
@@ -395,6 +472,9 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
     require_free(name);
     file->claim = [state = state_, whole] { return state->claim(whole); };
     file->disown = [state = state_, whole] { state->disown(whole); };
+    if (state_->delays_flushing()) {
+      file->flush_later = [state = state_, whole] { state->flush_later(whole); };
+    }
   } else {
     if (found_in(file->folder.number(), file->name) == Found::other) {
       fail_at("write", file->path, "it is not a regular file");
@@ -478,17 +558,16 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
   return true;
 }
 
-void OutputFolder::sync(const std::string& name) const {
-  const Descriptor folder = state_->parent(prefix_ + name);
-  const std::string leaf = folder_and_leaf(prefix_ + name).second;
-  const Descriptor file(
-      ::openat(folder.number(), leaf.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (!file.is_open() && errno == ENOENT) {
-    return;
-  }
-  if (!file.is_open() || ::fsync(file.number()) != 0) {
-    fail_at("write", path(name), std::strerror(errno));
-  }
+void OutputFolder::delay_flushing() const {
+  state_->delay_flushing();
+}
+
+void OutputFolder::flush_later(const std::string& name) const {
+  state_->flush_later(prefix_ + name);
+}
+
+void OutputFolder::flush() const {
+  state_->flush();
 }
 
 void OutputFolder::rename(const std::string& from, const std::string& to) const {

@@ -52,6 +52,7 @@ bool is_of_run(const OutputFolder& files) {
 RunFolder::RunFolder(const fs::path& path, FolderLock lock)
     : path_(path), lock_(std::move(lock)), files_(path) {
   files_.remove_temporary_files();
+  files_.delay_flushing();
 }
 
 RunFolder RunFolder::for_new_run(const fs::path& path) {
@@ -131,13 +132,11 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   return earlier;
 }
 
-void RunFolder::start_over(const Checkpoint& start) const {
-  replace_checkpoint(files_, start);
-  clear_results();
-}
-
 // run.json first, so that the rest is not mistaken for a complete run.
-void RunFolder::clear_results() const {
+void RunFolder::start_over(const Checkpoint& start, std::set<std::string> planned) const {
+  planned.insert({kCheckpointFile, kSummaryFile, kSceneFile, kLogFile});
+  files_.plan(planned);
+  replace_checkpoint(files_, start);
   files_.clear(kSummaryFile, kCheckpointFile);
 }
 

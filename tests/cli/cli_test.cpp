@@ -110,6 +110,19 @@ TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {
   EXPECT_THAT(refused.err, HasSubstr("third/run.json: No such file or directory\n"));
 }
 
+TEST_F(CliTest, OsMesaIsLoadedForPicturesOnly) {
+  write("small.yaml", kScene);
+  fs::create_directory(folder_.path() / "lib");
+  write("lib/libOSMesa.so.8", "no library");
+  const testing::ProgramSetting broken = {
+      .environment = {{"LD_LIBRARY_PATH", (folder_.path() / "lib").string()}}};
+  expect_refused(run({"run", "small.yaml"}, broken), 2,
+                 AllOf(StartsWith("small.yaml:14:11: error: cannot load OSMesa"),
+                       HasSubstr("libOSMesa.so.8")));
+  const auto without = run({"run", "small.yaml", "-o", "out", "--frames-every", "0"}, broken);
+  EXPECT_EQ(without.code, 0) << without.err;
+}
+
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.code, 0);

@@ -1,6 +1,7 @@
 /* Loaded in front of the C library (LD_PRELOAD): counts the calls that change a file and, from the
    call number CLCA_FAULT_AT on, kills the process (CLCA_FAULT=kill) or answers as a full disk does
-   (CLCA_FAULT=full). */
+   (CLCA_FAULT=full). With CLCA_FAULT_LOG it adds to that file what is written, flushed to the disk
+   and renamed, a line each. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -8,6 +9,7 @@
 #include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -38,6 +40,40 @@ static int is_file(int descriptor) {
 
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
+static void note(const char* what, const char* path, const char* to) {
+  const char* log = getenv("CLCA_FAULT_LOG");
+  if (log == NULL) {
+    return;
+  }
+  const int error = errno;
+  char line[3 * 4096];
+  const int length = snprintf(line, sizeof line, "%s %s %s\n", what, path, to);
+  const int file = REAL(open)(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (REAL(write)(file, line, (size_t)length) != length) {
+    abort();
+  }
+  close(file);
+  errno = error;
+}
+static void path_of(int descriptor, const char* below, char path[4096]) {
+  char link[64];
+  snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
+  const ssize_t length = readlink(link, path, 2048);
+  snprintf(path + (length < 0 ? 0 : length), 2048, "%s%s", *below ? "/" : "", below);
+}
+static void note_file(const char* what, int descriptor) {
+  char path[4096];
+  path_of(descriptor, "", path);
+  note(what, path, "");
+}
+static void note_rename(int from_folder, const char* from, int to_folder, const char* to) {
+  char old_path[4096];
+  char new_path[4096];
+  path_of(from_folder, from, old_path);
+  path_of(to_folder, to, new_path);
+  note("rename", old_path, new_path);
+}
+
 #define OPEN_AT(name)                                               \
   int name(int folder, const char* path, int flags, ...) {          \
     va_list more;                                                   \
@@ -66,6 +102,9 @@ OPEN_AT(openat)
 OPEN_AT(openat64)
 
 ssize_t write(int file, const void* bytes, size_t count) {
+  if (is_file(file)) {
+    note_file("write", file);
+  }
   return is_file(file) && fault() ? -1 : REAL(write)(file, bytes, count);
 }
 ssize_t writev(int file, const struct iovec* parts, int count) {
@@ -75,9 +114,11 @@ ssize_t pwrite(int file, const void* bytes, size_t count, off_t at) {
   return is_file(file) && fault() ? -1 : REAL(pwrite)(file, bytes, count, at);
 }
 int fsync(int file) {
+  note_file("flush", file);
   return fault() ? -1 : REAL(fsync)(file);
 }
 int fdatasync(int file) {
+  note_file("flush", file);
   return fault() ? -1 : REAL(fdatasync)(file);
 }
 int ftruncate(int file, off_t size) {
@@ -108,10 +149,12 @@ int rename(const char* from, const char* to) {
 }
 int renameat(int from_folder, const char* from, int to_folder, const char* to) {
   pass();
+  note_rename(from_folder, from, to_folder, to);
   return REAL(renameat)(from_folder, from, to_folder, to);
 }
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   pass();
+  note_rename(from_folder, from, to_folder, to);
   return REAL(renameat2)(from_folder, from, to_folder, to, flags);
 }
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "support/program.hpp"
 #include "support/run_folders.hpp"
@@ -156,6 +157,31 @@ TEST_F(Faults, KilledAtAnyCallWhileItGoesOnARunGoesOnAgain) {
   }
 }
 
+TEST_F(Faults, KilledWhileItBeginsAnewFromTheCheckpointBeforeARunGoesOnAgain) {
+  const fs::path newest = folder_.path() / "out/checkpoint.clca";
+  const fs::path before = folder_.path() / "out/checkpoint-previous.clca";
+  int begun = 1;  // the call after which the first checkpoint has its name
+  for (; !fs::exists(newest); ++begun) {
+    lay_out_nothing();
+    ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", begun)).code, -SIGKILL);
+  }
+  for (int at = 1;; at += stride()) {
+    SCOPED_TRACE(at);
+    lay_out_nothing();
+    ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", begun)).code, -SIGKILL);
+    ASSERT_FALSE(fs::exists(before));
+    fs::rename(newest, before);
+    const auto killed = resume(fault("kill", at));
+    ASSERT_TRUE(killed.code == -SIGKILL || killed.code == 0) << killed.err;
+    const auto resumed = resume();
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    ASSERT_EQ(difference(), "");
+    if (killed.code == 0) {
+      return;
+    }
+  }
+}
+
 TEST_F(Faults, OnADiskThatIsFullFromAnyCallOnARunEndsWithOneLineAndGoesOn) {
   for (int at = 1;; at += stride()) {
     SCOPED_TRACE(at);
@@ -169,6 +195,52 @@ TEST_F(Faults, OnADiskThatIsFullFromAnyCallOnARunEndsWithOneLineAndGoesOn) {
     const auto resumed = resume();
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     ASSERT_EQ(difference(), "");
+  }
+}
+
+/// The files of `out` that are not on the disk, each time a file gets the name `name`.
+std::vector<std::set<std::string>> not_flushed_at(const std::string& name, const fs::path& out,
+                                                  const std::string& log) {
+  std::vector<std::set<std::string>> found;
+  std::set<std::string> not_flushed;
+  std::ifstream lines(log);
+  for (std::string what, from, to; lines >> what >> from;) {
+    if (what == "write") {
+      not_flushed.insert(from);
+    } else if (what == "flush") {
+      not_flushed.erase(from);
+    } else if (lines >> to) {
+      if (to == (out / name).string()) {
+        found.push_back(not_flushed);
+      }
+      if (not_flushed.erase(from) > 0) {
+        not_flushed.insert(to);
+      }
+    }
+  }
+  return found;
+}
+
+TEST_F(Faults, WhatACheckpointOrADoneRunRefersToIsOnTheDiskBefore) {
+  const std::string log = path("log");
+  for (const char* more : {"output.checkpoint=none", "output.checkpoint={seconds: 60}"}) {
+    SCOPED_TRACE(more);
+    lay_out_nothing();
+    fs::remove(log);
+    ASSERT_EQ(
+        run("out", {"--set", more}, {{"LD_PRELOAD", CLCA_FAULT_INJECTION}, {"CLCA_FAULT_LOG", log}})
+            .code,
+        0);
+    const fs::path out = fs::canonical(path("out"));
+    const auto at_checkpoints = not_flushed_at("checkpoint.clca", out, log);
+    ASSERT_EQ(at_checkpoints.size(), std::string(more).ends_with("none") ? 1 : 2);
+    for (const auto& files : at_checkpoints) {
+      EXPECT_THAT(files, ::testing::IsEmpty());
+    }
+    const auto at_summaries = not_flushed_at("run.json", out, log);
+    ASSERT_EQ(at_summaries.size(), 2);
+    EXPECT_THAT(at_summaries.front(), ::testing::Not(::testing::IsEmpty())) << "not yet done";
+    EXPECT_THAT(at_summaries.back(), ::testing::IsEmpty());
   }
 }
 

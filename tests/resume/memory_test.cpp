@@ -35,7 +35,7 @@ constexpr const char* kManyParticles = R"(clca: 1
 box: {width: 900, height: 900}
 species: {grain: {shape: {hexagon: 1}}}
 stages: [{name: fall, fill: {region: [0, 0, 900, 900], counts: {grain: 60000}}, until: {steps: 16}}]
-output: {series: {every: 1}, checkpoint: {every: 7}}
+output: {series: {every: 1}, trajectory: {every: 5}, checkpoint: {every: 7}}
 )";
 
 constexpr const char* kGas = R"(clca: 1

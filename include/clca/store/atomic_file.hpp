@@ -28,7 +28,9 @@ class AtomicFile {
   /// Overwrites the first bytes, which must have been written.
   void rewrite_begin(std::span<const std::uint8_t> bytes);
   std::uint64_t size() const;  ///< bytes written at the end
-  /// Flushes to the disk and renames.
+  /// To the disk, now.
+  void flush();
+  /// Flushes, unless its folder delays that, and renames.
   void finish();
 
  private:

@@ -34,8 +34,8 @@ Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
 inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
 
-/// Writes a checkpoint; the previous one is renamed to kCheckpointBefore. One complete checkpoint
-/// exists at any moment. Throws StoreError.
+/// Writes a checkpoint, after all that was written before it is on the disk; the previous one is
+/// renamed to kCheckpointBefore. One complete checkpoint exists at any moment. Throws StoreError.
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
 /// The same, replacing the newest one.
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);

@@ -17,11 +17,8 @@ class GrowingFile {
   /// StoreError if it has fewer.
   GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
 
-  /// Throws StoreError.
+  /// Is on the disk after OutputFolder::flush(). Throws StoreError.
   void append(std::string_view text);
-  /// Syncs the file to disk, if it exists. May be called while another thread appends. Throws
-  /// StoreError.
-  void sync() const { folder_.sync(name_); }
   std::uint64_t bytes() const { return bytes_; }
 
  private:

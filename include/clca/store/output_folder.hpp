@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,10 +22,10 @@ enum class Replace : std::uint8_t {
 
 struct OutputFile;
 
-/// The file `.clca.manifest` lists every file before it is made. Only listed files are replaced or
-/// removed, and symbolic links below the folder are not followed.
-/// Names are relative, with `/` between folders ("frames/a-000120.png"). Copies share one folder.
-/// Thread-safe. All functions throw StoreError.
+/// The file `.clca.manifest` lists every file before it gets its name. Only listed files are
+/// replaced or removed, and symbolic links below the folder are not followed. Names are relative,
+/// with `/` between folders ("frames/a-000120.png"). Copies share one folder. Thread-safe. All
+/// functions throw StoreError.
 class OutputFolder {
  public:
   /// Writes nothing: the folder is made with its first file. Throws for a damaged manifest. An
@@ -44,18 +45,26 @@ class OutputFolder {
   /// Throws if a file of that name exists that is not in the manifest or is no regular file.
   void require_free(const std::string& name) const;
 
+  /// Lists files that are going to be written, at once. Until they are, files of these names are
+  /// not its own. What is not written in the lifetime of this object is taken off the list again.
+  void plan(const std::set<std::string>& names) const;
+
   void make_folder(const std::string& name) const;
   /// A file that appears when it is finished.
   AtomicFile create(const std::string& name, Replace replace = Replace::own) const;
   void write(const std::string& name, std::span<const std::uint8_t> bytes,
              Replace replace = Replace::own) const;
   void write(const std::string& name, std::string_view text, Replace replace = Replace::own) const;
-  /// A file descriptor for appending; makes the file if needed.
+  /// A file descriptor for appending; makes the file if needed. Call flush_later() when done.
   int open_to_append(const std::string& name) const;
   /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
   bool truncate(const std::string& name, std::uint64_t bytes) const;
-  /// Syncs a file to disk, if it exists.
-  void sync(const std::string& name) const;
+  /// From now on files get their names before they are on the disk, which flush() sees to.
+  void delay_flushing() const;
+  /// Flushes this file, if it exists, with the next flush().
+  void flush_later(const std::string& name) const;
+  /// Flushes all that was written since the last call to the disk.
+  void flush() const;
 
   /// Renames a file, replacing `to`. Both are in the manifest.
   void rename(const std::string& from, const std::string& to) const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -57,11 +58,10 @@ class RunFolder {
   /// can be read.
   std::optional<EarlierRun> earlier_run() const;
 
-  /// Starts a run: replaces the checkpoint by `start`, then removes the old results. From then on
-  /// clear_results() may be repeated until it succeeds.
-  void start_over(const Checkpoint& start) const;
-  /// Removes everything that clca has written there except the newest checkpoint.
-  void clear_results() const;
+  /// Starts a run that is going to write the files `planned` and those of every run: replaces the
+  /// checkpoint by `start`, then removes all else that clca has written there. May be repeated
+  /// until it succeeds.
+  void start_over(const Checkpoint& start, std::set<std::string> planned) const;
   /// Removes the pictures of steps after `last_step`; all if none.
   void remove_frames_after(std::optional<std::uint64_t> last_step) const;
 

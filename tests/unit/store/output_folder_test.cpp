@@ -284,14 +284,62 @@ TEST_F(OutputFolderTest, AGrowingFileKeepsWhatItIsToldAndCutsOffTheRest) {
   EXPECT_EQ(file.bytes(), 8U);
   GrowingFile again(out, "table.csv", 4);
   again.append("3,4\n");
-  again.sync();
+  out.flush();
   EXPECT_EQ(text("out/table.csv"), "a,b\n3,4\n");
   EXPECT_THAT(
       [&] { GrowingFile(out, "table.csv", 9); },
       ThrowsMessage<StoreError>(EndsWith("it is shorter than when the checkpoint was made")));
   GrowingFile anew(out, "table.csv", 0);
   EXPECT_FALSE(fs::exists(path("out/table.csv")));
-  anew.sync();
+  out.flush();
+}
+
+TEST_F(OutputFolderTest, PlannedFilesAreListedAtOnceAndAreItsOwnOnlyWhenItHasWrittenThem) {
+  const auto refusal =
+      ThrowsMessage<StoreError>(HasSubstr("clca did not write the file that is there"));
+  {
+    const OutputFolder out = folder();
+    out.write("old.txt", "x");
+    out.plan({"a.txt", "b.txt", "c.txt", "old.txt"});
+    EXPECT_THAT(text("out/.clca.manifest"), HasSubstr("file \"a.txt\"\nfile \"b.txt\"\n"));
+    const std::string manifest = text("out/.clca.manifest");
+    out.write("a.txt", "x");
+    EXPECT_EQ(text("out/.clca.manifest"), manifest) << "it has been listed";
+    put("out/b.txt", "mine");
+    EXPECT_FALSE(out.owns("b.txt"));
+    EXPECT_THAT([&] { out.write("b.txt", "x"); }, refusal);
+    EXPECT_THAT([&] { out.open_to_append("b.txt"); }, refusal);
+    out.clear("", "a.txt");
+    EXPECT_THAT(names("out"), ElementsAre("a.txt", "b.txt"));
+    EXPECT_THAT(text("out/.clca.manifest"), HasSubstr("file \"c.txt\""));
+    EXPECT_THAT(text("out/.clca.manifest"), HasSubstr("file \"old.txt\""));
+    out.write("old.txt", "y");
+  }
+  put("out/c.txt", "mine");
+  EXPECT_THAT(folder().files(), ElementsAre("a.txt", "old.txt")) << "the rest was not written";
+  EXPECT_THAT([&] { folder().write("c.txt", "x"); }, refusal);
+}
+
+TEST_F(OutputFolderTest, AFileThatComesWhileAPlannedOneIsWrittenStaysAndIsNotListed) {
+  {
+    const OutputFolder out = folder();
+    out.plan({"a.txt"});
+    AtomicFile file = out.create("a.txt");
+    put("out/a.txt", "mine");
+    EXPECT_THROW(file.finish(), StoreError);
+  }
+  folder().clear("", "");
+  EXPECT_EQ(text("out/a.txt"), "mine");
+}
+
+TEST_F(OutputFolderTest, AFileThatIsGoneBeforeItIsFlushedIsNoError) {
+  const OutputFolder out = folder();
+  out.delay_flushing();
+  out.write("frames/a.png", "x");
+  out.write("b.txt", "x");
+  fs::remove_all(path("out/frames"));
+  out.flush();
+  EXPECT_EQ(text("out/b.txt"), "x");
 }
 
 }  // namespace

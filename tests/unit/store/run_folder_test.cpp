@@ -39,7 +39,7 @@ class RunFolderTest : public ::testing::Test {
   /// A run that has saved itself once.
   void leave_run(const std::string& status) const {
     const RunFolder folder = RunFolder::for_new_run(run());
-    folder.start_over(start());
+    folder.start_over(start(), {});
     Checkpoint saved = start();
     saved.fields["state/step"] = std::vector<std::uint64_t>{5};
     write_checkpoint(folder.files(), saved);
@@ -69,7 +69,7 @@ TEST_F(RunFolderTest, StartingOverRemovesWhatTheEarlierRunLeftAndNothingElse) {
   const RunFolder folder = RunFolder::for_new_run(run());
   EXPECT_EQ(folder.earlier_run()->summary.seed, 7U);
   EXPECT_FALSE(folder.earlier_run()->unfinished);
-  folder.start_over(start());
+  folder.start_over(start(), {});
   for (const char* name : {"run.json", "series.csv", "profile-flow.csv", "frames/old-000120.png",
                            "plots/series.png", "export", "report.html", kCheckpointBefore}) {
     EXPECT_FALSE(fs::exists(run() / name)) << name;
@@ -84,7 +84,7 @@ TEST_F(RunFolderTest, StartingOverRemovesWhatTheEarlierRunLeftAndNothingElse) {
 TEST_F(RunFolderTest, KnowsARunThatCanGoOn) {
   leave_run("interrupted");
   EXPECT_TRUE(RunFolder::for_new_run(run()).earlier_run()->unfinished);
-  RunFolder::for_new_run(run()).start_over(start());
+  RunFolder::for_new_run(run()).start_over(start(), {});
   EXPECT_FALSE(RunFolder::for_new_run(run()).earlier_run()->unfinished);
   EXPECT_EQ(RunFolder::for_new_run(run()).earlier_run()->summary.scene, "new");
 }
