@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "store/descriptor.hpp"
+
 namespace clca::store {
 
 struct Manifest {
@@ -37,6 +39,11 @@ class ManifestFile {
 
  private:
   class Locked;
+  /// The open file; not open, with errno, if there is none. May be of a manifest that another
+  /// process has replaced.
+  Descriptor open(int flags) const;
+  /// All of it; empty if there is none.
+  std::string text() const;
   void append(std::string_view kind, const std::string& name) const;
   /// Writes a temporary file and renames it to the manifest.
   void put(std::string_view text) const;
