@@ -138,6 +138,10 @@ void RunFolder::start_over(const Checkpoint& start) const {
 
 // run.json first, so that the rest is not mistaken for a complete run.
 void RunFolder::clear_results() const {
+  std::error_code unknown;
+  if (!fs::exists(path_ / kCheckpointFile, unknown)) {  // killed before it got its name
+    files_.rename(kCheckpointBefore, kCheckpointFile);
+  }
   files_.clear(kSummaryFile, kCheckpointFile);
 }
 
