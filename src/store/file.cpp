@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "clca/store/output_folder.hpp"
+#include "store/descriptor.hpp"
 
 namespace clca::store {
 
@@ -33,6 +34,13 @@ void make_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) {
     fail("make the folder", folder, error.value());
+  }
+}
+
+void look_anew(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& one : {folder.parent_path(), folder}) {
+    // To open a folder asks the server.
+    const Descriptor opened(::open(one.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   }
 }
 

@@ -20,6 +20,10 @@ namespace clca::store {
 namespace {
 
 constexpr const char* kManifest = ".clca.manifest";
+constexpr const char* kManifestNew = ".clca.manifest-new";  // replaces it
+constexpr int kManifestTries = 500;                         // for a few seconds
+constexpr useconds_t kManifestPause = 10'000;
+constexpr int kManifestFlags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
 constexpr std::string_view kHeader = "clca manifest 1\n";
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
@@ -37,21 +41,21 @@ std::optional<std::string> name_in(std::string_view line, std::string_view kind)
   return std::string(line.substr(before, line.size() - before - 1));
 }
 
-/// Reads at most `count` bytes of a file.
-std::string read_text(int file, std::size_t most) {
-  struct stat status {};
-  if (::fstat(file, &status) == 0) {
-    most = std::min(most, static_cast<std::size_t>(status.st_size));
+/// Reads at most `most` bytes of a file, to its end: over a network, the size it is said to have
+/// may be an old one. None on failure.
+std::optional<std::string> read_text(int file, std::size_t most) {
+  constexpr std::size_t kBlock = 1U << 16U;
+  std::string text;
+  for (;;) {
+    const std::size_t size = text.size();
+    text.resize(std::min(most, size + kBlock));
+    const ssize_t count =
+        ::pread(file, text.data() + size, text.size() - size, static_cast<off_t>(size));
+    text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count <= 0) {
+      return count == 0 ? std::optional(std::move(text)) : std::nullopt;
+    }
   }
-  std::string text(most, '\0');
-  std::size_t size = 0;
-  ssize_t count = 0;
-  while (size < most &&
-         (count = ::pread(file, text.data() + size, most - size, static_cast<off_t>(size))) > 0) {
-    size += static_cast<std::size_t>(count);
-  }
-  text.resize(size);
-  return text;
 }
 
 /// Whether a text starts like a manifest; the last word of the header may be missing.
@@ -76,24 +80,13 @@ bool is_inside(std::string_view name) {
 class ManifestFile::Locked {
  public:
   explicit Locked(const ManifestFile& manifest) : manifest_(manifest) {
-    constexpr int kFlags = O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-    struct stat held {};
-    do {
-      file_ = Descriptor(::openat(manifest.folder_, kManifest, kFlags, kReadableByAll));
-      if (!file_.is_open() || !lock() || ::fstat(file_.number(), &held) != 0) {
+    for (int tries = 0; !open_in_place(); ++tries) {
+      if (tries == kManifestTries) {
+        errno = ESTALE;
         fail();
       }
-      if (!S_ISREG(held.st_mode)) {
-        manifest_.refuse("write", "it is not a regular file");
-      }
-      if (!is_header(read_text(file_.number(), kHeader.size()))) {
-        manifest_.refuse("write", "it is not a clca manifest");
-      }
-      if (held.st_nlink > 1) {  // of a backup, which is not to be changed
-        manifest_.put(read_text(file_.number(), kMaxBytes));
-      }
-    } while (!is_in_place(held));
-    size_ = held.st_size;
+      ::usleep(kManifestPause);
+    }
     if (size_ == 0 && manifest.expected_) {
       manifest_.refuse("write", "it has been removed or emptied meanwhile");
     }
@@ -103,7 +96,7 @@ class ManifestFile::Locked {
     char last = '\n';
     if (size_ < static_cast<off_t>(kHeader.size())) {
       text = std::string(kHeader) + text;
-      if (::ftruncate(file_.number(), 0) != 0) {  // a header that was not written whole
+      if (size_ > 0 && ::ftruncate(file_.number(), 0) != 0) {  // a header not written whole
         fail();
       }
     } else if (::pread(file_.number(), &last, 1, size_ - 1) == 1 && last != '\n') {
@@ -120,25 +113,62 @@ class ManifestFile::Locked {
   }
 
  private:
-  /// Waits a few seconds for other processes, which hold the lock only briefly.
+  /// Opens and locks the manifest. False if another process has replaced it meanwhile.
+  bool open_in_place() {
+    file_ = manifest_.open(O_RDWR | O_APPEND);
+    if (!file_.is_open() && errno == ENOENT) {
+      file_ = Descriptor(::openat(manifest_.folder_, kManifest,
+                                  O_RDWR | O_APPEND | O_CREAT | kManifestFlags, kReadableByAll));
+    }
+    struct stat held {};
+    if (!file_.is_open() || !lock() || ::fstat(file_.number(), &held) != 0) {
+      return is_stale();
+    }
+    if (!S_ISREG(held.st_mode)) {
+      manifest_.refuse("write", "it is not a regular file");
+    }
+    const auto header = read_text(file_.number(), kHeader.size());
+    if (!header) {
+      return is_stale();
+    }
+    if (!is_header(*header)) {
+      manifest_.refuse("write", "it is not a clca manifest");
+    }
+    if (held.st_nlink > 1) {  // of a backup, which is not to be changed
+      const auto text = read_text(file_.number(), kMaxBytes);
+      if (!text) {
+        return is_stale();
+      }
+      manifest_.put(*text);
+    }
+    size_ = held.st_size;
+    return is_in_place(held);
+  }
+  /// False if the open file is none any more on another machine; throws for other errors.
+  bool is_stale() const {
+    if (errno != ESTALE) {
+      fail();
+    }
+    return false;
+  }
+  /// Waits for other processes, which hold the lock only briefly.
   bool lock() const {
-    constexpr int kTries = 500;
-    constexpr useconds_t kPause = 10'000;
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kManifestTries; ++i) {
       if (::flock(file_.number(), LOCK_EX | LOCK_NB) == 0) {
         return true;
       }
       if (errno != EWOULDBLOCK && errno != EINTR) {
         return false;
       }
-      ::usleep(kPause);
+      ::usleep(kManifestPause);
     }
     return false;
   }
   /// Whether no other process replaced the manifest before this one locked it.
   bool is_in_place(const struct stat& held) const {
     struct stat named {};
-    return ::fstatat(manifest_.folder_, kManifest, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
+    const Descriptor folder = opened_anew(manifest_.folder_);
+    return ::fstatat(folder.number(), kManifest, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
            held.st_ino == named.st_ino && held.st_dev == named.st_dev;
   }
   [[noreturn]] void fail() const { manifest_.refuse("write", std::strerror(errno)); }
@@ -152,19 +182,58 @@ void ManifestFile::refuse(std::string_view what, const char* reason) const {
   throw StoreError(fmt::format("cannot {} {}: {}", what, (path_ / kManifest).string(), reason));
 }
 
+Descriptor ManifestFile::open(int flags) const {
+  constexpr int kMost = 50;
+  bool once_more = true;
+  for (int tries = 0;; ++tries) {
+    const Descriptor folder = opened_anew(folder_);
+    if (!folder.is_open()) {
+      return Descriptor();
+    }
+    Descriptor file(::openat(folder.number(), kManifest, flags | kManifestFlags));
+    if (file.is_open() || errno != ENOENT || tries == kMost) {
+      return file;
+    }
+    // NFS replaces an open file in two steps, and other machines see none between them.
+    const bool is_between =
+        ::faccessat(folder.number(), kManifestNew, F_OK, AT_SYMLINK_NOFOLLOW) == 0;
+    if (!is_between && !once_more) {
+      errno = ENOENT;
+      return file;
+    }
+    if (is_between) {
+      ::usleep(kManifestPause);
+    }
+    once_more = is_between;
+  }
+}
+
+std::string ManifestFile::text() const {
+  for (int tries = 0;; ++tries) {
+    const Descriptor file = open(O_RDONLY);
+    if (!file.is_open() && errno == ENOENT) {
+      return "";
+    }
+    struct stat status {};
+    std::optional<std::string> text;
+    if (file.is_open() && ::fstat(file.number(), &status) == 0) {
+      if (!S_ISREG(status.st_mode) || status.st_size > static_cast<off_t>(kMaxBytes)) {
+        refuse("read", "it is not a clca manifest");
+      }
+      text = read_text(file.number(), kMaxBytes);
+    }
+    if (text) {
+      return *std::move(text);
+    }
+    if (errno != ESTALE || tries == kManifestTries) {  // ESTALE: replaced meanwhile
+      refuse("read", std::strerror(errno));
+    }
+    ::usleep(kManifestPause);
+  }
+}
+
 Manifest ManifestFile::read() const {
-  const Descriptor file(
-      ::openat(folder_, kManifest, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (!file.is_open() && errno == ENOENT) {
-    return {};
-  }
-  if (!file.is_open()) {
-    refuse("read", std::strerror(errno));
-  }
-  if (!file.is_regular() || ::lseek(file.number(), 0, SEEK_END) > static_cast<off_t>(kMaxBytes)) {
-    refuse("read", "it is not a clca manifest");
-  }
-  const std::string text = read_text(file.number(), kMaxBytes);
+  const std::string text = this->text();
   if (!is_header(text)) {
     refuse("read", "it is not a clca manifest");
   }
@@ -204,16 +273,14 @@ void ManifestFile::append(std::string_view kind, const std::set<std::string>& na
 }
 
 void ManifestFile::put(std::string_view text) const {
-  const std::string temporary = std::string(kManifest) + "-new";
-  ::unlinkat(folder_, temporary.c_str(), 0);  // of a process that was killed: all hold the lock
-  const Descriptor file(::openat(folder_, temporary.c_str(),
-                                 O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                                 kReadableByAll));
+  ::unlinkat(folder_, kManifestNew, 0);  // of a process that was killed: all hold the lock
+  const Descriptor file(::openat(
+      folder_, kManifestNew, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadableByAll));
   const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   if (!file.is_open() || !write_all(file.number(), bytes) || ::fsync(file.number()) != 0 ||
-      ::renameat(folder_, temporary.c_str(), folder_, kManifest) != 0) {
+      ::renameat(folder_, kManifestNew, folder_, kManifest) != 0) {
     const int error = errno;
-    ::unlinkat(folder_, temporary.c_str(), 0);
+    ::unlinkat(folder_, kManifestNew, 0);
     refuse("write", std::strerror(error));
   }
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "store/descriptor.hpp"
+
 namespace clca::store {
 
 struct Manifest {
@@ -46,6 +48,11 @@ class ManifestFile {
   class Locked;
   enum class Sync : std::uint8_t { no, yes };
   void append(std::string_view kind, const std::set<std::string>& names, Sync sync) const;
+  /// The open file; not open, with errno, if there is none. May be of a manifest that another
+  /// process has replaced.
+  Descriptor open(int flags) const;
+  /// All of it; empty if there is none.
+  std::string text() const;
   /// Writes a temporary file and renames it to the manifest.
   void put(std::string_view text) const;
   [[noreturn]] void refuse(std::string_view what, const char* reason) const;

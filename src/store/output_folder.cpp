@@ -12,6 +12,7 @@
 #include <iterator>
 #include <mutex>
 #include <random>
+#include <tuple>
 #include <utility>
 
 #include "clca/store/file.hpp"
@@ -80,12 +81,33 @@ bool is_temporary(const std::string& name) {
   return name.starts_with(kTemporary);
 }
 
-/// Removes a temporary file unless a process still uses it.
+/// Removes a temporary file unless a process still uses it. NFS locks for writing only what is open
+/// for writing.
 void remove_if_abandoned(int folder, const std::string& name) {
   const Descriptor file(
-      ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+      ::openat(folder, name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.is_open() && file.is_regular() && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) {
     ::unlinkat(folder, name.c_str(), 0);
+  }
+}
+
+/// A new temporary file, locked, and its name. `path` is used in messages.
+std::pair<Descriptor, std::string> locked_temporary_file(int folder, const fs::path& path) {
+  constexpr int kMost = 20;
+  for (int tries = 1;; ++tries) {
+    std::string name = temporary_name();
+    Descriptor file(::openat(folder, name.c_str(),
+                             O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadableByAll));
+    struct stat status {};
+    const bool locked = file.is_open() && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 &&
+                        ::fstat(file.number(), &status) == 0;
+    if (locked && (status.st_nlink > 0 || tries == kMost)) {
+      return {std::move(file), std::move(name)};
+    }
+    // Before it was locked, another process may have taken it for abandoned.
+    if (!locked && (tries == kMost || (errno != EWOULDBLOCK && errno != ESTALE))) {
+      fail_at("write", path, std::strerror(errno));
+    }
   }
 }
 
@@ -482,14 +504,7 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
     file->claim = [state = state_] { return true; };
   }
   state_->mark();
-  const std::string temporary = temporary_name();
-  file->file =
-      Descriptor(::openat(file->folder.number(), temporary.c_str(),
-                          O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadableByAll));
-  if (!file->file.is_open() || ::flock(file->file.number(), LOCK_EX | LOCK_NB) != 0) {
-    fail_at("write", file->path, std::strerror(errno));
-  }
-  file->temporary = temporary;
+  std::tie(file->file, file->temporary) = locked_temporary_file(file->folder.number(), file->path);
   return AtomicFile(std::move(file));
 }
 
@@ -529,18 +544,21 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
   require_free(name);
   const Descriptor folder = state_->parent(prefix_ + name);
   const std::string leaf = folder_and_leaf(prefix_ + name).second;
-  struct stat status {};
-  if (!folder.is_open() ||
-      ::fstatat(folder.number(), leaf.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+  if (!folder.is_open() || found_in(folder.number(), leaf) == Found::nothing) {
     return bytes == 0;
+  }
+  // Opened first: over NFS the size of a file that is not open may be an old one.
+  Descriptor file(
+      ::openat(folder.number(), leaf.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
+    fail_at("write", path(name), std::strerror(errno));
   }
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size < bytes || (size == bytes && status.st_nlink == 1)) {
     return size == bytes;
   }
-  Descriptor file(
-      ::openat(folder.number(), leaf.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  if (file.is_open() && status.st_nlink > 1) {  // of a backup, which is not to be changed
+  if (status.st_nlink > 1) {  // of a backup, which is not to be changed
     std::vector<std::uint8_t> block(1U << 16U);
     AtomicFile copy = create(name);
     ssize_t count = 0;
@@ -552,7 +570,7 @@ bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const 
     copy.finish();
     return true;
   }
-  if (!file.is_open() || ::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
+  if (::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
     fail_at("write", path(name), std::strerror(errno));
   }
   return true;

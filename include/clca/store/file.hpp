@@ -24,6 +24,10 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 /// Makes a folder and its parents, if needed. Throws StoreError.
 void make_folder(const std::filesystem::path& folder);
 
+/// Lets files be found that other machines have just made in a folder, or with it. NFS may say for
+/// a minute that there is nothing where this machine has looked before.
+void look_anew(const std::filesystem::path& folder);
+
 /// All bytes of a regular file. Throws StoreError, also for other kinds of files and more than
 /// `max_bytes`.
 std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes);

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <fstream>
 #include <optional>
+#include <thread>
 
 #include "clca/store/file.hpp"
 #include "clca/store/growing_file.hpp"
@@ -340,6 +341,27 @@ TEST_F(OutputFolderTest, AFileThatIsGoneBeforeItIsFlushedIsNoError) {
   fs::remove_all(path("out/frames"));
   out.flush();
   EXPECT_EQ(text("out/b.txt"), "x");
+}
+
+TEST_F(OutputFolderTest, SeveralThatWriteAtOnceKeepTheTemporaryFilesOfEachOther) {
+  constexpr int kFiles = 300;
+  const auto write = [&](char first) {
+    for (int i = 0; i < kFiles; ++i) {
+      EXPECT_NO_THROW(folder().write(first + std::to_string(i), "x"));
+    }
+  };
+  std::thread other([&] { write('b'); });
+  write('a');
+  other.join();
+  EXPECT_EQ(folder().files().size(), 2 * kFiles);
+}
+
+TEST_F(OutputFolderTest, WhereAFolderIsRemovedMeanwhileOneLineSaysSo) {
+  const OutputFolder out = folder();
+  out.write("a.txt", "x");
+  fs::remove_all(path("out"));
+  EXPECT_THAT([&] { out.write("b.txt", "x"); },
+              ThrowsMessage<StoreError>(EndsWith("No such file or directory")));
 }
 
 }  // namespace
