@@ -119,6 +119,8 @@ class Sweep {
   std::optional<tasks::Leader> leader();
   Pool::Work work();
   void take(std::size_t run, FinishedRun one, Pool& pool);
+  /// Takes over what other processes have done meanwhile.
+  void look_elsewhere();
   void show_progress();
   void write_tables();
   void refresh_tables();
@@ -132,8 +134,9 @@ class Sweep {
   Pictures pictures_;
   Folder folder_;
   std::optional<store::FolderLock> lock_;
-  std::vector<std::size_t> runs_;  // to be done, of the plan
-  std::vector<Result> results_;    // in the order of the plan
+  std::vector<std::size_t> runs_;       // to be done, of the plan
+  std::vector<Result> results_;         // in the order of the plan
+  std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
   std::string store_error_;  // the first
   Clock::time_point start_ = Clock::now();
@@ -151,6 +154,7 @@ Progress Sweep::execute() {
   if (!options_.collect_only && !runs.empty() && !stop_asked()) {
     std::optional<tasks::Leader> others = leader();
     carry_out(runs, others ? &*others : nullptr);
+    look_elsewhere();
   }
   if (!store_error_.empty()) {
     throw store::StoreError(store_error_);
@@ -263,12 +267,26 @@ void Sweep::take(std::size_t run, FinishedRun one, Pool& pool) {
   } else if (one.result.status == Status::done) {
     ++progress_.done;
   } else if (one.is_elsewhere) {
-    ++progress_.elsewhere;
+    elsewhere_.push_back(run);
+    progress_.elsewhere = elsewhere_.size();
   } else if (!stop_asked()) {
     pool.put_back(run);  // another rank was stopped
   }
   results_[run] = std::move(one.result);
   tables_stale_ = true;
+}
+
+void Sweep::look_elsewhere() {
+  std::erase_if(elsewhere_, [this](std::size_t run) {
+    auto earlier = earlier_run(folder_.run(plan_.name(run)), plan_.scene(run), pictures_.of(run));
+    if (!earlier || !earlier->is_whole) {
+      return false;
+    }
+    results_[run] = {Status::done, std::move(earlier->summary), {}};
+    ++progress_.done;
+    return true;
+  });
+  progress_.elsewhere = elsewhere_.size();
 }
 
 void Sweep::show_progress() {
