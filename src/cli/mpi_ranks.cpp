@@ -1,6 +1,5 @@
 // Ranks of MPI.
 
-#include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
 
@@ -49,12 +48,11 @@ struct Transfer {
 class MpiRanks : public tasks::Ranks {
  public:
   MpiRanks() {
-    // A rank that ends during this call would leave the others in it for ever.
+    // A rank that ends while MPI starts would leave the others waiting for ever.
     constexpr unsigned kLongest = 600;  // seconds
     ::alarm(kLongest);
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    ::alarm(0);
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // a rank may have ended
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -62,11 +60,14 @@ class MpiRanks : public tasks::Ranks {
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
     MPI_Comm_size(machine, &on_this_machine_);
     MPI_Comm_free(&machine);
+    ::alarm(0);
   }
   ~MpiRanks() override {
     constexpr int kTries = 500;
     constexpr std::chrono::milliseconds kPause(10);
     for (int i = 0; i < kTries && !all_sent(); ++i) {
+      while (receive()) {  // what others are still sending
+      }
       std::this_thread::sleep_for(kPause);
     }
     if (!all_sent()) {  // to a rank that has ended: MPI_Finalize would wait for it

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -29,6 +28,16 @@ std::optional<std::string> variable(const std::array<const char*, kCount>& names
   return std::nullopt;
 }
 
+/// With --part each process does a part of its own.
+bool has_part(char** arguments) {
+  for (; *arguments != nullptr; ++arguments) {
+    if (std::string_view(*arguments).starts_with("--part")) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
@@ -36,13 +45,15 @@ std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
   const auto rank = variable<4>({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
   const auto size = variable<3>({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});
   if (arguments[0] == nullptr || arguments[1] == nullptr || !is_shared(arguments[1]) || !rank ||
-      !size || *size == "1") {
+      !size || *size == "1" || has_part(arguments)) {
     return nullptr;
   }
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string other = (self.parent_path() / "clca-mpi").string();
-  ::execv(other.c_str(), arguments);
+  if (!error) {
+    ::execv(other.c_str(), arguments);
+  }
   throw text::InputError(*rank != "0"
                              ? ""
                              : fmt::format("{} processes have been started together, which "

@@ -17,8 +17,9 @@ int serve_rank(tasks::Ranks& ranks, const std::function<void()>& serve);
 bool is_shared(const std::string& command);
 
 /// All of them, in clca-mpi. In clca none: where mpirun has started it for a command that can be
-/// shared, clca-mpi takes its place. `arguments`: of the command line, ending in a null pointer.
-/// Throws text::InputError if mpirun has started several and there is no clca-mpi.
+/// shared, and without --part, clca-mpi takes its place. `arguments`: of the command line, ending
+/// in a null pointer. Throws text::InputError if mpirun has started several and there is no
+/// clca-mpi.
 std::unique_ptr<tasks::Ranks> started_ranks(char** arguments);
 
 }  // namespace clca::cli

@@ -11,7 +11,7 @@ namespace clca::render {
 
 namespace {
 
-/// OSMesa, loaded with the first picture: it brings LLVM, which takes longer to load than many a
+/// OSMesa, loaded before the first picture: it brings LLVM, which takes longer to load than many a
 /// run without pictures takes.
 struct Library {
   void* handle = load();
@@ -65,6 +65,10 @@ OSMesaContext create() {
 }
 
 }  // namespace
+
+void load_library() {
+  Library::get();
+}
 
 Context::Context() : handle_(create()) {
   if (handle_ == nullptr) {

@@ -7,6 +7,9 @@
 
 namespace clca::render {
 
+/// Loads OSMesa, once. Throws RenderError, std::bad_alloc.
+void load_library();
+
 class Context {
  public:
   using Function = void (*)();

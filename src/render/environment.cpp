@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "clca/render/painter.hpp"
+#include "render/context.hpp"
 
 namespace clca::render {
 
@@ -44,6 +45,7 @@ void prepare_environment() {
   if (std::getenv("LP_NUM_THREADS") == nullptr) {
     setenv("LP_NUM_THREADS", "0", 0);
   }
+  load_library();
 }
 
 }  // namespace clca::render

@@ -26,7 +26,8 @@ tasks::Bytes packed(const T& value, const std::string& scene) {
                                   .fields = reflection::encode(value)});
 }
 
-tasks::Bytes answer_to(const tasks::Bytes& bytes, const std::atomic<int>& stop) {
+tasks::Bytes answer_to(std::size_t /*task*/, const tasks::Bytes& bytes,
+                       const std::atomic<int>& stop) {
   const store::Checkpoint content = store::parse_checkpoint(bytes, kAnySize);
   GasRequest request;
   reflection::decode(content.fields, kAnySize, request);

@@ -3,6 +3,7 @@
 #include "run/gas_run.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "clca/parallel/team.hpp"
 #include "clca/random/word_hash.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
@@ -72,6 +74,8 @@ class GasRun : public RunBase {
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
   void show_progress(double restitution);
+  /// Whether gases are advanced in the thread that called run().
+  bool is_inline() const { return at_a_time() == 1 && !leader_; }
   /// Gases at a time in this process, and threads of each.
   std::size_t at_a_time() const {
     const auto ranks = static_cast<std::uint64_t>(options().ranks ? options().ranks->size() : 1);
@@ -85,6 +89,7 @@ class GasRun : public RunBase {
   /// Writes a checkpoint; no gas may change meanwhile.
   void save();
   void warn();
+  void warn_of_rank(const std::string& text);
   bool complete(const GasCase& one) const {
     return one.at(integrator_.times().size() - 1).size() == one.members.size();
   }
@@ -93,8 +98,8 @@ class GasRun : public RunBase {
     return std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
   }
 
-  double collisions(const GasMember& member) const {
-    return static_cast<double>(member.participations) / particles_changed();
+  double collisions(std::uint64_t participations) const {
+    return static_cast<double>(participations) / particles_changed();
   }
 
   const scene::BoltzmannScene& scene_;
@@ -107,6 +112,7 @@ class GasRun : public RunBase {
   std::uint64_t gases_done_ = 0;
   std::vector<GasAtWork> at_work_;  // one for each member of a case
   std::optional<tasks::Leader> leader_;
+  std::vector<std::string> rank_warnings_;  // that the log does not have yet
   std::thread::id thread_ = std::this_thread::get_id();
   TimeEstimate forecast_;
   bool complete_ = true;
@@ -122,10 +128,21 @@ void GasRun::carry_out() {
   }
   if (options().ranks != nullptr && options().ranks->size() > 1) {
     leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", gas_fingerprint(),
-                    at_a_time(), [this](const std::string& text) { log().warning(text); });
+                    at_a_time(), [this](const std::string& text) { warn_of_rank(text); });
+  }
+  if (!is_inline()) {
+    omp_pause_resource_all(omp_pause_hard);  // its threads are wanted by the gases
   }
   run_cases();
   leader_.reset();
+}
+
+/// A checkpoint may just be reading the log, so it is told after the case.
+void GasRun::warn_of_rank(const std::string& text) {
+  if (events().warning) {
+    events().warning(text);
+  }
+  rank_warnings_.push_back(text);
 }
 
 void GasRun::warn() {
@@ -168,7 +185,7 @@ void GasRun::run_case(GasCase& one) {
   tell(fmt::format("restitution {}: {} gases of {} particles", one.restitution, one.members.size(),
                    scene_.particles));
   for (const GasMember& member : one.members) {
-    collisions_ += collisions(member);
+    collisions_ += collisions(member.participations);
   }
   forecast_ = TimeEstimate();
   at_work_ = std::vector<GasAtWork>(one.members.size());
@@ -197,6 +214,9 @@ void GasRun::run_case(GasCase& one) {
       show_progress(one.restitution);
     }
   }
+  for (const std::string& text : std::exchange(rank_warnings_, {})) {
+    log().info(text);
+  }
 }
 
 tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
@@ -210,13 +230,15 @@ tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
       .carry_out =
           [this, &one, &slots, seed, is_done](std::size_t number, const std::atomic<int>& stop) {
             GasMember member = slots.begin(number);
-            collisions_ -= collisions(member);
-            integrator_.integrate(member, one.restitution, seed(number), threads_of_gas(),
+            collisions_ -= collisions(member.participations);
+            const int threads =
+                is_inline() ? threads_of_gas() : parallel::start_team(threads_of_gas());
+            integrator_.integrate(member, one.restitution, seed(number), threads,
                                   [&](const GasMember& now) {
                                     slots.after_step(number, now);
                                     return keep_going(number, *now.gas, one.restitution, stop);
                                   });
-            collisions_ += collisions(member);
+            collisions_ += collisions(member.participations);
             at_work_[number].time = 0;
             const bool done = is_done(member);
             slots.end(number, std::move(member));
@@ -233,7 +255,8 @@ tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
       .result =
           [this, &slots, is_done](std::size_t number, const tasks::Bytes& answer) {
             GasMember member = gas_member(answer);
-            collisions_ += collisions(member) - collisions(slots.copy(number));
+            collisions_ +=
+                collisions(member.participations) - collisions(slots.participations(number));
             const bool done = is_done(member);
             slots.end(number, std::move(member));
             return done;

@@ -33,6 +33,11 @@ void GasSlots::after_step(std::size_t number, const GasMember& member) {
   }
 }
 
+std::uint64_t GasSlots::participations(std::size_t number) {
+  const std::lock_guard lock(mutex_);
+  return members_[number].participations;
+}
+
 void GasSlots::save_if_time() {
   const std::lock_guard lock(mutex_);
   if (!collecting_ && checkpoint_writer_.due_by_clock()) {

@@ -27,8 +27,10 @@ class GasSlots {
   /// A copy, for another process.
   GasMember copy(std::size_t number);
   void after_step(std::size_t number, const GasMember& member);
-  /// Where gases of this process may all have ended: saves if that is due by the clock.
+  /// For rank 0 when no gas is running in this process: saves if that is due by the clock.
   void save_if_time();
+  /// Of a member as it was last put here.
+  std::uint64_t participations(std::size_t number);
   /// Moves it back, from here or another process.
   void end(std::size_t number, GasMember member);
 

@@ -49,11 +49,13 @@ void ProbeTable::add(const std::string& stage, const Model& model) {
     if (conversion_) {
       cells.insert(cells.begin() + 1, conversion_->time(state.step));
     }
-    cells.insert(cells.end(),
-                 {motion ? motion->velocity.x() * speed : kNone,
-                  motion ? motion->velocity.y() * speed : kNone,
-                  motion ? motion->fluctuation * speed * speed : kNone,
-                  last_ ? measure::downward_flow(*last_, state, probe.region) / steps : kNone});
+    for (const double value :
+         {motion ? motion->velocity.x() * speed : kNone,
+          motion ? motion->velocity.y() * speed : kNone,
+          motion ? motion->fluctuation * speed * speed : kNone,
+          last_ ? measure::downward_flow(*last_, state, probe.region) / steps : kNone}) {
+      cells.emplace_back(value);
+    }
     table_.add_row(std::move(cells));
   }
   last_.emplace(state);

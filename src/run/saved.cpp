@@ -123,12 +123,20 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
   return run;
 }
 
-store::StoreError mismatched_checkpoint(const std::filesystem::path& folder,
-                                        const std::string& reason) {
-  store::StoreError error(
+store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path& folder,
+                                                     const std::string& reason) {
+  store::UnusableCheckpointError error(
       fmt::format("cannot resume the run in {}: its checkpoint is not of this run: {}",
                   folder.string(), reason));
   return error;
+}
+
+WantedPictures saved_pictures(const SavedRun& saved) {
+  OutputHistory outputs;
+  if (!saved.checkpoint.is_start()) {
+    reflection::decode(kSavedOutputs, saved.checkpoint.fields, saved.max_bytes, outputs);
+  }
+  return outputs.wanted_pictures;
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {

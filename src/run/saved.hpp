@@ -44,7 +44,7 @@ struct SavedParts {
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved);
 
 /// The error for an invalid checkpoint in this folder.
-store::StoreError mismatched_checkpoint(const std::filesystem::path& folder,
-                                        const std::string& reason);
+store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path& folder,
+                                                     const std::string& reason);
 
 }  // namespace clca::run

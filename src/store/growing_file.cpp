@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "store/descriptor.hpp"
 
@@ -16,7 +17,7 @@ GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t ke
   if (kept == 0) {
     folder_.remove(name_);
   } else if (!folder_.truncate(name_, kept)) {
-    throw StoreError(
+    throw UnusableCheckpointError(
         fmt::format("cannot go on with {}: it is shorter than when the checkpoint was made",
                     folder_.path(name_).string()));
   }

@@ -76,7 +76,8 @@ std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene
 bool can_go_on(const fs::path& folder, const scene::Scene& scene) {
   const std::optional<store::RunSummary> summary = summary_in(folder);
   std::error_code unknown;
-  return summary && (summary->status == "interrupted" || summary->status == "running") &&
+  // A run fails on a full disk, too.
+  return summary && summary->status != "done" &&
          fs::exists(folder / store::kCheckpointFile, unknown) && is_same(folder, *summary, scene);
 }
 

@@ -21,7 +21,8 @@ struct EarlierRun {
 std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
                                       const scene::Scene& scene, run::WantedPictures pictures);
 
-/// Whether a run of exactly this scene and program version was stopped or killed in `folder`.
+/// Whether a run of exactly this scene and program version was stopped or killed, or has failed, in
+/// `folder`.
 bool can_go_on(const std::filesystem::path& folder, const scene::Scene& scene);
 
 }  // namespace clca::sweep

@@ -150,8 +150,8 @@ Plan plan(Request request, double max_bytes) {
   return result;
 }
 
-std::uint64_t fingerprint(const Plan& plan) {
-  std::string all = run::version() + to_text(plan.request.seeds);
+std::uint64_t hash_of(const Plan& plan, std::string_view more) {
+  std::string all = fmt::format("{} {} {}", run::version(), to_text(plan.request.seeds), more);
   for (const Variant& variant : plan.variants) {
     all += scene::to_yaml(variant.scene);
   }

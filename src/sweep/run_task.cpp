@@ -16,26 +16,43 @@ namespace clca::sweep {
 
 namespace {
 
-/// Goes on with a run that was stopped or killed. None if there is no such run, or if it fails:
-/// then it is run from the start, so that a message names the scene as it does always.
-std::optional<store::RunSummary> continued(const scene::Scene& scene,
-                                           const std::filesystem::path& folder,
-                                           const Options& options, const run::RunOptions& run,
-                                           const run::RunEvents& events) {
+namespace fs = std::filesystem;
+
+/// The run in a folder, where it was stopped or killed. None if there is no such run, if its
+/// checkpoint cannot be used, or if it has not drawn what is wanted now.
+std::optional<run::SavedRun> saved_run(const scene::Scene& scene, const fs::path& folder,
+                                       double max_bytes, run::WantedPictures wanted,
+                                       const run::RunEvents& events) {
   if (!can_go_on(folder, scene)) {
     return std::nullopt;
   }
   try {
-    store::RunSummary summary = run::resume(run::load_run(folder, options.max_bytes), run, events);
-    const auto now = earlier_run(folder, scene, run.pictures);
-    // It draws the pictures that were wanted when it began.
-    return summary.status != "done" || (now && now->is_whole) ? std::optional(std::move(summary))
-                                                              : std::nullopt;
+    run::SavedRun saved = run::load_run(folder, max_bytes);
+    return run::saved_pictures(saved) <= wanted ? std::optional(std::move(saved)) : std::nullopt;
   } catch (const store::FolderInUseError&) {
     throw;
-  } catch (const std::exception&) {
-    return std::nullopt;
+  } catch (const store::StoreError& error) {
+    events.warning(fmt::format("{}: begins anew", error.what()));
+  } catch (const scene::SceneError& error) {
+    events.warning(fmt::format("{}: begins anew", error.what()));
+  } catch (const reflection::Mismatch& error) {
+    events.warning(fmt::format("its checkpoint is not of this run: {}: begins anew", error.what()));
   }
+  return std::nullopt;
+}
+
+store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, double max_bytes,
+                           const run::RunOptions& run, const run::RunEvents& events) {
+  if (auto saved = saved_run(scene, folder, max_bytes, run.pictures, events)) {
+    try {
+      return run::resume(*std::move(saved), run, events);
+    } catch (const store::UnusableCheckpointError& error) {
+      events.warning(fmt::format("{}: begins anew", error.what()));
+    } catch (
+        const run::SceneRunError&) {  // told from the start, with the place in the user's scene
+    }
+  }
+  return run::run(scene, run, events);
 }
 
 /// What of a finished run goes from one process to another, beside its summary.
@@ -44,14 +61,14 @@ struct SentRun {
   std::string error;
   std::vector<std::string> warnings;
   std::string store_error;
-  bool is_elsewhere = false;
+  bool is_in_use = false;
 
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("status", &SentRun::status), field("error", &SentRun::error),
                            field("warnings", &SentRun::warnings),
                            field("store_error", &SentRun::store_error),
-                           field("is_elsewhere", &SentRun::is_elsewhere));
+                           field("is_in_use", &SentRun::is_in_use));
   }
 };
 
@@ -72,12 +89,11 @@ FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& 
     events.warning = [&one](const std::string& text) { one.warnings.push_back(text); };
     const run::RunOptions run = {
         .folder = folder, .threads = 1, .stop = stop, .pictures = pictures, .overwrite = true};
-    auto summary = continued(scene, folder, options, run, events);
-    one.result.summary = summary ? *std::move(summary) : run::run(scene, run, events);
+    one.result.summary = executed(scene, folder, options.max_bytes, run, events);
     one.result.status = one.result.summary.status == "done" ? Status::done : Status::interrupted;
   } catch (const store::FolderInUseError&) {
     one.result.status = Status::waiting;
-    one.is_elsewhere = true;
+    one.is_in_use = true;
   } catch (const store::StoreError& error) {
     one.result.error = error.what();
     one.store_error = error.what();
@@ -94,7 +110,7 @@ tasks::Bytes to_bytes(const FinishedRun& run) {
                         .error = run.result.error,
                         .warnings = run.warnings,
                         .store_error = run.store_error,
-                        .is_elsewhere = run.is_elsewhere};
+                        .is_in_use = run.is_in_use};
   return store::checkpoint_bytes({.kind = "finished run",
                                   .scene_name = "",
                                   .scene = "",
@@ -110,7 +126,7 @@ FinishedRun finished_run(const tasks::Bytes& bytes) {
   FinishedRun run = {.result = {.status = sent.status, .summary = {}, .error = sent.error},
                      .warnings = sent.warnings,
                      .store_error = sent.store_error,
-                     .is_elsewhere = sent.is_elsewhere};
+                     .is_in_use = sent.is_in_use};
   if (sent.status == Status::done) {
     run.result.summary = store::parse_summary(content.summary, "a run of another rank");
   }

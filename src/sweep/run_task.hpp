@@ -18,8 +18,8 @@ namespace clca::sweep {
 struct FinishedRun {
   Result result;
   std::vector<std::string> warnings;
-  std::string store_error;    ///< something could not be written; empty: all was
-  bool is_elsewhere = false;  ///< another process is at work on it
+  std::string store_error;  ///< something could not be written; empty: all was
+  bool is_in_use = false;   ///< another process is at work on it
 };
 
 /// Executes a run in its folder, or goes on with it where it was stopped or killed.

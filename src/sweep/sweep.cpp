@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <set>
-#include <system_error>
 
 #include "clca/image/png.hpp"
 #include "clca/render/painter.hpp"
@@ -54,18 +52,11 @@ void prepare_drawing(const Plan& plan) {
   }
 }
 
-/// A run as other ranks are told of it: its number in the plan.
-tasks::Bytes number_bytes(std::size_t run) {
-  const std::uint64_t number = run;
-  tasks::Bytes bytes(sizeof number);
-  std::memcpy(bytes.data(), &number, sizeof number);
-  return bytes;
-}
-
-std::size_t run_number(const tasks::Bytes& bytes) {
-  std::uint64_t number = 0;
-  std::memcpy(&number, bytes.data(), sizeof number);
-  return number;
+/// The same for all ranks that do the same runs in the same way.
+std::uint64_t fingerprint(const Plan& plan, const Options& options) {
+  const Part part = options.part.value_or(Part());
+  return hash_of(plan, fmt::format("{} {} {} {}", options.folder.string(), part.number, part.of,
+                                   options.all_pictures));
 }
 
 /// Which pictures each run draws: those of runs that the overview does not show are not asked for.
@@ -136,6 +127,7 @@ class Sweep {
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::vector<Result> results_;         // in the order of the plan
+  std::set<std::size_t> tried_again_;   // as another process was at work on them
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
   std::string store_error_;  // the first
@@ -145,6 +137,8 @@ class Sweep {
 };
 
 Progress Sweep::execute() {
+  // First, as ranks wait for their leader for some minutes only.
+  std::optional<tasks::Leader> others = options_.collect_only ? std::nullopt : leader();
   const std::vector<std::size_t> runs = remaining_runs();
   if (progress_.reused > 0) {
     tell(events_.message,
@@ -152,7 +146,6 @@ Progress Sweep::execute() {
   }
   start_ = Clock::now();
   if (!options_.collect_only && !runs.empty() && !stop_asked()) {
-    std::optional<tasks::Leader> others = leader();
     carry_out(runs, others ? &*others : nullptr);
     look_elsewhere();
   }
@@ -208,14 +201,10 @@ std::optional<tasks::Leader> Sweep::leader() {
   const std::string part =
       options_.part ? fmt::format("-{}-{}", options_.part->number, options_.part->of) : "";
   store::make_folder(options_.folder);
-  try {
-    return std::optional<tasks::Leader>(
-        std::in_place, *options_.ranks, options_.folder / fmt::format(".clca.ranks{}", part),
-        fingerprint(plan_), kMaxRuns,
-        [this](const std::string& text) { tell(events_.warning, text); });
-  } catch (const std::system_error& error) {
-    throw store::StoreError(error.what());
-  }
+  return std::optional<tasks::Leader>(
+      std::in_place, *options_.ranks, options_.folder / fmt::format(".clca.ranks{}", part),
+      fingerprint(plan_, options_), kMaxRuns,
+      [this](const std::string& text) { tell(events_.warning, text); });
 }
 
 Sweep::Pool::Work Sweep::work() {
@@ -224,7 +213,7 @@ Sweep::Pool::Work Sweep::work() {
                 return execute_run(plan_.scene(run), folder_.run(plan_.name(run)), options_,
                                    pictures_.of(run), &stop);
               },
-          .request = [](std::size_t run) { return number_bytes(run); },
+          .request = [](std::size_t /*run*/) { return tasks::Bytes(); },
           .result = [](std::size_t /*run*/,
                        const tasks::Bytes& answer) { return finished_run(answer); }};
 }
@@ -266,7 +255,11 @@ void Sweep::take(std::size_t run, FinishedRun one, Pool& pool) {
     tell(events_.warning, fmt::format("{} failed: {}", name, one.result.error));
   } else if (one.result.status == Status::done) {
     ++progress_.done;
-  } else if (one.is_elsewhere) {
+  } else if (one.is_in_use) {
+    if (tried_again_.insert(run).second) {
+      pool.add(run);  // when all others have begun
+      return;
+    }
     elsewhere_.push_back(run);
     progress_.elsewhere = elsewhere_.size();
   } else if (!stop_asked()) {
@@ -343,12 +336,12 @@ Progress execute(const Plan& plan, const Options& options, const Events& events)
 void serve(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
   const Pictures pictures(plan, options);
-  const auto execute_one = [&](const tasks::Bytes& request, const std::atomic<int>& stop) {
-    const std::size_t run = run_number(request);
+  const auto execute_one = [&](std::size_t run, const tasks::Bytes& /*request*/,
+                               const std::atomic<int>& stop) {
     return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
                                 options, pictures.of(run), &stop));
   };
-  tasks::serve(*options.ranks, static_cast<std::size_t>(options.jobs), fingerprint(plan),
+  tasks::serve(*options.ranks, static_cast<std::size_t>(options.jobs), fingerprint(plan, options),
                execute_one, options.stop);
 }
 

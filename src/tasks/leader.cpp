@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -36,7 +37,7 @@ std::chrono::microseconds PollInterval::now() const {
   return std::clamp(without / kPart, kShortest, kLongest);
 }
 
-Leader::Leader(Ranks& ranks, std::filesystem::path lock_file, std::uint64_t fingerprint,
+Leader::Leader(Ranks& ranks, const std::filesystem::path& lock_file, std::uint64_t fingerprint,
                std::size_t most, std::function<void(const std::string&)> warning)
     : ranks_(ranks),
       lock_file_(std::filesystem::absolute(lock_file)),
@@ -49,9 +50,11 @@ Leader::Leader(Ranks& ranks, std::filesystem::path lock_file, std::uint64_t fing
 }
 
 Leader::~Leader() {
-  std::error_code unknown;
-  std::filesystem::remove(lock_file_, unknown);
   dismiss(ranks_);
+  std::error_code unknown;
+  if (std::filesystem::file_size(lock_file_, unknown) == 0) {
+    std::filesystem::remove(lock_file_, unknown);
+  }
 }
 
 std::size_t Leader::idle() const {
@@ -79,7 +82,10 @@ void Leader::start(std::size_t task, const Bytes& request) {
 }
 
 void Leader::stop() {
-  send_to_all(ranks_, bytes_of(Kind::stop));
+  try {
+    send_to_all(ranks_, bytes_of(Kind::stop));
+  } catch (const std::bad_alloc&) {  // they end with their tasks
+  }
 }
 
 std::vector<Leader::Answer> Leader::take_answers() {
@@ -105,7 +111,7 @@ void Leader::handle(const Message& message, std::vector<Answer>& answers) {
   Content content = content_of(message.bytes);
   Rank& one = others_[static_cast<std::size_t>(message.from)];
   if (content.kind == Kind::greeting) {
-    greet(message.from, message.bytes);
+    greet(message.from, content.number, content.text());
   } else if (content.kind == Kind::refusal) {
     give_up(message.from, content.text());
   } else if (content.kind == Kind::answer && one.is_useful) {
@@ -118,28 +124,30 @@ void Leader::handle(const Message& message, std::vector<Answer>& answers) {
   }
 }
 
-void Leader::greet(int number, const Bytes& greeting) {
-  const Content content = content_of(greeting);
-  if (content.number != fingerprint_) {
-    give_up(number, "it has read another scene or is another version");
+void Leader::greet(int number, std::uint64_t fingerprint, const std::string& greeting) {
+  if (fingerprint != fingerprint_) {
+    give_up(number, "it was started with another scene, folder or version of clca");
     return;
   }
-  if (sees_locks_ && !presence_.has(number)) {
+  std::size_t threads = 0;
+  bool sees_this_rank = false;
+  std::istringstream(greeting) >> threads >> sees_this_rank;
+  if (sees_locks_ && !sees_this_rank) {
     sees_locks_ = false;
-    warning_(fmt::format(
-        "the lock of rank {} is not seen here: the file system of the folder does not lock "
-        "between processes, so ranks that end are not noticed",
-        number));
+    warning_(
+        fmt::format("rank {} does not see the lock of rank 0: the file system of the folder does "
+                    "not lock between them, so ranks that end are not noticed",
+                    number));
   }
   Rank& one = others_[static_cast<std::size_t>(number)];
   one.is_useful = true;
-  one.idle = std::min<std::size_t>(std::stoul(content.text()), most_);
+  one.idle = std::min(threads, most_);
 }
 
-/// Messages come first: what a rank sent before it ended counts.
 void Leader::look_for_lost_ranks() {
   for (int number = 1; number < ranks_.size(); ++number) {
-    if (others_[static_cast<std::size_t>(number)].is_useful && !presence_.has(number)) {
+    Rank& one = others_[static_cast<std::size_t>(number)];
+    if (one.is_useful && one.watch.has_ended(presence_.has(number))) {
       give_up(number, "it has ended");
     }
   }

@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
   stop,     ///< break off all tasks
   end,      ///< there are no more
   // to rank 0
-  greeting,  ///< number: fingerprint; rest: number of threads as text
+  greeting,  ///< number: fingerprint; rest: number of threads, 1 if the lock of rank 0 is seen
   answer,    ///< number: of the task; rest: the result
   refusal,   ///< rest: why this rank serves no longer; empty: it was asked to end
 };

@@ -37,15 +37,18 @@ class Server {
       refuse_to_serve(ranks_, error.what());
       return;
     }
-    ranks_.send(0, bytes_of(Kind::greeting, fingerprint, fmt::format("{}", threads_.count())));
+    const bool is_there = presence_->has(0);
+    watch_ = Watch(is_there);
+    ranks_.send(0, bytes_of(Kind::greeting, fingerprint,
+                            fmt::format("{} {:d}", threads_.count(), is_there)));
     while (!is_over_ || under_way_ > 0) {
       look_around();
       threads_.wait(interval_.now());
       send_answers();
     }
-    if (!leader_is_lost_) {
-      refuse_to_serve(ranks_, failure_);
-    } else if (is_first_left()) {
+    if (!leader_is_lost_ && !has_refused_) {
+      refuse_to_serve(ranks_, "");  // gives back what has not been begun
+    } else if (leader_is_lost_ && is_first_left()) {
       throw LeaderLostError("rank 0 has ended before the others; the same command goes on");
     }
   }
@@ -76,7 +79,7 @@ class Server {
     while (auto message = ranks_.receive()) {
       interval_.note_message();
       Content content = content_of(message->bytes);
-      if (content.kind == Kind::request) {
+      if (content.kind == Kind::request && !is_over_) {
         start(content.number, std::move(content.rest));
       } else if (content.kind == Kind::stop) {
         stop_tasks_ = 1;
@@ -92,7 +95,7 @@ class Server {
     constexpr std::chrono::seconds kPause(1);
     if (!is_over_ && Clock::now() - looked_ >= kPause) {
       looked_ = Clock::now();
-      leader_is_lost_ = is_over_ = !presence_->has(0);
+      leader_is_lost_ = is_over_ = watch_.has_ended(presence_->has(0));
     }
   }
 
@@ -110,7 +113,7 @@ class Server {
       Bytes answer;
       std::string failure;
       try {
-        answer = bytes_of(Kind::answer, task, carry_out_(request, stop_tasks_));
+        answer = bytes_of(Kind::answer, task, carry_out_(task, request, stop_tasks_));
       } catch (const std::bad_alloc&) {
         failure = "out of memory";
       } catch (const std::exception& error) {
@@ -127,7 +130,10 @@ class Server {
     {
       const std::lock_guard lock(mutex_);
       std::swap(ended, ended_);
-      is_over_ |= !failure_.empty();
+      if (!failure_.empty() && !has_refused_) {
+        refuse_to_serve(ranks_, failure_);
+        is_over_ = has_refused_ = true;
+      }
     }
     for (Bytes& answer : ended) {
       --under_way_;
@@ -144,10 +150,12 @@ class Server {
   const Serve& carry_out_;
   const std::atomic<int>* stop_;
   std::optional<Presence> presence_;
+  Watch watch_;  // of rank 0
   PollInterval interval_;
   Clock::time_point looked_ = Clock::now();
   bool is_over_ = false;
   bool leader_is_lost_ = false;
+  bool has_refused_ = false;
   std::size_t under_way_ = 0;
   std::atomic<int> stop_tasks_ = 0;
   std::mutex mutex_;

@@ -1,5 +1,6 @@
 // clca by mpirun, as a user meets it.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <map>
 #include <random>
 
 #include "clca/process/program.hpp"
@@ -104,6 +105,7 @@ TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
   const auto result = together({"-n", "3"}, by_ranks);
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, StartsWith("12 runs: 12 done, 0 failed, in "));
+  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << result.out;
   expect_same_tables("one", "ranks", {"runs.csv", "measures.csv", "sweep.json"});
   EXPECT_THAT(together({"-n", "2"}, by_ranks).out, StartsWith("12 runs: 12 done (12 from before)"));
@@ -121,6 +123,7 @@ TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
   clca({"boltzmann", "gas.yaml", "-o", "one", "--quiet"});
   const auto result = together({"-n", "3"}, {"boltzmann", "gas.yaml", "-o", "ranks"});
   EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
   expect_same_tables("one", "ranks", {"series.csv", "histogram-0.csv", "histogram-1.csv"});
   const std::string json = text("one/run.json");
   const std::size_t hash = json.find("\"state_hash\"");
@@ -135,41 +138,60 @@ TEST_F(MpiTest, ARunThatIsTheWorkOfOneProcessIsDoneOnceAndResumedOnce) {
   EXPECT_THAT(text("out/run.json"), HasSubstr("\"done\""));
 }
 
-// timeout is the process that mpirun has started, and kills clca below it, which takes the place of
-// a rank. CLCA_KILLS says how many.
+// In place of one rank mpirun starts a shell, which kills clca below it once runs are under way.
+// CLCA_KILLS says how often.
 TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
   const char* kills = std::getenv("CLCA_KILLS");
   const int rounds = kills != nullptr ? std::atoi(kills) : 2;
-  const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..120", "-o", "out"};
+  const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..300", "-o", "out"};
   auto alone = call;
   alone.back() = "one";
   clca(alone);
   std::mt19937 random(std::random_device{}());
   for (int round = 0; round < rounds; ++round) {
     fs::remove_all(folder_.path() / "out");
-    const double seconds = std::uniform_real_distribution(0.8, 1.6)(random);
-    const bool first = round % 2 == 1;  // rank 0
-    std::vector<std::string> options = {"--enable-recovery", "-n", "1"};
-    const std::vector<std::string> killed = {"timeout", "-s", "KILL", std::to_string(seconds),
-                                             CLCA_PROGRAM};
-    const auto add = [&options](const std::vector<std::string>& more) {
-      options.insert(options.end(), more.begin(), more.end());
-    };
-    add(first ? killed : std::vector<std::string>{CLCA_PROGRAM});
-    add(call);
-    add({":", "-n", "1"});
-    add(first ? std::vector<std::string>{} : killed);
-    if (!first) {
-      add(call);
-      add({":", "-n", "1"});
+    const double seconds = std::uniform_real_distribution(0.0, 0.3)(random);
+    const bool is_leader = round % 2 == 1;
+    const std::string script = fmt::format(
+        "\"$@\" & while ! [ -e out/runs/seed=5 ]; do sleep 0.01; done; sleep {}; kill -9 $!; wait",
+        seconds);
+    std::vector<std::string> options = {"--enable-recovery"};
+    for (int rank = 0; rank < 3; ++rank) {
+      options.insert(options.end(), {"-n", "1"});
+      if (rank == (is_leader ? 0 : 1)) {
+        options.insert(options.end(), {"sh", "-c", script, "sh"});
+      }
+      options.emplace_back(CLCA_PROGRAM);
+      options.insert(options.end(), call.begin(), call.end());
+      options.emplace_back(":");
     }
-    const auto result = together(options, call);
-    if (first) {  // the ranks that are left end, and the same command goes on
-      EXPECT_EQ(together({"-n", "3"}, call).code, 0);
-    }
+    options.pop_back();
+    options.insert(options.begin(), "--oversubscribe");
+    const auto result = testing::run_program(options, {.folder = folder_.path().string(),
+                                                       .environment = kEnvironment,
+                                                       .program = mpirun_.string()});
     SCOPED_TRACE(::testing::Message() << "killed after " << seconds << " s: " << result.err);
+    if (is_leader) {  // the ranks that are left end, and the same command goes on
+      EXPECT_THAT(result.err, HasSubstr("rank 0 has ended before the others"));
+      EXPECT_EQ(together({"-n", "3"}, call).code, 0);
+    } else {
+      EXPECT_THAT(result.err, HasSubstr("rank 1 takes no more tasks: it has ended"));
+    }
     expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
   }
+}
+
+TEST_F(MpiTest, PartsStayOfTheProcessesThatAreToldThem) {
+  const auto result = testing::run_program(
+      {"--oversubscribe", "-n", "2", "sh", "-c",
+       fmt::format("{} sweep small.yaml --seeds 1..6 -o parts --part $((OMPI_COMM_WORLD_RANK+1))/2",
+                   CLCA_PROGRAM)},
+      {.folder = folder_.path().string(),
+       .environment = kEnvironment,
+       .program = mpirun_.string()});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(clca({"sweep", "small.yaml", "--seeds", "1..6", "-o", "parts", "--collect"}).out,
+              StartsWith("6 runs: 6 done (6 from before)"));
 }
 
 TEST(WithoutMpi, AProgramThatIsStartedTogetherSaysWhatItWantsOnce) {

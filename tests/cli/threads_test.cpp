@@ -66,6 +66,22 @@ TEST_F(FewThreads, CarryOutARunWithOneWarningAndTheSameResult) {
   }
 }
 
+TEST_F(FewThreads, AreDividedAmongTheGasesOfAnEnsemble) {
+  const std::vector<std::string> call = {"run", scene("gas"), "--quiet", "--threads", "8", "-o"};
+  const auto into = [&](const std::string& folder) {
+    auto whole = call;
+    whole.push_back(at(folder));
+    return whole;
+  };
+  ASSERT_EQ(run(into("unlimited"), {}).err, "");
+  for (const char* threads : {"7", "8", "9", "10", "11", "12"}) {
+    const auto result = run(into(threads), most(threads));
+    EXPECT_EQ(result.code, 0) << threads;
+    EXPECT_EQ(result.err, "") << threads;
+    EXPECT_EQ(testing::difference_of_runs(at("unlimited"), at(threads)), "") << threads;
+  }
+}
+
 TEST_F(FewThreads, LeaveOutCaptionsWithAWarning) {
   const std::string out = at("captions");
   const auto result = run({"run", scene("fall"), "-o", out, "--quiet", "--threads", "1", "--set",

@@ -15,6 +15,9 @@ class ThreadRanks {
  public:
   explicit ThreadRanks(int size) : boxes_(static_cast<std::size_t>(size)) {}
 
+  /// Messages that rank 0 has received.
+  std::size_t received_by_leader() const { return received_; }
+
   /// As rank `number` sees them.
   std::unique_ptr<tasks::Ranks> seen_from(int number) {
     return std::make_unique<Rank>(*this, number);
@@ -37,6 +40,7 @@ class ThreadRanks {
       if (box.empty()) {
         return std::nullopt;
       }
+      all_.received_ += number_ == 0 ? 1 : 0;
       tasks::Message first = std::move(box.front());
       box.pop_front();
       return first;
@@ -47,6 +51,7 @@ class ThreadRanks {
     int number_;
   };
 
+  std::size_t received_ = 0;
   std::mutex mutex_;
   std::vector<std::deque<tasks::Message>> boxes_;  // messages that have not been received
 };

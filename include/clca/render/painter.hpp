@@ -109,8 +109,8 @@ class Painter {
 /// The box with its frame: floor and side walls a few spacings thick.
 lattice::Rectangle whole_box(const lattice::Lattice& lattice);
 
-/// Checks the driver settings in the environment and selects single-threaded rasterisation, unless
-/// LP_NUM_THREADS is set. Throws RenderError.
+/// Checks the driver settings in the environment, selects single-threaded rasterisation, unless
+/// LP_NUM_THREADS is set, and loads the driver. Throws RenderError.
 /// Each Painter calls this. Programs that draw from several threads call it before they start them.
 void prepare_environment();
 

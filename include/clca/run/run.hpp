@@ -73,8 +73,8 @@ struct RunOptions {
   bool overwrite = false;
   /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
   bool keep = false;
-  /// That share the gases of an ensemble; this is rank 0. A run of grains is the work of one
-  /// process.
+  /// Processes among which the gases of an ensemble are divided; the caller is rank 0. A run of
+  /// grains is the work of one process.
   tasks::Ranks* ranks = nullptr;
 };
 
@@ -135,9 +135,14 @@ struct SavedRun {
 SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until = {});
 
+/// Which pictures a saved run draws; `all` if it begins with its first step. Throws
+/// reflection::Mismatch.
+WantedPictures saved_pictures(const SavedRun& saved);
+
 /// Continues a run to its end, with the same bits as an uninterrupted run. Ignores the folder of
 /// the options.
-/// Throws as run(), and SceneRunError for an `until` that the run has passed.
+/// Throws as run(), store::UnusableCheckpointError, and SceneRunError for an `until` that the run
+/// has passed.
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events = {});
 
 /// A summary with version, compiler and build type filled in.

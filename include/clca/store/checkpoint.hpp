@@ -9,9 +9,16 @@
 #include <vector>
 
 #include "clca/reflection/columns.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 
 namespace clca::store {
+
+/// A checkpoint, or a file that it counts on, that is not as the run left it.
+class UnusableCheckpointError : public store::StoreError {
+ public:
+  using StoreError::StoreError;
+};
 
 struct Checkpoint {
   std::string kind;            ///< as RunSummary::kind

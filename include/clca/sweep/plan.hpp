@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clca/scene/scene.hpp"
@@ -34,9 +35,8 @@ struct Plan {
   std::string name(std::size_t run) const;
 };
 
-/// A number of all its scenes and of the version of clca: the same in every process with the same
-/// plan.
-std::uint64_t fingerprint(const Plan& plan);
+/// Of all scenes of a plan, the version of clca and `more`: the same in every process.
+std::uint64_t hash_of(const Plan& plan, std::string_view more);
 
 /// Parses every combination. `max_bytes`: for the state of another run that they begin with. Throws
 /// scene::SceneError for the first that is wrong.

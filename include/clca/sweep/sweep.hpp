@@ -68,7 +68,7 @@ struct Events {
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
 
 /// What the other ranks call in place of execute(), with the same plan: executes runs that rank 0
-/// chooses. Throws std::runtime_error if rank 0 ends before the sweep does.
+/// chooses. Throws tasks::LeaderLostError if rank 0 ends before the sweep does.
 void serve(const Plan& plan, const Options& options);
 
 }  // namespace clca::sweep

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,9 +38,9 @@ class Leader {
   /// `fingerprint`: of what is carried out; ranks with another one get no tasks. `most`: tasks of a
   /// rank at a time. `warning` gets a line for each rank that cannot be used. Throws
   /// std::system_error.
-  Leader(Ranks& ranks, std::filesystem::path lock_file, std::uint64_t fingerprint, std::size_t most,
-         std::function<void(const std::string&)> warning);
-  /// Ends the other ranks once they have ended their tasks.
+  Leader(Ranks& ranks, const std::filesystem::path& lock_file, std::uint64_t fingerprint,
+         std::size_t most, std::function<void(const std::string&)> warning);
+  /// Tells the other ranks that there are no more tasks.
   ~Leader();
   Leader(const Leader&) = delete;
   Leader& operator=(const Leader&) = delete;
@@ -63,12 +62,13 @@ class Leader {
  private:
   struct Rank {
     bool is_useful = false;  // it serves
+    Watch watch{true};
     std::size_t idle = 0;
     std::vector<std::size_t> tasks;
   };
 
   void handle(const Message& message, std::vector<Answer>& answers);
-  void greet(int number, const Bytes& greeting);
+  void greet(int number, std::uint64_t fingerprint, const std::string& greeting);
   void look_for_lost_ranks();
   void give_up(int number, const std::string& why);
 
@@ -78,16 +78,17 @@ class Leader {
   std::uint64_t fingerprint_;
   std::size_t most_;
   std::function<void(const std::string&)> warning_;
-  std::vector<Rank> others_;  // by number; the first is this one and stays as it is
+  std::vector<Rank> others_;  // by number; entry 0, rank 0 itself, is unused
   std::vector<std::size_t> lost_;
   bool sees_locks_ = true;
   PollInterval interval_;
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
 
-/// What another rank does with a request until `stop` is not zero; returns what Leader::Answer has.
+/// What another rank does for a task until `stop` is not zero; returns what Leader::Answer has.
 /// Called by several threads at once. A rank where it throws takes no more tasks.
-using Serve = std::function<Bytes(const Bytes& request, const std::atomic<int>& stop)>;
+using Serve =
+    std::function<Bytes(std::size_t task, const Bytes& request, const std::atomic<int>& stop)>;
 
 /// Rank 0 has ended before the others.
 class LeaderLostError : public std::runtime_error {

@@ -107,7 +107,7 @@ class Pool {
 
   void carry_out(std::size_t task) noexcept {
     try {
-      // A task in the calling thread has nobody to set the other.
+      // While a task runs in the calling thread, nobody copies the one to the other.
       const bool is_inline = threads_.are_inline() && stop_asked_ != nullptr;
       Finished one = {task, work_.carry_out(task, is_inline ? *stop_asked_ : stop_tasks_)};
       const std::lock_guard lock(mutex_);

@@ -22,4 +22,22 @@ class Presence {
   int file_ = -1;  // descriptor
 };
 
+/// Says whether a rank has ended: its lock was there and is missing at two looks in a row. What it
+/// sent before may arrive between them.
+class Watch {
+ public:
+  /// `was_there`: at an earlier look.
+  explicit Watch(bool was_there = false) : was_there_(was_there) {}
+  bool has_ended(bool is_there) {
+    const bool twice = was_missing_ && !is_there;
+    was_missing_ = was_there_ && !is_there;
+    was_there_ |= is_there;
+    return twice;
+  }
+
+ private:
+  bool was_there_;
+  bool was_missing_ = false;
+};
+
 }  // namespace clca::tasks

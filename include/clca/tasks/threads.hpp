@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <vector>
 
@@ -14,8 +13,8 @@ namespace clca::tasks {
 
 class Threads {
  public:
-  /// Starts as many threads as are wanted, or as the system allows. Without any, or if `inline_one`
-  /// says so where one is wanted, start() makes the call itself.
+  /// Starts as many threads as are wanted, or as the system allows. start() makes the call itself
+  /// if no thread could be started, or if `inline_one` and `wanted` is 1.
   explicit Threads(std::size_t wanted, bool inline_one = false);
   /// Waits for the calls that are under way.
   ~Threads();

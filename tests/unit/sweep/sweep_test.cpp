@@ -257,6 +257,35 @@ TEST_F(SweepTest, ARunThatWasStoppedWithoutAPictureThatIsWantedNowIsDoneAnew) {
   EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=2"), 1U);
 }
 
+TEST_F(SweepTest, ARunThatFailedForWantOfSpaceGoesOnAndADamagedOneBeginsAnew) {
+  const Plan plan = plan_of();
+  run(plan, "whole");
+  const std::string name = "out/runs/rules.inertia=0,seed=2/";
+  const auto stopped_run = [&] {
+    std::atomic<int> stop = 0;
+    run::run(plan.scene(1),
+             {.folder = at(name), .stop = &stop, .pictures = run::WantedPictures::last},
+             {.detail = [&](const std::string& text) {
+               stop = text.starts_with("stage flow") ? 2 : 0;
+             }});
+    auto json = nlohmann::ordered_json::parse(text(name + "run.json"));
+    json["status"] = "failed";
+    store::write_whole(at(name + "run.json"), json.dump(2) + "\n");
+    return text(name + "log.txt");
+  };
+  const std::string log = stopped_run();
+  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_THAT(text(name + "log.txt"), ::testing::StartsWith(log.substr(0, log.find('\n') + 1)));
+  EXPECT_THAT(warnings_, ::testing::IsEmpty());
+
+  fs::remove_all(at("out"));
+  stopped_run();
+  fs::resize_file(at(name + "series.csv"), 5);
+  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_THAT(warnings_, ::testing::ElementsAre(HasSubstr("begins anew")));
+  EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
+}
+
 TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
   const Plan plan = plan_of("rules.inertia=0,0.5,0.9");
   run(plan, "one");
@@ -273,6 +302,7 @@ TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
   for (std::thread& other : others) {
     other.join();
   }
+  EXPECT_GT(all.received_by_leader(), 3U);  // a greeting each, and what they have done
   for (const char* name : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
     EXPECT_EQ(text(std::string("ranks/") + name), text(std::string("one/") + name)) << name;
   }
@@ -314,12 +344,14 @@ TEST_F(SweepTest, TheLongestComeFirstWhereEarlierRunsTell) {
   tell("0", "2");
   tell("0.5", "30");
   tell("0.9", "7");
-  run(of_seeds({1, 2}), "out", 1);
-  const auto ended = [&](const std::string& value) {
-    return fs::last_write_time(at("out/runs/rules.inertia=" + value + ",seed=2/run.json"));
-  };
-  EXPECT_LT(ended("0.5"), ended("0.9"));
-  EXPECT_LT(ended("0.9"), ended("0"));
+  for (const char* value : {"0.5", "0.9", "0"}) {
+    std::atomic<int> stop = 0;
+    const auto after_one = [&](const Progress& now) { stop = now.done > now.reused ? 2 : 0; };
+    execute(of_seeds({1, 2}), {.folder = at("out"), .stop = &stop}, {.progress = after_one});
+    const std::string first = "out/runs/rules.inertia=" + std::string(value) + ",seed=2/run.json";
+    ASSERT_TRUE(fs::exists(at(first))) << value;
+    EXPECT_THAT(text(first), HasSubstr("\"done\"")) << value;
+  }
 }
 
 TEST_F(SweepTest, ARunThatIsUnderWayElsewhereIsLeftToTheOtherProcess) {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <limits>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -42,7 +42,7 @@ std::size_t square(std::size_t number, const std::atomic<int>& stop) {
   return stop != 0 ? kNone : number * number;
 }
 
-Bytes serve_square(const Bytes& request, const std::atomic<int>& stop) {
+Bytes serve_square(std::size_t /*task*/, const Bytes& request, const std::atomic<int>& stop) {
   return bytes_of_number(square(number_of(request), stop));
 }
 
@@ -188,7 +188,7 @@ TEST_F(PoolTest, AStopEndsTasksUnderWayHereAndElsewhere) {
   others_.emplace_back([&] {
     serve(
         *all_.seen_from(1), 1, kSame,
-        [&](const Bytes& /*request*/, const std::atomic<int>& told) {
+        [&](std::size_t /*task*/, const Bytes& /*request*/, const std::atomic<int>& told) {
           until_stopped(told);
           return Bytes();
         },
@@ -232,7 +232,7 @@ TEST_F(PoolTest, TheTasksOfARankThatEndsAreCarriedOutByOthers) {
       const Content content = content_of(message->bytes);
       if (content.kind == Kind::begin) {
         presence.emplace(content.text(), 1);
-        ranks->send(0, bytes_of(Kind::greeting, kSame, "2"));
+        ranks->send(0, bytes_of(Kind::greeting, kSame, "2 1"));
       } else if (content.kind == Kind::request) {
         return;
       }
@@ -259,7 +259,8 @@ TEST_F(PoolTest, ARankWithAnotherFingerprintGetsNoTasks) {
   start_rank(1, 1, kSame + 1);
   expect_squares(results(1, true));
   EXPECT_EQ(answers_, 0U);
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("rank 1 takes no more tasks: it has read another")));
+  EXPECT_THAT(warnings_,
+              ElementsAre(HasSubstr("rank 1 takes no more tasks: it was started with another")));
 }
 
 TEST_F(PoolTest, WhyARankCannotServeIsToldAndTheOthersGoOn) {
@@ -273,13 +274,67 @@ TEST_F(PoolTest, ARankWhereATaskFailsTakesNoMoreAndTheTaskIsDoneElsewhere) {
   others_.emplace_back([this] {
     serve(
         *all_.seen_from(1), 2, kSame,
-        [](const Bytes& /*request*/, const std::atomic<int>& /*stop*/) -> Bytes {
-          throw std::bad_alloc();
-        },
+        [](std::size_t /*task*/, const Bytes& /*request*/,
+           const std::atomic<int>& /*stop*/) -> Bytes { throw std::bad_alloc(); },
         nullptr);
   });
   expect_squares(results(1, true));
   EXPECT_THAT(warnings_, ElementsAre("rank 1 takes no more tasks: out of memory"));
+}
+
+TEST_F(PoolTest, ARankThatIsStoppedBeginsNothingMore) {
+  std::atomic<int> stop = 0;
+  std::atomic<int> begun = 0;
+  others_.emplace_back([&] {
+    serve(
+        *all_.seen_from(1), 8, kSame,
+        [&](std::size_t /*task*/, const Bytes& request, const std::atomic<int>& told) {
+          stop = ++begun == 8 ? 15 : stop.load();
+          while (told == 0) {
+            std::this_thread::yield();
+          }
+          return serve_square(0, request, told);
+        },
+        &stop);
+  });
+  expect_squares(results(1, true));
+  EXPECT_EQ(begun, 8);
+}
+
+TEST_F(PoolTest, WhereLocksAreNotSeenRanksServeAllTheSame) {
+  others_.emplace_back([this] {  // as one whose locks another machine does not see
+    const auto ranks = all_.seen_from(1);
+    for (bool over = false; !over;) {
+      const auto message = ranks->receive();
+      if (!message) {
+        std::this_thread::yield();
+        continue;
+      }
+      const Content content = content_of(message->bytes);
+      if (content.kind == Kind::begin) {
+        ranks->send(0, bytes_of(Kind::greeting, kSame, "1 0"));
+      } else if (content.kind == Kind::request) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        ranks->send(0, bytes_of(Kind::answer, content.number,
+                                bytes_of_number(content.number * content.number)));
+      }
+      over = content.kind == Kind::end;
+    }
+  });
+  expect_squares(results(1, true));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("rank 1 does not see the lock of rank 0")));
+}
+
+TEST(Watch, BelievesThatARankHasEndedAtTheSecondLook) {
+  Watch of_one_that_is_seen;
+  EXPECT_FALSE(of_one_that_is_seen.has_ended(true));
+  EXPECT_FALSE(of_one_that_is_seen.has_ended(false));
+  EXPECT_FALSE(of_one_that_is_seen.has_ended(true));
+  EXPECT_FALSE(of_one_that_is_seen.has_ended(false));
+  EXPECT_TRUE(of_one_that_is_seen.has_ended(false));
+  Watch of_one_that_never_is;
+  EXPECT_FALSE(of_one_that_never_is.has_ended(false));
+  EXPECT_FALSE(of_one_that_never_is.has_ended(false));
 }
 
 TEST_F(PoolTest, RanksForWhichThereIsNothingToDoAreDismissed) {
