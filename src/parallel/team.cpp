@@ -84,6 +84,8 @@ int start_team(int wanted) {
   if (wanted < 1) {
     throw std::invalid_argument("the number of threads must be positive");
   }
+  static std::mutex one_at_a_time;  // what one has found startable, another must not take
+  const std::lock_guard lock(one_at_a_time);
   // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the region reads it
   const int team = wanted == 1 ? 1 : 1 + startable(wanted - 1);
   // Now, as limits may be reached later; regions of the same size then reuse these threads.

@@ -110,7 +110,8 @@ class GasRun : public RunBase {
   std::vector<store::StageSummary> stages_;
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
-  std::vector<GasAtWork> at_work_;  // one for each member of a case
+  std::vector<GasAtWork> at_work_;          // one for each member of a case
+  std::atomic<int> startable_threads_ = 1;  // of each gas
   std::optional<tasks::Leader> leader_;
   std::vector<std::string> rank_warnings_;  // that the log does not have yet
   std::thread::id thread_ = std::this_thread::get_id();
@@ -189,6 +190,7 @@ void GasRun::run_case(GasCase& one) {
   }
   forecast_ = TimeEstimate();
   at_work_ = std::vector<GasAtWork>(one.members.size());
+  startable_threads_ = threads_of_gas();
   GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
   tasks::Pool<bool> pool(at_a_time(), leader_ ? &*leader_ : nullptr, work(one, slots),
                          options().stop, true);
@@ -231,9 +233,7 @@ tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
           [this, &one, &slots, seed, is_done](std::size_t number, const std::atomic<int>& stop) {
             GasMember member = slots.begin(number);
             collisions_ -= collisions(member.participations);
-            const int threads =
-                is_inline() ? threads_of_gas() : parallel::start_team(threads_of_gas());
-            integrator_.integrate(member, one.restitution, seed(number), threads,
+            integrator_.integrate(member, one.restitution, seed(number), startable_threads_,
                                   [&](const GasMember& now) {
                                     slots.after_step(number, now);
                                     return keep_going(number, *now.gas, one.restitution, stop);
@@ -260,7 +260,13 @@ tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
             const bool done = is_done(member);
             slots.end(number, std::move(member));
             return done;
-          }};
+          },
+      .begin = [this] {  // while there is memory for it
+        const int had = parallel::start_team(threads_of_gas());
+        int least = startable_threads_;
+        while (had < least && !startable_threads_.compare_exchange_weak(least, had)) {
+        }
+      }};
 }
 
 bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,

@@ -5,17 +5,22 @@
 
 namespace clca::tasks {
 
-Threads::Threads(std::size_t wanted, bool inline_one) {
+Threads::Threads(std::size_t wanted, bool inline_one, const std::function<void()>& begin) {
   if (wanted == 1 && inline_one) {
     return;
   }
   try {
     threads_.reserve(wanted);
     while (threads_.size() < wanted) {
-      threads_.emplace_back([this] { work(); });
+      threads_.emplace_back([this, &begin] { work(begin); });
     }
   } catch (const std::exception&) {  // no more can be had
   }
+  if (threads_.empty() && begin) {
+    begin();
+  }
+  std::unique_lock lock(mutex_);
+  ended_.wait(lock, [this] { return begun_ == threads_.size(); });
 }
 
 Threads::~Threads() {
@@ -57,8 +62,13 @@ void Threads::wait(std::chrono::microseconds most) {
   has_ended_ = false;
 }
 
-void Threads::work() {
+void Threads::work(const std::function<void()>& begin) {
+  if (begin) {
+    begin();
+  }
   std::unique_lock lock(mutex_);
+  ++begun_;
+  ended_.notify_all();
   while (true) {
     started_.wait(lock, [this] { return over_ || !calls_.empty(); });
     if (calls_.empty()) {

@@ -25,6 +25,8 @@ class Pool {
     /// For another rank: what it needs, and the result from what it sends back.
     std::function<Bytes(std::size_t task)> request = {};
     std::function<Result(std::size_t task, const Bytes& answer)> result = {};
+    /// Each thread of this process begins with it.
+    std::function<void()> begin = {};
   };
   struct Finished {
     std::size_t task = 0;
@@ -39,7 +41,7 @@ class Pool {
       : leader_(leader),
         work_(std::move(work)),
         stop_asked_(stop),
-        threads_(threads, inline_one && leader == nullptr) {}
+        threads_(threads, inline_one && leader == nullptr, work_.begin) {}
   /// Stops the tasks that are under way.
   ~Pool() {
     if (!finished()) {

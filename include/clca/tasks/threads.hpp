@@ -15,7 +15,10 @@ class Threads {
  public:
   /// Starts as many threads as are wanted, or as the system allows. start() makes the call itself
   /// if no thread could be started, or if `inline_one` and `wanted` is 1.
-  explicit Threads(std::size_t wanted, bool inline_one = false);
+  /// Each thread calls `begin` first, and none makes a call before all have; without any, the
+  /// caller does, but not for `inline_one`.
+  explicit Threads(std::size_t wanted, bool inline_one = false,
+                   const std::function<void()>& begin = {});
   /// Waits for the calls that are under way.
   ~Threads();
   Threads(const Threads&) = delete;
@@ -33,11 +36,12 @@ class Threads {
   void wait(std::chrono::microseconds most);
 
  private:
-  void work();
+  void work(const std::function<void()>& begin);
 
   mutable std::mutex mutex_;  // of all below but the threads
   std::condition_variable started_;
   std::condition_variable ended_;
+  std::size_t begun_ = 0;                     // threads
   std::vector<std::function<void()>> calls_;  // that no thread has begun
   std::size_t under_way_ = 0;                 // with those
   bool has_ended_ = false;                    // a call, since the last wait
