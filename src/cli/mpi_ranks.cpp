@@ -63,17 +63,16 @@ class MpiRanks : public tasks::Ranks {
     ::alarm(0);
   }
   ~MpiRanks() override {
-    constexpr int kTries = 500;
+    const int tries = has_lost_ranks_ ? 50 : 500;
     constexpr std::chrono::milliseconds kPause(10);
-    for (int i = 0; i < kTries && !all_sent(); ++i) {
+    for (int i = 0; i < tries && !all_sent(); ++i) {
       while (receive()) {  // what others are still sending
       }
       std::this_thread::sleep_for(kPause);
     }
-    if (!all_sent()) {  // to a rank that has ended: MPI_Finalize would wait for it
-      MPI_Abort(MPI_COMM_WORLD, 1);
+    if (!has_lost_ranks_) {  // for which MPI_Finalize may wait
+      MPI_Finalize();
     }
-    MPI_Finalize();
   }
   MpiRanks(const MpiRanks&) = delete;
   MpiRanks& operator=(const MpiRanks&) = delete;
@@ -88,6 +87,8 @@ class MpiRanks : public tasks::Ranks {
     MPI_Isend(one.words.data(), static_cast<int>(one.words.size()), MPI_UINT64_T, to, kTag,
               MPI_COMM_WORLD, &one.request);
   }
+
+  void note_lost_rank() override { has_lost_ranks_ = true; }
 
   std::optional<tasks::Message> receive() override {
     all_sent();
@@ -135,6 +136,7 @@ class MpiRanks : public tasks::Ranks {
   int rank_ = 0;
   int size_ = 1;
   int on_this_machine_ = 1;
+  bool has_lost_ranks_ = false;
   std::list<Transfer> sent_;      // lists: the words stay where they are
   std::list<Transfer> received_;  // likewise
 };

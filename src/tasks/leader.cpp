@@ -22,9 +22,9 @@ void send_to_all(Ranks& ranks, const Bytes& bytes) {
 
 }  // namespace
 
-void dismiss(Ranks& ranks) {
+void dismiss(Ranks& ranks, bool has_lost_ranks) {
   try {
-    send_to_all(ranks, bytes_of(Kind::end));
+    send_to_all(ranks, bytes_of(Kind::end, has_lost_ranks ? 1 : 0));
   } catch (const std::bad_alloc&) {  // they see that this rank has ended
   }
 }
@@ -50,7 +50,14 @@ Leader::Leader(Ranks& ranks, const std::filesystem::path& lock_file, std::uint64
 }
 
 Leader::~Leader() {
-  dismiss(ranks_);
+  for (int number = 1; number < ranks_.size(); ++number) {
+    if (sees_locks_ && others_[static_cast<std::size_t>(number)].is_useful &&
+        !presence_.has(number)) {  // it ended when there was no more for it to do
+      has_lost_ranks_ = true;
+      ranks_.note_lost_rank();
+    }
+  }
+  dismiss(ranks_, has_lost_ranks_);
   std::error_code unknown;
   if (std::filesystem::file_size(lock_file_, unknown) == 0) {
     std::filesystem::remove(lock_file_, unknown);
@@ -149,6 +156,8 @@ void Leader::look_for_lost_ranks() {
     Rank& one = others_[static_cast<std::size_t>(number)];
     if (one.is_useful && one.watch.has_ended(presence_.has(number))) {
       give_up(number, "it has ended");
+      has_lost_ranks_ = true;
+      ranks_.note_lost_rank();
     }
   }
 }

@@ -14,7 +14,7 @@ enum class Kind : std::uint8_t {
   begin,    ///< number: none; rest: path of the lock file
   request,  ///< number: of the task; rest: of the request
   stop,     ///< break off all tasks
-  end,      ///< there are no more
+  end,      ///< there are no more; number: 1 if a rank has been lost
   // to rank 0
   greeting,  ///< number: fingerprint; rest: number of threads, 1 if the lock of rank 0 is seen
   answer,    ///< number: of the task; rest: the result

@@ -46,6 +46,9 @@ class Server {
       threads_.wait(interval_.now());
       send_answers();
     }
+    if (leader_is_lost_) {
+      ranks_.note_lost_rank();
+    }
     if (!leader_is_lost_ && !has_refused_) {
       refuse_to_serve(ranks_, "");  // gives back what has not been begun
     } else if (leader_is_lost_ && is_first_left()) {
@@ -86,6 +89,9 @@ class Server {
       } else if (content.kind == Kind::end) {
         stop_tasks_ = 1;
         is_over_ = true;
+        if (content.number != 0) {
+          ranks_.note_lost_rank();
+        }
       }
     }
     if (is_stopped()) {

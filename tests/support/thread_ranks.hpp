@@ -34,6 +34,7 @@ class ThreadRanks {
       const std::lock_guard lock(all_.mutex_);
       all_.boxes_[static_cast<std::size_t>(to)].push_back({number_, std::move(bytes)});
     }
+    void note_lost_rank() override {}
     std::optional<tasks::Message> receive() override {
       const std::lock_guard lock(all_.mutex_);
       auto& box = all_.boxes_[static_cast<std::size_t>(number_)];

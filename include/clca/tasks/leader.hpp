@@ -81,6 +81,7 @@ class Leader {
   std::vector<Rank> others_;  // by number; entry 0, rank 0 itself, is unused
   std::vector<std::size_t> lost_;
   bool sees_locks_ = true;
+  bool has_lost_ranks_ = false;
   PollInterval interval_;
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
@@ -106,6 +107,7 @@ void serve(Ranks& ranks, std::size_t threads, std::uint64_t fingerprint, const S
 void refuse_to_serve(Ranks& ranks, const std::string& why);
 
 /// Rank 0 tells all others that there is nothing to do for them, also where it had no Leader.
-void dismiss(Ranks& ranks);
+/// `has_lost_ranks`: some have ended before.
+void dismiss(Ranks& ranks, bool has_lost_ranks = false);
 
 }  // namespace clca::tasks

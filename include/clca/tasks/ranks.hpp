@@ -28,6 +28,8 @@ class Ranks {
   /// Returns at once; messages from one rank to another arrive in their order. A message to a rank
   /// that has ended is lost.
   virtual void send(int to, Bytes bytes) = 0;
+  /// A rank has ended before the others: they cannot end together any more.
+  virtual void note_lost_rank() = 0;
   /// The next message, if one has arrived.
   virtual std::optional<Message> receive() = 0;
 };
