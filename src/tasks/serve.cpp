@@ -46,12 +46,14 @@ class Server {
       threads_.wait(interval_.now());
       send_answers();
     }
-    if (leader_is_lost_) {
-      ranks_.note_lost_rank();
+    if (!leader_is_lost_) {
+      if (!has_refused_) {
+        refuse_to_serve(ranks_, "");  // gives back what has not been begun
+      }
+      return;
     }
-    if (!leader_is_lost_ && !has_refused_) {
-      refuse_to_serve(ranks_, "");  // gives back what has not been begun
-    } else if (leader_is_lost_ && is_first_left()) {
+    ranks_.note_lost_rank();
+    if (is_first_left()) {
       throw LeaderLostError("rank 0 has ended before the others; the same command goes on");
     }
   }
