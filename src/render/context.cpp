@@ -21,8 +21,8 @@ struct Library {
   decltype(&OSMesaGetProcAddress) address = function<decltype(address)>("GetProcAddress");
 
   static const Library& get() {
-    static const Library library;  // to the end of the process
-    return library;
+    static const Library kLibrary;  // to the end of the process
+    return kLibrary;
   }
 
  private:

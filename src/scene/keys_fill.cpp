@@ -188,7 +188,7 @@ Type<FillPicture> picture() {
        }});
 }
 
-void check_fill(const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
+void check_keys_of_fill(const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
   fill.location = FileReference(to_string(fields.location()));
   constexpr std::array<std::string_view, 3> kContents = {"counts", "mix", "picture"};
   fields.only(kContents);
@@ -226,7 +226,7 @@ Type<Fill> fill_type() {
                 key("level", &Fill::level, number(0, kMaxBoxHeight),
                     "of a deposited mix: mean height of its surface where the filling ends")
                     .defaults_to("until the region is full")},
-       .check = check_fill,
+       .check = check_keys_of_fill,
        .conditions = [] {
          return Json{
              {"oneOf",

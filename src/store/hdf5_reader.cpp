@@ -66,7 +66,7 @@ class Receiver {
 
 void receive_all(std::span<const std::uint8_t> content, const std::vector<Hdf5Dataset>& datasets,
                  double max_bytes) {
-  hdf5::Session();  // no fork before it amid a call of another thread
+  { const hdf5::Session first; }  // no fork before it amid a call of another thread
   process::Child child(
       [&](const process::Child::Send& send) {
         hdf5::send_datasets(content, datasets, max_bytes, send);

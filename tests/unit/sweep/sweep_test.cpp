@@ -106,7 +106,7 @@ TEST_F(SweepTest, PartsAtTheSameTimeLeaveTheRunsOfAllOfIt) {
   const Plan plan = plan_of();
   run(plan, "all");
   std::vector<std::thread> processes;
-  for (const std::size_t number : {1, 2, 3, 4}) {
+  for (const std::size_t number : {1U, 2U, 3U, 4U}) {
     processes.emplace_back([&, number] {
       const Progress part =
           execute(plan, {.folder = at("parts"), .part = Part{.number = number, .of = 4}}, {});

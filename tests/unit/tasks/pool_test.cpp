@@ -133,7 +133,7 @@ TEST_F(PoolTest, OneThreadTakesThemInTheirOrder) {
                         return 0;
                       }},
                  nullptr);
-  for (const std::size_t task : {3, 1, 2}) {
+  for (const std::size_t task : {3U, 1U, 2U}) {
     pool.add(task);
   }
   pool.put_back(4);
