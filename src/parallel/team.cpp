@@ -58,6 +58,12 @@ void* wait_at(void* gate) {
   return nullptr;
 }
 
+/// What one caller has found startable, another must not take.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 /// How many of `most` threads can exist at once besides this one.
 int startable(int most) {
   const Attributes attributes;
@@ -78,16 +84,25 @@ int startable(int most) {
   return static_cast<int>(started.size());
 }
 
-}  // namespace
-
-int start_team(int wanted) {
+void check(int wanted) {
   if (wanted < 1) {
     throw std::invalid_argument("the number of threads must be positive");
   }
-  static std::mutex one_at_a_time;  // what one has found startable, another must not take
-  const std::lock_guard lock(one_at_a_time);
+}
+
+}  // namespace
+
+int startable_threads(int wanted) {
+  check(wanted);
+  const std::lock_guard lock(one_at_a_time());
+  return 1 + startable(wanted - 1);
+}
+
+int start_team(int wanted) {
+  check(wanted);
+  const std::lock_guard lock(one_at_a_time());
   // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the region reads it
-  const int team = wanted == 1 ? 1 : 1 + startable(wanted - 1);
+  const int team = 1 + startable(wanted - 1);
   // Now, as limits may be reached later; regions of the same size then reuse these threads.
   int there = 0;
 #pragma omp parallel num_threads(team) reduction(+ : there)

@@ -3,7 +3,6 @@
 #include "run/gas_run.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -52,7 +51,8 @@ class GasRun : public RunBase {
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
                  .keeps_checkpoint = scene.checkpoint.has_value()},
-                options, events),
+                with_threads(options, parallel::startable_threads(options.threads), events),
+                events),
         scene_(scene),
         integrator_(scene),
         course_(std::move(course)),
@@ -131,9 +131,7 @@ void GasRun::carry_out() {
     leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", gas_fingerprint(),
                     at_a_time(), [this](const std::string& text) { warn_of_rank(text); });
   }
-  if (!is_inline()) {
-    omp_pause_resource_all(omp_pause_hard);  // its threads are wanted by the gases
-  }
+  startable_threads_ = is_inline() ? parallel::start_team(threads_of_gas()) : threads_of_gas();
   run_cases();
   leader_.reset();
 }
@@ -190,7 +188,6 @@ void GasRun::run_case(GasCase& one) {
   }
   forecast_ = TimeEstimate();
   at_work_ = std::vector<GasAtWork>(one.members.size());
-  startable_threads_ = threads_of_gas();
   GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
   tasks::Pool<bool> pool(at_a_time(), leader_ ? &*leader_ : nullptr, work(one, slots),
                          options().stop, true);
@@ -345,8 +342,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
 
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events) {
-  const RunOptions startable = with_startable_threads(options, events);
-  return GasRun(scene, startable, events).execute();
+  return GasRun(scene, options, events).execute();
 }
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "clca/measure/profile.hpp"
+#include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
@@ -307,6 +308,11 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.stages = stages_;
 }
 
+/// With the threads that the steps will use started: later there may be no memory for them.
+RunOptions with_team(const RunOptions& options, const RunEvents& events) {
+  return with_threads(options, parallel::start_team(options.threads), events);
+}
+
 /// Throws store::StoreError for a checkpoint that no run of the scene can have saved.
 std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& options,
                                  const RunEvents& events, SavedRun& saved) {
@@ -344,7 +350,7 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
   scene::Scene whole = scene;
   find_begin(whole, std::numeric_limits<double>::infinity());
   scene::check_room(whole);
-  return Run(whole, with_startable_threads(options, events), events).execute();
+  return Run(whole, with_team(options, events), events).execute();
 }
 
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {
@@ -354,10 +360,10 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   if (saved.finished) {
     return *saved.finished;
   }
-  const RunOptions startable = with_startable_threads(options, events);
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
-    return resume_gas(saved, startable, events);
+    return resume_gas(saved, options, events);
   }
+  const RunOptions startable = with_team(options, events);
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
     saved.folder.start_over(saved.checkpoint, {});

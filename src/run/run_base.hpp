@@ -35,8 +35,8 @@ class RunBase {
     bool keeps_checkpoint = false;
   };
 
-  RunBase(Identity identity, const RunOptions& options, const RunEvents& events)
-      : identity_(std::move(identity)), options_(options), events_(events) {}
+  RunBase(Identity identity, RunOptions options, const RunEvents& events)
+      : identity_(std::move(identity)), options_(std::move(options)), events_(events) {}
 
   virtual void carry_out() = 0;
   virtual bool is_complete() const = 0;
@@ -69,7 +69,7 @@ class RunBase {
   void note_failure(const std::exception& failure);
 
   Identity identity_;
-  const RunOptions& options_;
+  RunOptions options_;
   const RunEvents& events_;
   WallClock wall_clock_;  // since this run began or went on
   double seconds_before_ = 0;

@@ -4,12 +4,10 @@
 
 #include <utility>
 
-#include "clca/parallel/team.hpp"
-
 namespace clca::run {
 
-RunOptions with_startable_threads(RunOptions options, const RunEvents& events) {
-  const int wanted = std::exchange(options.threads, parallel::start_team(options.threads));
+RunOptions with_threads(RunOptions options, int startable, const RunEvents& events) {
+  const int wanted = std::exchange(options.threads, startable);
   if (options.threads < wanted && events.warning) {
     events.warning(fmt::format("only {} of {} threads can be started", options.threads, wanted));
   }

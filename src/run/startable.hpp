@@ -5,9 +5,7 @@
 
 namespace clca::run {
 
-/// The options with as many threads as can be started, for parallel regions of the calling thread.
-/// Warns if fewer than requested.
-/// Throws std::invalid_argument unless the requested number is positive.
-RunOptions with_startable_threads(RunOptions options, const RunEvents& events);
+/// The options with as many threads as could be started. Warns if fewer than requested.
+RunOptions with_threads(RunOptions options, int startable, const RunEvents& events);
 
 }  // namespace clca::run

@@ -1,12 +1,15 @@
 #pragma once
-// Starting the threads of OpenMP regions.
+// Threads of OpenMP regions and others, where the system limits their number.
 
 namespace clca::parallel {
 
-/// Starts `wanted` threads, the calling one included, or as many as the system allows; OpenMP would
-/// end the program on failure.
-/// Returns the number of threads, at least 1. Throws std::invalid_argument unless `wanted` is
-/// positive.
+/// How many threads can exist, the calling one included: at least 1 and at most `wanted`. None is
+/// left running. Throws std::invalid_argument unless `wanted` is positive.
+int startable_threads(int wanted);
+
+/// Starts `wanted` threads for the regions of the calling thread, the calling one included, or as
+/// many as the system allows; OpenMP would end the program on failure. Returns the number of
+/// threads, at least 1. Throws std::invalid_argument unless `wanted` is positive.
 int start_team(int wanted);
 
 }  // namespace clca::parallel

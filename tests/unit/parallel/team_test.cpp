@@ -22,6 +22,15 @@ TEST(StartTeam, GivesAsManyThreadsAsAreWantedWhereTheyCanBeHad) {
   EXPECT_EQ(there, 3);
 }
 
+TEST(StartableThreads, AreAsManyAsAreWantedWhereTheyCanBeHad) {
+  EXPECT_EQ(startable_threads(1), 1);
+  EXPECT_EQ(startable_threads(5), 5);
+}
+
+TEST(StartableThreads, RefuseANumberThatIsNotPositive) {
+  EXPECT_THROW(startable_threads(0), std::invalid_argument);
+}
+
 TEST(StartTeam, RefusesANumberThatIsNotPositive) {
   EXPECT_THROW(start_team(0), std::invalid_argument);
   EXPECT_THROW(start_team(-1), std::invalid_argument);
