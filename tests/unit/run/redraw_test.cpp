@@ -425,8 +425,8 @@ TEST(FrameChoiceTest, StagesBeginAndEndWithAPictureAndNoStepIsDrawnTwice) {
 }
 
 TEST(FrameChoiceTest, SomeOfManyLieEvenlyWithBothEnds) {
-  for (const std::size_t most : {2, 6, 24, 97}) {
-    for (const std::size_t count : {1, 2, 5, 24, 25, 47, 48, 49, 1000}) {
+  for (const std::size_t most : {2U, 6U, 24U, 97U}) {
+    for (const std::size_t count : {1U, 2U, 5U, 24U, 25U, 47U, 48U, 49U, 1000U}) {
       std::vector<std::size_t> chosen;
       for (std::size_t i = 0; i < count; ++i) {
         if (is_among(i, count, most)) {

@@ -64,7 +64,7 @@ TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
 
 TEST(Sizes, OfFewHexagonsHaveTheMeanOfTheirLaw) {
   for (const double sd : {0.6, 1.8}) {
-    for (const std::uint64_t kinds : {1, 4, 8, 64}) {
+    for (const std::uint64_t kinds : {1U, 4U, 8U, 64U}) {
       const Sizes sizes = {.law = SizeLaw::lognormal,
                            .mean = 6,
                            .sd = sd,

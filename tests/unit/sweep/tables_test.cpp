@@ -3,15 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
 #include "sweep/overview.hpp"
 
 namespace clca::sweep {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Plan bare_plan(std::size_t variants, std::uint64_t seeds) {
   Plan plan;
