@@ -68,6 +68,9 @@ std::vector<std::pair<const char*, std::string>> facts_of(const store::RunSummar
   facts.emplace_back(is_gas(summary) ? "Collisions per second" : "Particle updates per second",
                      brief(summary.rate));
   facts.emplace_back("Threads", whole(static_cast<std::uint64_t>(std::max(summary.threads, 0))));
+  if (summary.ranks > 1) {
+    facts.emplace_back("Ranks", whole(static_cast<std::uint64_t>(summary.ranks)));
+  }
   facts.emplace_back("State hash", fmt::format("<code>{:016x}</code>", summary.state_hash));
   facts.emplace_back("Made by",
                      fmt::format("clca {} <small>{}, {}</small>", escaped(summary.version),

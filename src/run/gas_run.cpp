@@ -76,11 +76,12 @@ class GasRun : public RunBase {
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
   bool is_inline() const { return at_a_time() == 1 && !leader_; }
+  int ranks() const { return options().ranks != nullptr ? options().ranks->size() : 1; }
   /// Gases at a time in this process, and threads of each.
   std::size_t at_a_time() const {
-    const auto ranks = static_cast<std::uint64_t>(options().ranks ? options().ranks->size() : 1);
+    const auto shares = static_cast<std::uint64_t>(ranks());
     return std::min<std::uint64_t>(static_cast<std::uint64_t>(options().threads),
-                                   (scene_.ensemble + ranks - 1) / ranks);
+                                   (scene_.ensemble + shares - 1) / shares);
   }
   int threads_of_gas() const {
     return std::max(1, options().threads / static_cast<int>(at_a_time()));
@@ -127,7 +128,7 @@ void GasRun::carry_out() {
   if (log().bytes() == 0) {
     warn();
   }
-  if (options().ranks != nullptr && options().ranks->size() > 1) {
+  if (ranks() > 1) {
     leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", gas_fingerprint(),
                     at_a_time(), [this](const std::string& text) { warn_of_rank(text); });
   }
@@ -330,6 +331,7 @@ void GasRun::save() {
 }
 
 void GasRun::complete_summary(store::RunSummary& summary) const {
+  summary.ranks = ranks();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
   summary.step_seconds = summary.wall_seconds;

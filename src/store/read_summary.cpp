@@ -42,10 +42,10 @@ std::uint64_t count(const Json& object, const char* key) {
   return field(object, key, &Json::is_number_unsigned).get<std::uint64_t>();
 }
 
-int threads(const Json& object) {
-  const std::uint64_t number = count(object, "threads");
+int small_count(const Json& object, const char* key) {
+  const std::uint64_t number = count(object, key);
   if (number > std::numeric_limits<int>::max()) {
-    throw FormatError("'threads' is more than there can be");
+    throw FormatError(fmt::format("'{}' is more than there can be", key));
   }
   return static_cast<int>(number);
 }
@@ -163,7 +163,8 @@ RunSummary summary_of(const Json& object) {
                         // Runs of earlier versions have none.
                         .title = object.contains("title") ? text(object, "title") : "",
                         .seed = count(object, "seed"),
-                        .threads = threads(object),
+                        .threads = small_count(object, "threads"),
+                        .ranks = object.contains("ranks") ? small_count(object, "ranks") : 1,
                         .status = text(object, "status"),
                         .particles = count(object, "particles"),
                         .steps = count(object, "steps"),

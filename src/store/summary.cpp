@@ -71,6 +71,9 @@ std::string to_json(const RunSummary& summary) {
       {"clca", summary.version},  {"kind", summary.kind},           {"scene", summary.scene},
       {"title", summary.title},   {"seed", summary.seed},           {"threads", summary.threads},
       {"status", summary.status}, {"particles", summary.particles}, {"steps", summary.steps}};
+  if (summary.ranks > 1) {
+    object["ranks"] = summary.ranks;
+  }
   add_time(object, summary.steps, summary.units);
   if (summary.begin) {
     object["begin"] = to_object(*summary.begin);

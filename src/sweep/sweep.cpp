@@ -112,6 +112,7 @@ class Sweep {
   void take(std::size_t run, FinishedRun one, Pool& pool);
   /// Takes over what other processes have done meanwhile.
   void look_elsewhere();
+  void tell_shares(const tasks::Leader& leader) const;
   void show_progress();
   void write_tables();
   void refresh_tables();
@@ -148,6 +149,9 @@ Progress Sweep::execute() {
   if (!options_.collect_only && !runs.empty() && !stop_asked()) {
     carry_out(runs, others ? &*others : nullptr);
     look_elsewhere();
+    if (others) {
+      tell_shares(*others);
+    }
   }
   if (!store_error_.empty()) {
     throw store::StoreError(store_error_);
@@ -280,6 +284,15 @@ void Sweep::look_elsewhere() {
     return true;
   });
   progress_.elsewhere = elsewhere_.size();
+}
+
+void Sweep::tell_shares(const tasks::Leader& leader) const {
+  std::vector<std::size_t> runs = leader.carried_out();
+  const std::size_t all = progress_.done + progress_.failed - progress_.reused;
+  runs.push_back(all - std::min(all, std::accumulate(runs.begin(), runs.end(), std::size_t{0})));
+  const auto [least, most] = std::minmax_element(runs.begin(), runs.end());
+  tell(events_.message,
+       fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
 }
 
 void Sweep::show_progress() {

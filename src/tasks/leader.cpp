@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -110,6 +111,13 @@ std::vector<Leader::Answer> Leader::take_answers() {
   return answers;
 }
 
+std::vector<std::size_t> Leader::carried_out() const {
+  std::vector<std::size_t> tasks;
+  std::transform(others_.begin() + 1, others_.end(), std::back_inserter(tasks),
+                 [](const Rank& one) { return one.carried_out; });
+  return tasks;
+}
+
 std::vector<std::size_t> Leader::take_lost() {
   return std::exchange(lost_, {});
 }
@@ -126,6 +134,7 @@ void Leader::handle(const Message& message, std::vector<Answer>& answers) {
     if (task != one.tasks.end()) {
       one.tasks.erase(task);
       ++one.idle;
+      ++one.carried_out;
       answers.push_back({content.number, std::move(content.rest)});
     }
   }
@@ -168,7 +177,9 @@ void Leader::give_up(int number, const std::string& why) {
     warning_(fmt::format("rank {} takes no more tasks: {}", number, why));
   }
   lost_.insert(lost_.end(), one.tasks.begin(), one.tasks.end());
+  const std::size_t carried_out = one.carried_out;
   one = {};
+  one.carried_out = carried_out;
 }
 
 }  // namespace clca::tasks

@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
 constexpr const char* kScene = R"(clca: 1
@@ -107,7 +108,7 @@ TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
   const auto result = together({"-n", "3"}, by_ranks);
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, StartsWith("12 runs: 12 done, 0 failed, in "));
-  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, MatchesRegex("3 ranks, with [0-9]+ to [0-9]+ runs each\n"));
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << result.out;
   expect_same_tables("one", "ranks", {"runs.csv", "measures.csv", "sweep.json"});
   EXPECT_THAT(together({"-n", "2"}, by_ranks).out, StartsWith("12 runs: 12 done (12 from before)"));
@@ -130,6 +131,7 @@ TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
   const std::string json = text("one/run.json");
   const std::size_t hash = json.find("\"state_hash\"");
   EXPECT_THAT(text("ranks/run.json"), HasSubstr(json.substr(hash, json.find('\n', hash) - hash)));
+  EXPECT_THAT(text("ranks/run.json"), HasSubstr("\"ranks\": 3,"));
   EXPECT_FALSE(fs::exists(folder_.path() / "ranks/.clca.ranks"));
 }
 
@@ -178,6 +180,8 @@ TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
       EXPECT_EQ(together({"-n", "3"}, call).code, 0);
     } else {
       EXPECT_THAT(result.err, HasSubstr("rank 1 takes no more tasks: it has ended"));
+      EXPECT_THAT(result.err, HasSubstr("3 ranks, with "));
+      EXPECT_EQ(result.err.find("to 300 runs"), std::string::npos) << "rank 2 did nothing";
     }
     expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
   }

@@ -44,7 +44,8 @@ struct RunSummary {
   std::string scene;  ///< its name
   std::string title;  ///< of the scene
   std::uint64_t seed = 0;
-  int threads = 1;
+  int threads = 1;     ///< of each rank
+  int ranks = 1;       ///< that shared the gases
   std::string status;  ///< running, done, interrupted or failed
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;

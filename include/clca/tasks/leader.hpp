@@ -55,6 +55,8 @@ class Leader {
   void stop();
   /// Reads all messages; returns the results that have come.
   std::vector<Answer> take_answers();
+  /// Tasks that each other rank has carried out, by number - 1.
+  std::vector<std::size_t> carried_out() const;
   /// Tasks of ranks that have ended without a result.
   std::vector<std::size_t> take_lost();
   std::chrono::microseconds poll_interval() const { return interval_.now(); }
@@ -64,7 +66,8 @@ class Leader {
     bool is_useful = false;  // it serves
     Watch watch{true};
     std::size_t idle = 0;
-    std::vector<std::size_t> tasks;
+    std::vector<std::size_t> tasks;  // under way
+    std::size_t carried_out = 0;     // tasks
   };
 
   void handle(const Message& message, std::vector<Answer>& answers);

@@ -88,6 +88,7 @@ RunSummary full_summary() {
       .title = "A scene",
       .seed = 18446744073709551615U,
       .threads = 2,
+      .ranks = 3,
       .status = "done",
       .particles = 540,
       .steps = 500,

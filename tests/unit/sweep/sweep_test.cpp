@@ -298,11 +298,17 @@ TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
     });
   }
   const auto ranks = all.seen_from(0);
-  EXPECT_EQ(execute(plan, {.folder = at("ranks"), .ranks = ranks.get()}).done, 9U);
+  std::vector<std::string> messages;
+  const Progress totals =
+      execute(plan, {.folder = at("ranks"), .ranks = ranks.get()},
+              {.message = [&](const std::string& line) { messages.push_back(line); }});
+  EXPECT_EQ(totals.done, 9U);
   for (std::thread& other : others) {
     other.join();
   }
   EXPECT_GT(all.received_by_leader(), 3U);  // a greeting each, and what they have done
+  EXPECT_THAT(messages, ::testing::ElementsAre(
+                            ::testing::MatchesRegex("3 ranks, with [0-9] to [1-9] runs each")));
   for (const char* name : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
     EXPECT_EQ(text(std::string("ranks/") + name), text(std::string("one/") + name)) << name;
   }
