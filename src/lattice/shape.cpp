@@ -164,7 +164,7 @@ Shape Shape::rod(int radius, int length) {
 }
 
 Shape Shape::disc(double radius) {
-  constexpr double kOnEdge = 1e-6;
+  constexpr double kRounding = 1e-6;
   if (!(radius >= 0 && radius <= kMaxSiteCoordinate)) {
     throw std::invalid_argument("the radius of a disc is negative or too long");
   }
@@ -172,7 +172,7 @@ Shape Shape::disc(double radius) {
   std::vector<Axial> sites;
   for (int x = -reach; x <= reach; ++x) {
     for (int q = -reach; q <= reach; ++q) {
-      if (position(Axial{x, q}).norm() <= radius + kOnEdge) {
+      if (position(Axial{x, q}).norm() <= radius + kRounding) {
         sites.push_back({x, q});
       }
     }

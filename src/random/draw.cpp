@@ -1,29 +1,22 @@
 #include "clca/random/draw.hpp"
 
-#include <Random123/philox.h>
-
 #include <stdexcept>
+
+#include "clca/random/words.hpp"
 
 namespace clca::random {
 
 namespace {
-constexpr unsigned kWordBits = 32;
 __extension__ using Uint128 = unsigned __int128;
-
-std::uint32_t low_word(std::uint64_t value) {
-  return static_cast<std::uint32_t>(value);
-}
-std::uint32_t high_word(std::uint64_t value) {
-  return static_cast<std::uint32_t>(value >> kWordBits);
-}
 }  // namespace
 
 std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose) {
-  const r123::Philox4x32::ctr_type counter = {
-      {low_word(step), high_word(step), item, static_cast<std::uint32_t>(purpose)}};
-  const r123::Philox4x32::key_type key = {{low_word(seed), high_word(seed)}};
-  const auto words = r123::Philox4x32{}(counter, key);
-  return (static_cast<std::uint64_t>(words[1]) << kWordBits) | words[0];
+  constexpr unsigned kWordBits = 32;
+  const Counter counter = {.step = static_cast<std::uint32_t>(step),
+                           .group = static_cast<std::uint32_t>(step >> kWordBits),
+                           .item = item};
+  const Words drawn = words(seed, counter, purpose);
+  return join(drawn[0], drawn[1]);
 }
 
 std::uint64_t below(std::uint64_t bits, std::uint64_t count) {

@@ -49,8 +49,8 @@ std::string table_html(const std::string& stage, const store::ReadTable& cells) 
 
 std::string walls_html(const fs::path& run, const store::RunSummary& summary, Warnings& warnings) {
   constexpr std::size_t kMaxTables = 24;
-  constexpr std::size_t kMaxColumns = 30;
-  constexpr double kMaxBytes = 64 << 20;  // a table takes up to 40 times that in memory
+  constexpr std::size_t kMaxTableColumns = 30;
+  constexpr double kMaxFileBytes = 64 << 20;  // a table takes up to 40 times that in memory
   std::vector<std::string> stages;
   for (const store::StageSummary& stage : summary.stages) {
     if (is_file_name(stage.name) && fs::is_regular_file(table_of(run, stage.name))) {
@@ -60,8 +60,8 @@ std::string walls_html(const fs::path& run, const store::RunSummary& summary, Wa
   std::string html;
   for (const std::size_t number : evenly(stages.size(), kMaxTables)) {
     try {
-      const auto table = store::read_table(table_of(run, stages[number]), kMaxBytes);
-      if (table.rows() > 0 && table.names.size() <= kMaxColumns) {
+      const auto table = store::read_table(table_of(run, stages[number]), kMaxFileBytes);
+      if (table.rows() > 0 && table.names.size() <= kMaxTableColumns) {
         html += table_html(stages[number], table);
       }
     } catch (const store::StoreError& error) {
