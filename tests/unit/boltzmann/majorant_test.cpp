@@ -23,7 +23,7 @@ double energy(const Gas& gas) {
 TEST(MajorantScheme, GivesTheSameBitsForAnyNumberOfThreads) {
   Gas reference = make_gas({.particles = 50'000}, 5);
   advance(reference, with(kLaw), 5, 2, 1);
-  for (const int threads : {2, 3, 7}) {
+  for (const int threads : {7, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
     Gas gas = make_gas({.particles = 50'000}, 5);
     advance(gas, with(kLaw), 5, 2, threads);
     EXPECT_EQ(hash(gas), hash(reference)) << threads;

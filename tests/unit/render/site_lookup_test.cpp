@@ -182,7 +182,7 @@ TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
   const grains::State state = packed(120, 90, false).state();
   const Projection projection = shown(state, 320, 240, 2, {});
   const SampleGrid one = looked_up(state, distinct(ById{}), projection, 1);
-  for (const int threads : {2, 3, 8}) {
+  for (const int threads : {8, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
     SampleGrid some = looked_up(state, distinct(ById{}), projection, threads);
     for (int x = 0; x < one.width(); ++x) {
       for (int y = 0; y < one.height(); ++y) {
