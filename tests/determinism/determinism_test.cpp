@@ -74,7 +74,7 @@ class Determinism : public ::testing::TestWithParam<const char*> {};
 TEST_P(Determinism, EverySceneEndsInTheSameStateByBothEnginesForEveryThreadCount) {
   const Expected expected = expected_hashes().at(GetParam());
   const scene::AnyScene any = any_scene(GetParam(), expected.overrides);
-  for (const int threads : {1, 2, 3, 7}) {
+  for (const int threads : {7, 3, 2, 1}) {  // LLVM's OpenMP loses memory of a team that grows
     const std::string hash =
         std::visit([&](const auto& scene) { return hash_of(scene, threads); }, any);
     EXPECT_EQ(hash, expected.hash) << threads << " threads";
@@ -166,7 +166,7 @@ TEST(Determinism, EveryKindOfGasIsTheSameForEveryThreadCount) {
     overrides.insert(overrides.begin(), {"boltzmann.until=2", "output.histograms=[0, 2]"});
     const auto scene = std::get<scene::BoltzmannScene>(any_scene("boltzmann-case1", overrides));
     const std::string alone = hash_of(scene, 1);
-    for (const int threads : {2, 3, 7}) {
+    for (const int threads : {7, 3, 2}) {  // as above
       EXPECT_EQ(hash_of(scene, threads), alone)
           << fmt::format("{} on {} threads", fmt::join(overrides, " "), threads);
     }
