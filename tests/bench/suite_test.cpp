@@ -13,7 +13,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::suite_test {
 namespace {
 
 using ::testing::AllOf;
@@ -112,4 +112,4 @@ TEST_F(SuiteTest, WhatItDoesNotKnowIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::suite_test

@@ -13,7 +13,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::boltzmann_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST_F(GasCommand, InterruptedItEndsCleanlyWithWholeTables) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_test

@@ -14,7 +14,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::cli_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -343,4 +343,4 @@ TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::cli_test

@@ -11,7 +11,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST_F(CompareCommand, AFolderThatCannotBeWrittenIsAFailure) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::compare_test

@@ -13,7 +13,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::contact_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -256,4 +256,4 @@ TEST_F(ContactCliTest, ARunStoppedByASignalOrByTimeEndsAsOneThatWasNot) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_test

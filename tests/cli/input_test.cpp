@@ -13,7 +13,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ TEST_F(InputTest, ASceneThatResumeWouldNotReadIsRefusedBeforeItRuns) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::input_test

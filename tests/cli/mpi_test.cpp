@@ -16,7 +16,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::mpi_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,4 +221,4 @@ TEST(WithoutMpi, AProgramThatIsStartedTogetherSaysWhatItWantsOnce) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::mpi_test

@@ -11,7 +11,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::output_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -93,4 +93,4 @@ TEST_F(OutputTest, AReaderThatHasHadEnoughIsNoError) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::output_test

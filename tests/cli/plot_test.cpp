@@ -15,7 +15,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::plot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST_F(PlotCommandTest, AFolderThatCannotBeWrittenIsOneLineAndExitCodeOne) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::plot_test

@@ -19,7 +19,7 @@
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
 
-namespace clca {
+namespace clca::render_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -329,4 +329,4 @@ TEST_F(RenderCommandTest, ANameThatLeavesTheFolderIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::render_test

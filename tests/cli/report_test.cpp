@@ -16,7 +16,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -243,4 +243,4 @@ TEST_F(ReportInABrowser, ItsPictureIsNotBlank) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::report_test

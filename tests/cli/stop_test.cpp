@@ -16,7 +16,7 @@
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
 
-namespace clca {
+namespace clca::stop_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST_F(StopTest, AHangUpThatWasIgnoredFromTheBeginningStaysSo) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::stop_test

@@ -11,7 +11,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::sweep_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -197,4 +197,4 @@ TEST_F(SweepCommandTest, AnInterruptedSweepComesToItsEndWhenCalledAgain) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::sweep_test

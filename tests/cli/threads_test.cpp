@@ -10,7 +10,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::threads_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -142,4 +142,4 @@ TEST_F(FewThreads, AsTheUserTellsOpenMpGiveTheSameResult) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::threads_test

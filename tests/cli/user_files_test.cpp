@@ -9,7 +9,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::user_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -231,4 +231,4 @@ TEST_F(UserFiles, BehindSymbolicLinksAreNotReached) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::user_files_test

@@ -15,7 +15,7 @@
 #include "support/runs.hpp"
 #include "support/stages.hpp"
 
-namespace clca {
+namespace clca::determinism_test {
 namespace {
 
 /// A line of tests/data/state_hashes.csv.
@@ -237,4 +237,4 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesWhileWallsMove) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::determinism_test

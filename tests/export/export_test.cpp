@@ -15,7 +15,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST_F(Export, AFullDiskIsAFailureThatLeavesNothingHalf) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::export_test

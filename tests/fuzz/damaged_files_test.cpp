@@ -20,7 +20,7 @@
 #include "support/runs.hpp"
 #include "support/sanitizers.hpp"
 
-namespace clca {
+namespace clca::damaged_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -270,4 +270,4 @@ TEST_F(DamagedCheckpoint, OfAGasIsGoneOnWithOrRefused) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::damaged_files_test

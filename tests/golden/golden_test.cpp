@@ -21,7 +21,7 @@
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,4 +216,4 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::golden_test

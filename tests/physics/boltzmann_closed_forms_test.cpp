@@ -6,7 +6,7 @@
 #include "clca/boltzmann/closure.hpp"
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_closed_forms_test {
 namespace {
 
 struct Setting {
@@ -99,4 +99,4 @@ TEST(BothSchemes, AgreeForShortStepsAndOnePartner) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_closed_forms_test

@@ -4,7 +4,7 @@
 
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_exact_test {
 namespace {
 
 using boltzmann::Initial;
@@ -77,4 +77,4 @@ TEST(ExactScheme, CumulantsAndCorrelationsAgreeToo) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_exact_test

@@ -3,7 +3,7 @@
 
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_literal_test {
 namespace {
 
 using boltzmann::Initial;
@@ -58,4 +58,4 @@ TEST(PrintedScheme, HeatsElasticSmoothSpheresBySomeNinePercent) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_literal_test

@@ -7,7 +7,7 @@
 #include "clca/boltzmann/closure.hpp"
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_rough_test {
 namespace {
 
 testing::GasCase gas(const boltzmann::Law& law, double energy_ratio, std::uint64_t particles,
@@ -110,4 +110,4 @@ TEST(FrictionalSpheres, ComeToOneRatioOfEnergiesAboveTheCriticalRestitution) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_rough_test

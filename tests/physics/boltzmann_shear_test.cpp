@@ -4,7 +4,7 @@
 #include "clca/boltzmann/closure.hpp"
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_shear_test {
 namespace {
 
 boltzmann::Process sheared(double restitution, double shear_rate) {
@@ -138,4 +138,4 @@ TEST(ShearFlow, IsTheSameInHalfAsLongSteps) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_shear_test

@@ -5,7 +5,7 @@
 #include "clca/boltzmann/closure.hpp"
 #include "physics/gas.hpp"
 
-namespace clca {
+namespace clca::boltzmann_smooth_test {
 namespace {
 
 /// From time 10 on, 10 collisions and more per particle, the cooling state has been reached.
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(
                       Cooling{0.95, 0.03659}));
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::boltzmann_smooth_test

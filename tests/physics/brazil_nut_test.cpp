@@ -5,7 +5,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::brazil_nut_test {
 namespace {
 
 constexpr int kSeeds = 8;
@@ -46,4 +46,4 @@ TEST(BrazilNut, AnIntruderAsSmallAsTheBedDoesNotEndOnTop) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::brazil_nut_test

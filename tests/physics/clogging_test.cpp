@@ -6,7 +6,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::clogging_test {
 namespace {
 
 constexpr int kSeeds = 30;
@@ -46,4 +46,4 @@ TEST(Clogging, IsRarerInWiderOrificesAndMoreGrainsLeaveUntilThen) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::clogging_test

@@ -7,7 +7,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::collapse_test {
 namespace {
 
 constexpr int kSeeds = 16;
@@ -42,4 +42,4 @@ TEST(Collapse, RunoutGrowsWithHeightOverWidthByAnExponentSomewhatBelowTwoThirds)
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::collapse_test

@@ -7,7 +7,7 @@
 #include "clca/run/run.hpp"
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::contact_chute_test {
 namespace {
 
 using testing::expect_within;
@@ -60,4 +60,4 @@ TEST(ContactChute, LayersRestOrFlowWithTheProfileOfBagnold) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_chute_test

@@ -10,7 +10,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::contact_collapse_test {
 namespace {
 
 constexpr int kSeeds = 8;
@@ -119,4 +119,4 @@ TEST(ContactCollapse, IsTheSameWhereGrainsSleep) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_collapse_test

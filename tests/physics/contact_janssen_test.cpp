@@ -11,7 +11,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::contact_janssen_test {
 namespace {
 
 constexpr int kSeeds = 3;
@@ -46,4 +46,4 @@ TEST(ContactJanssen, FloorAndSidesCarryTheWeightAndTheFloorLessOfIt) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_janssen_test

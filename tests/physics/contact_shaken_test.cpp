@@ -5,7 +5,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::contact_shaken_test {
 namespace {
 
 double height_of_nut(int seeds, double gamma, int cycles) {
@@ -46,4 +46,4 @@ TEST(ContactShaken, FrictionOfTheSideWallsDrivesConvection) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_shaken_test

@@ -11,7 +11,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::contact_silo_test {
 namespace {
 
 constexpr int kSeeds = 3;
@@ -54,4 +54,4 @@ TEST(ContactSilo, OutflowThroughAWideOrificeGrowsAsBeverlooSays) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_silo_test

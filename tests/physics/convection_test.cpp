@@ -3,7 +3,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::convection_test {
 namespace {
 
 constexpr int kSeeds = 8;
@@ -30,4 +30,4 @@ TEST(Convection, RisesInsideAndSinksAtTheWallsInTwoRollsThatMirrorEachOther) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::convection_test

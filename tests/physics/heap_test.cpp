@@ -9,7 +9,7 @@
 
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::heap_test {
 namespace {
 
 struct HeapReference {
@@ -55,4 +55,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Heap,
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::heap_test

@@ -2,7 +2,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::hopper_test {
 namespace {
 
 // 0.98 of the particles have to leave in the scene as it is; all of them do when it goes on to the
@@ -23,4 +23,4 @@ TEST(Hopper, NothingStaysOnTheSlantedWalls) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::hopper_test

@@ -9,7 +9,7 @@
 #include "physics/seeds.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::mirror_test {
 namespace {
 
 constexpr int kSeeds = 48;
@@ -67,4 +67,4 @@ TEST(MirrorHeap, HasTheSameAngleOnBothSides) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::mirror_test

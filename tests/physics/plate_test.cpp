@@ -6,7 +6,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::plate_test {
 namespace {
 
 constexpr int kSeeds = 16;
@@ -50,4 +50,4 @@ TEST(Piston, StallsWithNoMoverWhenTheBedIsAsDenseAsInThePrototype) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::plate_test

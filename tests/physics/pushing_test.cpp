@@ -11,7 +11,7 @@
 #include "support/overlaps.hpp"
 #include "support/stages.hpp"
 
-namespace clca {
+namespace clca::pushing_test {
 namespace {
 
 struct PushingCase {
@@ -132,4 +132,4 @@ TEST(PlateThatTurnsBack, LeavesOverlapBehindAndTouchesNobody) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::pushing_test

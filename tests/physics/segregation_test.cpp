@@ -3,7 +3,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::segregation_test {
 namespace {
 
 constexpr int kSeeds = 8;
@@ -32,4 +32,4 @@ TEST(Segregation, LargeOnesAreOnTopAfterFourHundredTapsWithEverySeed) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::segregation_test

@@ -11,7 +11,7 @@
 
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::silo_test {
 namespace {
 
 constexpr int kColumns = 121;  // of the box
@@ -92,4 +92,4 @@ TEST(Silo, AMixClogsInNarrowOrificesAndNeverInWideOnes) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::silo_test

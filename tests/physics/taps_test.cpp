@@ -4,7 +4,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::taps_test {
 namespace {
 
 TEST(Taps, AHundredLowerASlopeByMoreThanTenDegrees) {
@@ -19,4 +19,4 @@ TEST(Taps, AHundredLowerASlopeByMoreThanTenDegrees) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::taps_test

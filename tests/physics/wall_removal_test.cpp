@@ -10,7 +10,7 @@
 
 #include "physics/seeds.hpp"
 
-namespace clca {
+namespace clca::wall_removal_test {
 namespace {
 
 constexpr int kSeeds = 16;
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(
                       InertiaReference{0.98, 30.1, 1.83}, InertiaReference{1, 12.2, 2.33}));
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::wall_removal_test

@@ -8,7 +8,7 @@
 
 #include "property/random_states.hpp"
 
-namespace clca {
+namespace clca::automaton_test {
 namespace {
 
 using automaton::Automaton;
@@ -108,4 +108,4 @@ RC_GTEST_PROP(AutomatonProperty, RemovingAWallWakesWhoeverStoodOnIt, ()) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::automaton_test

@@ -8,7 +8,7 @@
 
 #include "property/random_contact_runs.hpp"
 
-namespace clca {
+namespace clca::contact_energy_test {
 namespace {
 
 using contact::ContactModel;
@@ -58,4 +58,4 @@ RC_GTEST_PROP(ContactEnergyProperty, EnergyDoesNotGrow, ()) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_energy_test

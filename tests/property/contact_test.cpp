@@ -8,7 +8,7 @@
 
 #include "property/random_contact_runs.hpp"
 
-namespace clca {
+namespace clca::contact_test {
 namespace {
 
 using contact::ContactModel;
@@ -101,4 +101,4 @@ RC_GTEST_PROP(ContactProperty, WhatEntersIsThereOrHasLeft, ()) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::contact_test

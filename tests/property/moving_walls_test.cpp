@@ -11,7 +11,7 @@
 #include "support/difference.hpp"
 #include "support/overlaps.hpp"
 
-namespace clca {
+namespace clca::moving_walls_test {
 namespace {
 
 using automaton::Automaton;
@@ -161,4 +161,4 @@ RC_GTEST_PROP(MovingWallsProperty, WhatIsSettledStaysAsItIs, ()) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::moving_walls_test

@@ -15,7 +15,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -245,4 +245,4 @@ TEST_F(Faults, WhatACheckpointOrADoneRunRefersToIsOnTheDiskBefore) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::fault_test

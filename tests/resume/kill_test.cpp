@@ -13,7 +13,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::kill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ output: {series: {every: 1}, checkpoint: {every: 300}}
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::kill_test

@@ -15,7 +15,7 @@
 #include "support/program.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::like_nfs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(LikeNfs, OthersFindTheManifestWhileItIsReplaced) {
 }
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::like_nfs_test

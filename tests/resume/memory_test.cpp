@@ -14,7 +14,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca {
+namespace clca::memory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Of, TooLittleMemory, ::testing::Values(kPictures, kMany
                          name_of);
 
 }  // namespace
-}  // namespace clca
+}  // namespace clca::memory_test

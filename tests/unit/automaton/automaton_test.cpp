@@ -11,7 +11,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::automaton_test {
 namespace {
 
 using grains::kRest;
@@ -260,4 +260,4 @@ TEST(Hash, ChangesWithEveryFieldThatARunChanges) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::automaton_test

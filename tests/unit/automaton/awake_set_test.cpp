@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace clca::automaton {
+namespace clca::automaton::awake_set_test {
 namespace {
 
 std::vector<std::uint32_t> listed(const AwakeSet& set) {
@@ -44,4 +44,4 @@ TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::awake_set_test

@@ -5,7 +5,7 @@
 #include "clca/automaton/automaton.hpp"
 #include "clca/lattice/region.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::deposit_test {
 namespace {
 
 using grains::FillResult;
@@ -81,4 +81,4 @@ TEST(Deposit, ComesDownOnly) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::deposit_test

@@ -9,7 +9,7 @@
 #include "clca/automaton/automaton.hpp"
 #include "support/states.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::entry_exit_test {
 namespace {
 
 using grains::FillResult;
@@ -129,4 +129,4 @@ TEST(Outlet, CatchesParticlesAcrossAPeriodicSeam) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::entry_exit_test

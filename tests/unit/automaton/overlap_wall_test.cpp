@@ -9,7 +9,7 @@
 #include "support/overlaps.hpp"
 #include "support/wall_bench.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::overlap_wall_test {
 namespace {
 
 using grains::Occupancy;
@@ -212,4 +212,4 @@ TEST(State, EqualityAndHashCoverTravelAndPushes) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::overlap_wall_test

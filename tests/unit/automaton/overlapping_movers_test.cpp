@@ -8,7 +8,7 @@
 #include "clca/automaton/automaton.hpp"
 #include "support/wall_bench.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::overlapping_movers_test {
 namespace {
 
 using grains::State;
@@ -72,4 +72,4 @@ TEST(OverlappingMovers, GoWhereTheReferenceHasThemGo) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::overlapping_movers_test

@@ -6,7 +6,7 @@
 #include "support/overlaps.hpp"
 #include "support/wall_bench.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::passive_test {
 namespace {
 
 using grains::Drive;
@@ -202,4 +202,4 @@ TEST(Settled, IsToldOfTwoStalledWallsThatNeverTryInTheSameStep) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::passive_test

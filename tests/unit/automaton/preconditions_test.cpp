@@ -8,7 +8,7 @@
 #include "clca/automaton/automaton.hpp"
 #include "support/states.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::preconditions_test {
 namespace {
 
 using testing::good_state;
@@ -77,4 +77,4 @@ TEST(WallsAndSources, ThatAreNotThereAreRefused) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::preconditions_test

@@ -5,7 +5,7 @@
 #include "support/overlaps.hpp"
 #include "support/wall_bench.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::rigid_wall_test {
 namespace {
 
 using grains::Occupancy;
@@ -210,4 +210,4 @@ TEST(RigidWall, CannotBeginInAnotherWall) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::rigid_wall_test

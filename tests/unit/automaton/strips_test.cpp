@@ -8,7 +8,7 @@
 #include "grains/internal/bitboard.hpp"
 #include "grains/internal/footprint.hpp"
 
-namespace clca::automaton {
+namespace clca::automaton::strips_test {
 namespace {
 
 using lattice::Site;
@@ -71,4 +71,4 @@ TEST(Strips, KeepAsFarApartAsWindowsReach) {
 }
 
 }  // namespace
-}  // namespace clca::automaton
+}  // namespace clca::automaton::strips_test

@@ -9,7 +9,7 @@
 
 #include "random_contacts.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::closure_test {
 namespace {
 
 constexpr double kNone = kNoSlidingLimit;
@@ -222,4 +222,4 @@ TEST(Closure, IsSoonDoneWithLongTimesWhereNothingIsLost) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::closure_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::elementary_test {
 namespace {
 
 constexpr int kCases = 1'000'000;
@@ -71,4 +71,4 @@ TEST(Elementary, CosineAndSineAreTheSameBitsForManyAtOnce) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::elementary_test

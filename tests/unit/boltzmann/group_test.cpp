@@ -6,7 +6,7 @@
 
 #include "clca/boltzmann/gas.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::group_test {
 namespace {
 
 constexpr Law kLaw = {.restitution = 0.5, .friction = 0.3, .roughness = 0};
@@ -179,4 +179,4 @@ TEST(Group, OneFastParticleAmongRestingOnesStopsInTime) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::group_test

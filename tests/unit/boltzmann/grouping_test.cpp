@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::grouping_test {
 namespace {
 
 constexpr Eigen::Index kRun = Grouping::kRun;
@@ -83,4 +83,4 @@ TEST(Grouping, MovesParticlesAboutWithinTheirGroup) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::grouping_test

@@ -6,7 +6,7 @@
 
 #include "clca/boltzmann/gas.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::initial_condition_test {
 namespace {
 
 constexpr double kRounding = 1e-13;
@@ -118,4 +118,4 @@ TEST(InitialCondition, RefusesFewerThanTwoParticles) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::initial_condition_test

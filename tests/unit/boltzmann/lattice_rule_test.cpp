@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::lattice_rule_test {
 namespace {
 
 std::vector<double> coordinates(const LatticeRule& rule, int dimension) {
@@ -108,4 +108,4 @@ TEST(LatticeRule, IntegratesPairsOfDimensionsFarBetterThanChance) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::lattice_rule_test

@@ -8,7 +8,7 @@
 #include "clca/boltzmann/law.hpp"
 #include "random_contacts.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::law_map_test {
 namespace {
 
 using Vector12d = Eigen::Vector<double, 12>;
@@ -76,4 +76,4 @@ TEST(LawMap, ShrinksVolumesByTheRestitutionAndTheRatioWhereItSlides) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::law_map_test

@@ -8,7 +8,7 @@
 
 #include "random_contacts.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::law_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -215,4 +215,4 @@ TEST(Law, SlidesAtGrazingContactsEvenWithARoughness) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::law_test

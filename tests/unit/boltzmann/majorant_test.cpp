@@ -7,7 +7,7 @@
 
 #include "clca/boltzmann/scheme.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::majorant_test {
 namespace {
 
 constexpr Law kLaw = {.restitution = 0.5, .friction = 0.3, .roughness = 0};
@@ -98,4 +98,4 @@ TEST(MajorantScheme, CarriesTwoParticlesToo) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::majorant_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::observation_test {
 namespace {
 
 using ::testing::Each;
@@ -118,4 +118,4 @@ TEST(EnergyShares, OfNoSpinAreZero) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::observation_test

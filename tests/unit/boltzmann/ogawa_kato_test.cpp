@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::ogawa_kato_test {
 namespace {
 
 constexpr Law kPaper = {.restitution = 0.5, .friction = 0.3};
@@ -146,4 +146,4 @@ TEST(OgawaKato, RefusesStepsWithoutDurationAndParticlesWithoutPartners) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::ogawa_kato_test

@@ -9,7 +9,7 @@
 #include "clca/boltzmann/observation.hpp"
 #include "clca/boltzmann/scheme.hpp"
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::preconditions_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -66,4 +66,4 @@ TEST(Moments, AreOfAtLeastOneParticle) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::preconditions_test

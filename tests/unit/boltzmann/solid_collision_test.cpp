@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace clca::boltzmann {
+namespace clca::boltzmann::solid_collision_test {
 namespace {
 
 using Many = Eigen::Array<double, 4, 1>;
@@ -67,4 +67,4 @@ TEST(SolidCollision, GivesTheSameBitsForManyPairsAtOnce) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann
+}  // namespace clca::boltzmann::solid_collision_test

@@ -10,7 +10,7 @@
 #include "support/compared_runs.hpp"
 #include "support/runs.hpp"
 
-namespace clca::compare {
+namespace clca::compare::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -198,4 +198,4 @@ TEST_F(Compare, LeavesOutTheRotationOfSpheresThatDoNotSpin) {
 }
 
 }  // namespace
-}  // namespace clca::compare
+}  // namespace clca::compare::compare_test

@@ -13,7 +13,7 @@
 #include "contact/engine/batches.hpp"
 #include "touching_pairs.hpp"
 
-namespace clca::contact {
+namespace clca::contact::batch_test {
 namespace {
 
 constexpr std::size_t kGrains = 40;
@@ -185,4 +185,4 @@ TEST(Batches, HaveNothingInALaneThatIsEmptied) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::batch_test

@@ -8,7 +8,7 @@
 
 #include "contact/rule/normal_table.hpp"
 
-namespace clca::contact {
+namespace clca::contact::bodies_test {
 namespace {
 
 using lattice::Axial;
@@ -148,4 +148,4 @@ TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::bodies_test

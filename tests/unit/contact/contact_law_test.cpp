@@ -10,7 +10,7 @@
 
 #include "touching_pairs.hpp"
 
-namespace clca::contact {
+namespace clca::contact::contact_law_test {
 namespace {
 
 constexpr int kTrials = 3000;
@@ -265,4 +265,4 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::contact_law_test

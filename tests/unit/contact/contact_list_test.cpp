@@ -7,7 +7,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::contact_list_test {
 namespace {
 
 using testing::empty_state;
@@ -126,4 +126,4 @@ TEST(NextContacts, OfAPairThatHasTurnedOverKeepTheImpulseWithTheMomentReversed) 
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::contact_list_test

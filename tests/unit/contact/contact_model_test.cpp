@@ -11,7 +11,7 @@
 #include "contact/rule/bodies.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::contact_model_test {
 namespace {
 
 using lattice::Shape;
@@ -322,4 +322,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, ContactModelTest, ::testing::Bool(),
                          [](const auto& engine) { return engine.param ? "Reference" : "Fast"; });
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::contact_model_test

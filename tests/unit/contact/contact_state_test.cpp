@@ -11,7 +11,7 @@
 #include "clca/contact/contact_model.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::contact_state_test {
 namespace {
 
 using testing::empty_state;
@@ -195,4 +195,4 @@ TEST(TheHash, TellsOfEverythingThatARunChanges) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::contact_state_test

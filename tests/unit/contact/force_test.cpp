@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace clca::contact {
+namespace clca::contact::force_test {
 namespace {
 
 Force between(std::uint32_t upper, grains::Owner other, const Eigen::Vector2d& normal,
@@ -75,4 +75,4 @@ TEST(ForceSums, NoStepsHaveNoForces) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::force_test

@@ -13,7 +13,7 @@
 #include "contact/rule/remainders.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::moves_test {
 namespace {
 
 using lattice::Direction;
@@ -185,4 +185,4 @@ TEST(ARemainder, StaysInRange) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::moves_test

@@ -8,7 +8,7 @@
 #include "clca/contact/force.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::moving_walls_test {
 namespace {
 
 using grains::WallMotion;
@@ -205,4 +205,4 @@ TEST_P(MovingWalls, AreRefusedWhereTheyCannotBe) {
 INSTANTIATE_TEST_SUITE_P(Both, MovingWalls, ::testing::Bool());
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::moving_walls_test

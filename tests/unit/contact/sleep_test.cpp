@@ -9,7 +9,7 @@
 #include "clca/contact/contact_model.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::sleep_test {
 namespace {
 
 using lattice::Shape;
@@ -158,4 +158,4 @@ TEST(Sleep, ADeepBedIsTheSameByReferenceAndEngine) {
 }
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::sleep_test

@@ -13,7 +13,7 @@
 #include "contact/rule/acceleration.hpp"
 #include "support/states.hpp"
 
-namespace clca::contact {
+namespace clca::contact::vessel_test {
 namespace {
 
 using lattice::Direction;
@@ -213,4 +213,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, GrainsInAVessel, ::testing::Bool(),
                          [](const auto& engine) { return engine.param ? "Reference" : "Fast"; });
 
 }  // namespace
-}  // namespace clca::contact
+}  // namespace clca::contact::vessel_test

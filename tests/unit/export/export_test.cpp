@@ -13,7 +13,7 @@
 #include "support/runs.hpp"
 #include "support/states.hpp"
 
-namespace clca::exports {
+namespace clca::exports::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST(Gsd, BeginsWithTheNumberAndTheVersionsOfTheLayout) {
 }
 
 }  // namespace
-}  // namespace clca::exports
+}  // namespace clca::exports::export_test

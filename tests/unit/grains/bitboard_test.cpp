@@ -10,7 +10,7 @@
 
 #include "grains/internal/footprint.hpp"
 
-namespace clca::grains {
+namespace clca::grains::bitboard_test {
 namespace {
 
 using lattice::Site;
@@ -134,4 +134,4 @@ TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::bitboard_test

@@ -9,7 +9,7 @@
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 
-namespace clca::grains {
+namespace clca::grains::mixture_test {
 namespace {
 
 using automaton::Automaton;
@@ -89,4 +89,4 @@ TEST(Mixture, NeedsWeightsForEachSpeciesAndAPictureForSeveralParts) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::mixture_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace clca::grains {
+namespace clca::grains::motion_test {
 namespace {
 
 using Phase = Travel::Phase;
@@ -188,4 +188,4 @@ TEST(WallMotion, RangeIsWhatTheOffsetCanReach) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::motion_test

@@ -4,7 +4,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::grains {
+namespace clca::grains::outlet_test {
 namespace {
 
 using testing::particle_at;
@@ -37,4 +37,4 @@ TEST(CountAtOutlet, ChangesNothingForOneThatLiesPartlyOutsideOrIsGone) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::outlet_test

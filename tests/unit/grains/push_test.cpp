@@ -2,7 +2,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::grains {
+namespace clca::grains::push_test {
 namespace {
 
 TEST(FindPush, FindsThePushOfThatPairAndNoOther) {
@@ -19,4 +19,4 @@ TEST(FindPush, FindsThePushOfThatPairAndNoOther) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::push_test

@@ -9,7 +9,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::grains {
+namespace clca::grains::separation_test {
 namespace {
 
 using lattice::Axial;
@@ -160,4 +160,4 @@ TEST(NearestVector, IsThePlainOneInABoxWithSides) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::separation_test

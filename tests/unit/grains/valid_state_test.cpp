@@ -9,7 +9,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::grains {
+namespace clca::grains::valid_state_test {
 namespace {
 
 using testing::good_state;
@@ -91,4 +91,4 @@ TEST(AState, IsNotValidWithPushesBetweenNobody) {
 }
 
 }  // namespace
-}  // namespace clca::grains
+}  // namespace clca::grains::valid_state_test

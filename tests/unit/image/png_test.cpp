@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace clca::image {
+namespace clca::image::png_test {
 namespace {
 
 using testing::HasSubstr;
@@ -139,4 +139,4 @@ TEST(Png, SaysWhatIsNoPng) {
 }
 
 }  // namespace
-}  // namespace clca::image
+}  // namespace clca::image::png_test

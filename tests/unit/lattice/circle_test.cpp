@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace clca::lattice {
+namespace clca::lattice::circle_test {
 namespace {
 
 using Sites = std::set<Site>;
@@ -182,4 +182,4 @@ TEST(Circle, WhatIsNoCircleIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::lattice
+}  // namespace clca::lattice::circle_test

@@ -8,7 +8,7 @@
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 
-namespace clca::lattice {
+namespace clca::lattice::lattice_test {
 namespace {
 
 TEST(Direction, SixUnitStepsHaveLengthOneAndLieSixtyDegreesApart) {
@@ -215,4 +215,4 @@ TEST(Region, NearestSiteIsTheNearest) {
 }
 
 }  // namespace
-}  // namespace clca::lattice
+}  // namespace clca::lattice::lattice_test

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace clca::lattice {
+namespace clca::lattice::picture_test {
 namespace {
 
 const SweptRegion kBox(Lattice(10, 10, false));
@@ -36,4 +36,4 @@ TEST(Picture, NeedsPixels) {
 }
 
 }  // namespace
-}  // namespace clca::lattice
+}  // namespace clca::lattice::picture_test

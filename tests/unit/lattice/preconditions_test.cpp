@@ -8,7 +8,7 @@
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 
-namespace clca::lattice {
+namespace clca::lattice::preconditions_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -52,4 +52,4 @@ TEST(AShape, StaysWithinReach) {
 }
 
 }  // namespace
-}  // namespace clca::lattice
+}  // namespace clca::lattice::preconditions_test

@@ -10,7 +10,7 @@
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 
-namespace clca::lattice {
+namespace clca::lattice::reference_test {
 namespace {
 
 using Sites = std::set<Axial>;
@@ -208,4 +208,4 @@ TEST(Reference, ALongDiagonalTakesNoLongerThanItsSites) {
 }
 
 }  // namespace
-}  // namespace clca::lattice
+}  // namespace clca::lattice::reference_test

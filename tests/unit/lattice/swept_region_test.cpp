@@ -7,7 +7,7 @@
 
 #include "clca/lattice/region.hpp"
 
-namespace clca::lattice {
+namespace clca::lattice::swept_region_test {
 namespace {
 
 struct Way {
@@ -119,8 +119,8 @@ TEST(SweptRegion, HoldsTheSitesOfALineThatComeIn) {
 TEST(SweptRegion, OfAHighPlateIsNoHigherThanItsWay) {
   const Lattice lattice(100, 50, false);
   const SweptRegion swept_region(lattice, Direction::down, 0, 40);
-  EXPECT_EQ(sites_in(swept_region, {0, 0, 5, 1e6}).size(), 6U * 90U);
-  EXPECT_LT(sites_along(swept_region, {{5, 0}, {5, 1e6}, 1}).size(), 200U);
+  EXPECT_EQ(sites_in(swept_region, Rectangle{0, 0, 5, 1e6}).size(), 6U * 90U);
+  EXPECT_LT(sites_along(swept_region, Segment{{5, 0}, {5, 1e6}, 1}).size(), 200U);
 }
 
-}  // namespace clca::lattice
+}  // namespace clca::lattice::swept_region_test

@@ -11,7 +11,7 @@
 #include "grains/internal/separation.hpp"
 #include "pushed_states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::contacts_test {
 namespace {
 
 using grains::kFirstWall;
@@ -157,4 +157,4 @@ TEST(Contacts, DoNotDependOnTheOrderOfTheParticles) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::contacts_test

@@ -7,7 +7,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::convection_test {
 namespace {
 
 using grains::State;
@@ -150,4 +150,4 @@ TEST(Snapshot, AJourneyBeginsInTheBoxAndRunsOnAcrossTheSeam) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::convection_test

@@ -4,7 +4,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::field_grid_test {
 namespace {
 
 using grains::State;
@@ -159,4 +159,4 @@ TEST(Fields, ConserveParticlesAndMomentum) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::field_grid_test

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace clca::measure {
+namespace clca::measure::fluctuation_test {
 namespace {
 
 using Displacements = std::vector<Eigen::Vector2d>;
@@ -136,4 +136,4 @@ TEST(Fluctuations, OneThatMovesAmongRestingOnesIsAsFarOutAsCanBe) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::fluctuation_test

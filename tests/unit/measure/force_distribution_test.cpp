@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace clca::measure {
+namespace clca::measure::force_distribution_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -97,4 +97,4 @@ TEST(ForceAverage, CountsAnAbsentContactAsZero) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::force_distribution_test

@@ -6,7 +6,7 @@
 
 #include "pushed_states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::force_test {
 namespace {
 
 using grains::Occupancy;
@@ -145,4 +145,4 @@ TEST(Penetration, IsNoneForAWallOverNoBedOrOneThatMovesSideways) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::force_test

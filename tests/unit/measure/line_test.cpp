@@ -9,7 +9,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::line_test {
 namespace {
 
 using grains::State;
@@ -222,4 +222,4 @@ TEST(Line, RefusesWhatItCannotMeasure) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::line_test

@@ -9,7 +9,7 @@
 #include "clca/measure/profile.hpp"
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::measure_test {
 namespace {
 
 using grains::State;
@@ -244,4 +244,4 @@ TEST(Blocked, IsSaidOfEachOutlet) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::measure_test

@@ -14,7 +14,7 @@
 #include "clca/measure/profile.hpp"
 #include "pushed_states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::preconditions_test {
 namespace {
 
 using grains::Occupancy;
@@ -108,4 +108,4 @@ TEST(AnEmptyProfile, HasNoFlanks) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::preconditions_test

@@ -8,7 +8,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::probe_test {
 namespace {
 
 using grains::State;
@@ -87,4 +87,4 @@ TEST(DownwardFlow, FollowsAParticleAcrossThePeriodicBoundary) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::probe_test

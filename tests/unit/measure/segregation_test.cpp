@@ -8,7 +8,7 @@
 
 #include "support/states.hpp"
 
-namespace clca::measure {
+namespace clca::measure::segregation_test {
 namespace {
 
 using grains::State;
@@ -151,4 +151,4 @@ TEST(Intruder, IsNoneInABedNoDeeperThanItself) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::segregation_test

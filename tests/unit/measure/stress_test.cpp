@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace clca::measure {
+namespace clca::measure::stress_test {
 namespace {
 
 /// A hexagon of radius 1 on the floor, and one that stands on it.
@@ -64,4 +64,4 @@ TEST(StressField, WithoutForcesThereIsNone) {
 }
 
 }  // namespace
-}  // namespace clca::measure
+}  // namespace clca::measure::stress_test

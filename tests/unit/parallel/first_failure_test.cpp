@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace clca::parallel {
+namespace clca::parallel::first_failure_test {
 namespace {
 
 TEST(FirstFailure, OfOneThreadReachesTheCallerAfterAllHavePassedTheirBarriers) {
@@ -52,4 +52,4 @@ TEST(FirstFailure, ThatDidNotComeThrowsNothing) {
 }
 
 }  // namespace
-}  // namespace clca::parallel
+}  // namespace clca::parallel::first_failure_test

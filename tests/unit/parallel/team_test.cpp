@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-namespace clca::parallel {
+namespace clca::parallel::team_test {
 namespace {
 
 TEST(StartTeam, GivesAsManyThreadsAsAreWantedWhereTheyCanBeHad) {
@@ -37,4 +37,4 @@ TEST(StartTeam, RefusesANumberThatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace clca::parallel
+}  // namespace clca::parallel::team_test

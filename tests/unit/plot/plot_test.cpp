@@ -13,7 +13,7 @@
 #include "plot/gnuplot.hpp"
 #include "support/runs.hpp"
 
-namespace clca::plot {
+namespace clca::plot::plot_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -265,4 +265,4 @@ TEST(Literal, MeansNothingButItself) {
 }
 
 }  // namespace
-}  // namespace clca::plot
+}  // namespace clca::plot::plot_test

@@ -14,7 +14,7 @@
 
 #include "support/sanitizers.hpp"
 
-namespace clca::process {
+namespace clca::process::child_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -181,4 +181,4 @@ TEST(Child, WhereThereAreNoFilesLeftThatIsSaid) {
 }
 
 }  // namespace
-}  // namespace clca::process
+}  // namespace clca::process::child_test

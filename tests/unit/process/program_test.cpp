@@ -17,7 +17,7 @@
 
 #include "support/runs.hpp"
 
-namespace clca::process {
+namespace clca::process::program_test {
 namespace {
 
 std::string text(const OutputCapture& transcript) {
@@ -154,4 +154,4 @@ TEST(ProgramTest, IsFoundOnThePathOnly) {
 }
 
 }  // namespace
-}  // namespace clca::process
+}  // namespace clca::process::program_test

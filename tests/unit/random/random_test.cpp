@@ -7,7 +7,7 @@
 
 #include "clca/random/draw.hpp"
 
-namespace clca::random {
+namespace clca::random::random_test {
 namespace {
 
 TEST(Draw, MatchesTheKnownAnswerOfPhilox) {
@@ -68,4 +68,4 @@ TEST(Probability, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace clca::random
+}  // namespace clca::random::random_test

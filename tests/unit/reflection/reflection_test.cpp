@@ -8,7 +8,7 @@
 #include "clca/reflection/columns.hpp"
 #include "clca/reflection/hash.hpp"
 
-namespace clca::reflection {
+namespace clca::reflection::reflection_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -170,4 +170,4 @@ TEST(Fields, OfAGasAreItsWholeState) {
 }
 
 }  // namespace
-}  // namespace clca::reflection
+}  // namespace clca::reflection::reflection_test

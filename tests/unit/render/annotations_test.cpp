@@ -10,10 +10,10 @@
 #include "render/legend_lines.hpp"
 #include "support/missing.hpp"
 
-namespace clca::render {
+namespace clca::render::annotations_test {
 namespace {
 
-class Annotations : public testing::Test {
+class Annotations : public ::testing::Test {
  protected:
   void SetUp() override {
     if (const std::string problem = font_problem(); !problem.empty()) {
@@ -278,4 +278,4 @@ TEST(CommonLegend, HasFurtherLinesOfOneAndNoneWhereLinesDiffer) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::annotations_test

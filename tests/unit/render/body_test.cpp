@@ -9,7 +9,7 @@
 
 #include "render/mesh.hpp"
 
-namespace clca::render {
+namespace clca::render::body_test {
 namespace {
 
 using lattice::Axial;
@@ -183,4 +183,4 @@ TEST(Mesh, HoldsTheBodyInItsBox) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::body_test

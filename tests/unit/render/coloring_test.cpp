@@ -8,7 +8,7 @@
 #include "clca/render/body.hpp"
 #include "packed_state.hpp"
 
-namespace clca::render {
+namespace clca::render::coloring_test {
 namespace {
 
 int distance(Rgb a, Rgb b) {
@@ -257,4 +257,4 @@ TEST(Coloring, ByIdKeepsNeighbouringIdsApartEvenWhereColorsBeginAgain) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::coloring_test

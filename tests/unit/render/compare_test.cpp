@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace clca::render {
+namespace clca::render::compare_test {
 namespace {
 
 TEST(Compare, FindsNothingBetweenEqualPictures) {
@@ -43,4 +43,4 @@ TEST(Compare, RefusesPicturesOfOtherSizes) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::compare_test

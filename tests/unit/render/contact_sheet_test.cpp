@@ -8,7 +8,7 @@
 #include "clca/render/painter.hpp"
 #include "support/missing.hpp"
 
-namespace clca::render {
+namespace clca::render::contact_sheet_test {
 namespace {
 
 constexpr Rgb kWhite = {255, 255, 255};
@@ -150,4 +150,4 @@ TEST(ContactSheet, RefusesSizesThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::contact_sheet_test

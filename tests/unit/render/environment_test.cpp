@@ -7,10 +7,10 @@
 
 #include "packed_state.hpp"
 
-namespace clca::render {
+namespace clca::render::environment_test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(Environment, AllowsTheDriversThatWork) {
   for (const char* driver : {static_cast<const char*>(nullptr), "", "llvmpipe", "softpipe"}) {
@@ -40,4 +40,4 @@ TEST(EnvironmentDeathTest, AnUnknownDriverIsAnErrorAndNoCrash) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::environment_test

@@ -13,7 +13,7 @@
 #include "render/layout.hpp"
 #include "support/missing.hpp"
 
-namespace clca::render {
+namespace clca::render::graphics_test {
 namespace {
 
 constexpr Rgb kWhite = {255, 255, 255};
@@ -260,4 +260,4 @@ TEST(Overlay, StaysInsideThePanel) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::graphics_test

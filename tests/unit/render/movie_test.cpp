@@ -13,7 +13,7 @@
 #include "support/missing.hpp"
 #include "support/runs.hpp"
 
-namespace clca::render {
+namespace clca::render::movie_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(MovieFormatTest, FollowsTheEnding) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::movie_test

@@ -9,7 +9,7 @@
 #include "render/colors.hpp"
 #include "render/wall_appearance.hpp"
 
-namespace clca::render {
+namespace clca::render::moving_wall_test {
 namespace {
 
 constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
@@ -232,4 +232,4 @@ TEST(Painter, DrawsAWallInAParticleBothWays) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::moving_wall_test

@@ -11,7 +11,7 @@
 #include "render/annotations.hpp"
 #include "support/missing.hpp"
 
-namespace clca::render {
+namespace clca::render::overlays_test {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -91,7 +91,7 @@ TEST(ArrowField, CutsArrowsThatAreTooLongAndSaysSoByTheirColour) {
   EXPECT_EQ(key.length, 0);  // tells nothing
 }
 
-class LegendLine : public testing::Test {
+class LegendLine : public ::testing::Test {
  protected:
   void SetUp() override {
     if (const std::string problem = font_problem(); !problem.empty()) {
@@ -179,4 +179,4 @@ TEST_F(LegendLine, FadesPatchesAsThePictureDoes) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::overlays_test

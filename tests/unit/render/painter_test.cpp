@@ -11,11 +11,11 @@
 #include "clca/render/compare.hpp"
 #include "packed_state.hpp"
 
-namespace clca::render {
+namespace clca::render::painter_test {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 constexpr Rgb kWhite = {255, 255, 255};
 constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
@@ -248,4 +248,4 @@ TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::painter_test

@@ -5,7 +5,7 @@
 #include "clca/render/compare.hpp"
 #include "packed_state.hpp"
 
-namespace clca::render {
+namespace clca::render::same_picture_test {
 namespace {
 
 constexpr int kWidth = 640;
@@ -19,7 +19,7 @@ void expect_same(const grains::State& state, int samples, const lattice::Rectang
   const Image lookup = picture(state, Drawing::lookup, kWidth, kHeight, samples, view);
   const Difference difference = compare(polygons, lookup, kTolerance);
   EXPECT_LE(difference.pixels, kMaxPixels);
-  testing::Test::RecordProperty("pixels", static_cast<int>(difference.pixels));
+  ::testing::Test::RecordProperty("pixels", static_cast<int>(difference.pixels));
 }
 
 TEST(Painter, DrawsTheSamePictureBothWays) {
@@ -74,4 +74,4 @@ TEST(Painter, ShowsACrossingParticleAtBothEndsOfAPeriodicBox) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::same_picture_test

@@ -11,7 +11,7 @@
 #include "render/framing.hpp"
 #include "render/wall_appearance.hpp"
 
-namespace clca::render {
+namespace clca::render::site_lookup_test {
 namespace {
 
 using grains::Owner;
@@ -205,4 +205,4 @@ TEST(GridPool, GivesAGridToOneAtATimeAndTakesItBack) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::site_lookup_test

@@ -9,7 +9,7 @@
 #include "render/colors.hpp"
 #include "support/missing.hpp"
 
-namespace clca::render {
+namespace clca::render::space_time_test {
 namespace {
 
 /// A line of two places.
@@ -135,4 +135,4 @@ TEST(TimePicture, HasAPanelAtAnySize) {
 }
 
 }  // namespace
-}  // namespace clca::render
+}  // namespace clca::render::space_time_test

@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 #include "unit/report/markup.hpp"
 
-namespace clca::report {
+namespace clca::report::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -308,4 +308,4 @@ TEST_F(Report, ThatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace clca::report
+}  // namespace clca::report::report_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-namespace clca::report {
+namespace clca::report::text_test {
 namespace {
 
 std::string base64_of(std::string_view text) {
@@ -57,4 +57,4 @@ TEST(Numbers, OfOneRowShareTheirDecimals) {
 }
 
 }  // namespace
-}  // namespace clca::report
+}  // namespace clca::report::text_test

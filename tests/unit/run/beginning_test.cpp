@@ -6,7 +6,7 @@
 #include "clca/run/setup.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::beginning_test {
 namespace {
 
 scene::Scene rain(const std::string& counts, const std::string& frames) {
@@ -48,4 +48,4 @@ TEST(ABeginning, IsRefusedAsTheRunIs) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::beginning_test

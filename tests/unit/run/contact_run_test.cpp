@@ -19,7 +19,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::contact_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -454,4 +454,4 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::contact_run_test

@@ -17,7 +17,7 @@
 #include "support/runs.hpp"
 #include "support/thread_ranks.hpp"
 
-namespace clca::run {
+namespace clca::run::gas_resume_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -435,4 +435,4 @@ TEST_F(GasResumeTest, AnyColumnThatIsMissingOrOfOtherNumbersIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::gas_resume_test

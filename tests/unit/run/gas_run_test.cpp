@@ -17,7 +17,7 @@
 #include "clca/store/table.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::gas_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -306,4 +306,4 @@ TEST_F(GasRunTest, WarnsOfLongStepsOfThePrintedSchemeOnly) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::gas_run_test

@@ -13,7 +13,7 @@
 #include "clca/run/setup.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::other_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -228,4 +228,4 @@ TEST_F(OtherRunTest, DoesNotReplaceTheRunThatItBeginsWith) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::other_run_test

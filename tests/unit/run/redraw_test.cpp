@@ -19,7 +19,7 @@
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
 
-namespace clca::run {
+namespace clca::run::redraw_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -446,4 +446,4 @@ TEST(FrameChoiceTest, SomeOfManyLieEvenlyWithBothEnds) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::redraw_test

@@ -11,7 +11,7 @@
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::resume_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -352,4 +352,4 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::resume_test

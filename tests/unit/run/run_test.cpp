@@ -17,7 +17,7 @@
 #include "clca/store/table.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -292,4 +292,4 @@ TEST(Run, AFolderThatCannotBeWrittenIsAnErrorWithItsPath) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::run_test

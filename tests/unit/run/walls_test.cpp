@@ -10,7 +10,7 @@
 #include "clca/run/run.hpp"
 #include "support/runs.hpp"
 
-namespace clca::run {
+namespace clca::run::walls_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -201,4 +201,4 @@ TEST(WallsInRuns, ASceneWithoutThemHasNoneOfTheirMeasures) {
 }
 
 }  // namespace
-}  // namespace clca::run
+}  // namespace clca::run::walls_test

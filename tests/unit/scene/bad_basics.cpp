@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadBasics = std::to_array<BadScene>({
     {"a let that is no map", "let: 3", "scene.yaml:13:6: error: let: expected a map, found '3'"},
     {"a let of text", "let: {a: wide}",
      "scene.yaml:13:10: error: let.a: expected a number or an expression like '=2*a', found "
@@ -272,7 +272,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_basics() {
-  return kScenes;
+  return kBadBasics;
 }
 
 }  // namespace clca::scene::testing

@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadContacts = std::to_array<BadScene>({
     {"a time step of a stage", "stages: [{name: first, contact: {resolution: 0.1}}]",
      "scene.yaml:10:34: error: unknown key 'resolution' in stages.first.contact (allowed: "
      "friction, "
@@ -257,7 +257,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_contacts() {
-  return kScenes;
+  return kBadContacts;
 }
 
 }  // namespace clca::scene::testing

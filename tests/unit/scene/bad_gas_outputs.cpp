@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadGasOutputs = std::to_array<BadScene>({
     {"pictures of a gas", "output: {frames: {}}",
      "scene.yaml:5:10: error: unknown key 'frames' in output (allowed: series, histograms, bins, "
      "checkpoint)"},
@@ -96,7 +96,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_gas_outputs() {
-  return kScenes;
+  return kBadGasOutputs;
 }
 
 }  // namespace clca::scene::testing

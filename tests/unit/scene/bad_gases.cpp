@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadGases = std::to_array<BadScene>({
     {"no particles", "boltzmann: {restitution: 0.5, friction: 0.3, particles: 0}",
      "scene.yaml:4:57: error: boltzmann.particles: expected a whole number from 2 to 100000000, "
      "found '0'"},
@@ -146,7 +146,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_gases() {
-  return kScenes;
+  return kBadGases;
 }
 
 }  // namespace clca::scene::testing

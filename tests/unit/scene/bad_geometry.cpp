@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadGeometry = std::to_array<BadScene>({
     {"a wall of three numbers", "walls: {right: {box: [50, 0, 51]}}",
      "scene.yaml:7:22: error: walls.right.box: expected 4 items, found 3"},
     {"a wall outside the box", "walls: {right: {box: [150, 0, 151, 50]}}",
@@ -217,7 +217,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_geometry() {
-  return kScenes;
+  return kBadGeometry;
 }
 
 }  // namespace clca::scene::testing

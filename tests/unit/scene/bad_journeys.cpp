@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadJourneys = std::to_array<BadScene>({
     {"a motion that no stage uses",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}}}",
      "scene.yaml:7:9: error: walls.plate is not used; name it under move in a stage",
@@ -175,7 +175,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_journeys() {
-  return kScenes;
+  return kBadJourneys;
 }
 
 }  // namespace clca::scene::testing

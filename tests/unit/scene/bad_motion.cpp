@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadMotion = std::to_array<BadScene>({
     {"a wall of no parts", "walls: {tray: {parts: []}}",
      "scene.yaml:7:23: error: walls.tray.parts: expected 1 to 1000 items, found 0"},
     {"a wall of parts and a box",
@@ -196,7 +196,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_motion() {
-  return kScenes;
+  return kBadMotion;
 }
 
 }  // namespace clca::scene::testing

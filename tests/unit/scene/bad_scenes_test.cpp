@@ -7,7 +7,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
 
-namespace clca::scene::testing {
+namespace clca::scene::testing::bad_scenes_test {
 
 namespace {
 
@@ -37,4 +37,4 @@ TEST(BadScenes, AreRefusedInOneLineThatNamesThePlaceAndWhatIsAllowed) {
   }
 }
 
-}  // namespace clca::scene::testing
+}  // namespace clca::scene::testing::bad_scenes_test

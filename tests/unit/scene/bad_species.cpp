@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadSpecies = std::to_array<BadScene>({
     {"no species", "species: {}", "scene.yaml:5:10: error: species: expected at least one"},
     {"a list of species", "species: [small, large]",
      "scene.yaml:5:10: error: species: expected a map, found a list"},
@@ -149,7 +149,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_species() {
-  return kScenes;
+  return kBadSpecies;
 }
 
 }  // namespace clca::scene::testing

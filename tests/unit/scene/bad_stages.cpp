@@ -8,7 +8,7 @@ namespace clca::scene::testing {
 
 namespace {
 
-constexpr auto kScenes = std::to_array<BadScene>({
+constexpr auto kBadStages = std::to_array<BadScene>({
     {"a rule of a stage that is out of range", "stages: [{name: first, rules: {inertia: 2}}]",
      "scene.yaml:10:41: error: stages.first.rules.inertia: expected a number from 0 to 1, found "
      "'2'"},
@@ -181,7 +181,7 @@ constexpr auto kScenes = std::to_array<BadScene>({
 }  // namespace
 
 std::span<const BadScene> bad_stages() {
-  return kScenes;
+  return kBadStages;
 }
 
 }  // namespace clca::scene::testing

@@ -6,7 +6,7 @@
 
 #include "clca/scene/parse.hpp"
 
-namespace clca::scene {
+namespace clca::scene::bad_texts_test {
 
 namespace {
 
@@ -185,4 +185,4 @@ TEST(BadTexts, AreNamedWithoutControlCharacters) {
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::bad_texts_test

@@ -13,7 +13,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
-namespace clca::scene {
+namespace clca::scene::boltzmann_test {
 
 namespace {
 
@@ -212,4 +212,4 @@ TEST(BytesOf, GrowWithTheTables) {
             least + 9900 * 20 * 8.0);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::boltzmann_test

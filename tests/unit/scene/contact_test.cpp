@@ -10,7 +10,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
-namespace clca::scene {
+namespace clca::scene::contact_test {
 
 namespace {
 
@@ -233,4 +233,4 @@ TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {
             size({picture}).bytes + 2 * window);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::contact_test

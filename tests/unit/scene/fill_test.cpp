@@ -11,7 +11,7 @@
 #include "clca/scene/resolve.hpp"
 #include "support/runs.hpp"
 
-namespace clca::scene {
+namespace clca::scene::fill_test {
 namespace {
 
 Scene scene_with_fill(const std::string& fill, const std::string& file = "scene.yaml") {
@@ -65,4 +65,4 @@ TEST(Fill, OfAMixCountsInTheEstimateOfMemory) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::fill_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace clca::scene {
+namespace clca::scene::format_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -109,4 +109,4 @@ TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::format_test

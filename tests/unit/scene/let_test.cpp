@@ -8,7 +8,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
-namespace clca::scene {
+namespace clca::scene::let_test {
 
 namespace {
 
@@ -59,4 +59,4 @@ TEST(Let, AGasHasItToo) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::let_test

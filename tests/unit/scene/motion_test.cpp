@@ -10,7 +10,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 
-namespace clca::scene {
+namespace clca::scene::motion_test {
 
 namespace {
 
@@ -171,4 +171,4 @@ TEST(ParseMotion, ScenesDifferWhenAMotionDiffers) {
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::motion_test

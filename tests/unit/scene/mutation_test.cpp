@@ -9,7 +9,7 @@
 #include "bad_scenes.hpp"
 #include "support/any_text.hpp"
 
-namespace clca::scene {
+namespace clca::scene::mutation_test {
 
 namespace {
 
@@ -128,4 +128,4 @@ TEST(DamagedScene, WithAPieceMovedIsASceneOrOneLine) {
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::mutation_test

@@ -7,7 +7,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
 
-namespace clca::scene {
+namespace clca::scene::override_test {
 
 namespace {
 
@@ -143,4 +143,4 @@ TEST(Override, WithAnErrorNamesItself) {
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::override_test

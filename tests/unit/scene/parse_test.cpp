@@ -9,7 +9,7 @@
 
 #include "bad_scenes.hpp"
 
-namespace clca::scene {
+namespace clca::scene::parse_test {
 
 namespace {
 
@@ -279,4 +279,4 @@ TEST(ParseFile, ReadsWhatParseReads) {
   std::filesystem::remove(file);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::parse_test

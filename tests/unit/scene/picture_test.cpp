@@ -12,7 +12,7 @@
 #include "clca/scene/resolve.hpp"
 #include "support/runs.hpp"
 
-namespace clca::scene {
+namespace clca::scene::picture_test {
 namespace {
 
 using ::testing::AllOf;
@@ -80,4 +80,4 @@ TEST_F(PictureTest, WhatIsNoPictureIsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::picture_test

@@ -8,7 +8,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
 
-namespace clca::scene {
+namespace clca::scene::resolve_test {
 
 namespace {
 
@@ -189,4 +189,4 @@ TEST(SizeOf, HoldsForTheLargestBox) {
   EXPECT_GT(size.bytes, 4e12);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::resolve_test

@@ -5,7 +5,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
 
-namespace clca::scene {
+namespace clca::scene::room_test {
 namespace {
 
 /// `changes`: lines that come after the species.
@@ -112,4 +112,4 @@ TEST(AWallThatMoves, StandsInNoOtherAtTheStart) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::room_test

@@ -20,7 +20,7 @@
 #include "clca/scene/resolve.hpp"
 #include "scene/document.hpp"
 
-namespace clca::scene {
+namespace clca::scene::schema_test {
 
 namespace {
 
@@ -172,4 +172,4 @@ TEST(Schema, IsThatOfTheDeclarations) {
       << "call scripts/update-format";
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::schema_test

@@ -13,7 +13,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
-namespace clca::scene {
+namespace clca::scene::sizes_test {
 namespace {
 
 lattice::Shape shape_of(const SizeClass& one) {
@@ -160,4 +160,4 @@ TEST(Sizes, DivideWeightsOfMixesPicturesAndSources) {
 }
 
 }  // namespace
-}  // namespace clca::scene
+}  // namespace clca::scene::sizes_test

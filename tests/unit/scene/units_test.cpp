@@ -16,7 +16,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
-namespace clca::scene {
+namespace clca::scene::units_test {
 
 namespace {
 
@@ -155,4 +155,4 @@ TEST(UntilTime, RaisesTheBoundOnSteps) {
   EXPECT_EQ(scene.stages[0].max_steps, *steps_of(scene.stages[0].until));
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::units_test

@@ -12,7 +12,7 @@
 #include "clca/scene/resolve.hpp"
 #include "scene/swept_sites.hpp"
 
-namespace clca::scene {
+namespace clca::scene::walls_test {
 
 namespace {
 
@@ -220,4 +220,4 @@ TEST(SizeOf, IsNeverBelowTheSitesOfAWallThatMoves) {
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::scene::walls_test

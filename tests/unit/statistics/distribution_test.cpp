@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace clca::statistics {
+namespace clca::statistics::distribution_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -169,4 +169,4 @@ TEST(Distributions, AreComparedBinByBin) {
 }
 
 }  // namespace
-}  // namespace clca::statistics
+}  // namespace clca::statistics::distribution_test

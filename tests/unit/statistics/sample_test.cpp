@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clca::statistics {
+namespace clca::statistics::sample_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -59,4 +59,4 @@ TEST(ShareInterval, IsThatOfWilson) {
 }
 
 }  // namespace
-}  // namespace clca::statistics
+}  // namespace clca::statistics::sample_test

@@ -10,7 +10,7 @@
 #include "store/checksum_header.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store {
+namespace clca::store::checkpoint_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -164,4 +164,4 @@ TEST(Checkpoint, DataOfAnotherLengthIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::checkpoint_test

@@ -10,7 +10,7 @@
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store {
+namespace clca::store::hdf5_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -187,4 +187,4 @@ TEST_F(Hdf5FileTest, OtherReadersOfHdf5OpenIt) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::hdf5_file_test

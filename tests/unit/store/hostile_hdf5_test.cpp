@@ -10,7 +10,7 @@
 #include "support/runs.hpp"
 #include "support/sanitizers.hpp"
 
-namespace clca::store {
+namespace clca::store::hostile_hdf5_test {
 namespace {
 
 using hdf5::Handle;
@@ -210,4 +210,4 @@ TEST_F(HostileHdf5, AChunkThatInflatesWithoutEndIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::hostile_hdf5_test

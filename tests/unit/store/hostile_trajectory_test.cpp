@@ -15,7 +15,7 @@
 #include "support/states.hpp"
 #include "support/trajectories.hpp"
 
-namespace clca::store {
+namespace clca::store::hostile_trajectory_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -271,4 +271,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::hostile_trajectory_test

@@ -19,7 +19,7 @@
 #include "clca/store/growing_file.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store {
+namespace clca::store::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -365,4 +365,4 @@ TEST_F(OutputFolderTest, WhereAFolderIsRemovedMeanwhileOneLineSaysSo) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::output_folder_test

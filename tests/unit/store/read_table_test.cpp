@@ -7,7 +7,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
 
-namespace clca::store {
+namespace clca::store::read_table_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -74,4 +74,4 @@ TEST_F(ReadTableTest, TextWhereANumberShouldStandIsAnErrorWithItsLine) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::read_table_test

@@ -11,7 +11,7 @@
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store {
+namespace clca::store::run_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST_F(RunFolderTest, SaysWhyAFolderCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::run_folder_test

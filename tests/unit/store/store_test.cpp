@@ -12,7 +12,7 @@
 #include "clca/store/table.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store {
+namespace clca::store::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -219,4 +219,4 @@ TEST_F(ReadSummary, NamesThatLeadOutOfTheFolderAreRefused) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::store_test

@@ -15,7 +15,7 @@
 #include "support/states.hpp"
 #include "support/trajectories.hpp"
 
-namespace clca::store {
+namespace clca::store::trajectory_python_test {
 namespace {
 
 /// What a command writes; "failed" after it where it ends with an error.
@@ -168,4 +168,4 @@ TEST_F(TrajectoryInPython, APartThatIsNotThereIsNotTakenForValues) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::trajectory_python_test

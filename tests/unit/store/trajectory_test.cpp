@@ -12,7 +12,7 @@
 #include "support/runs.hpp"
 #include "support/trajectories.hpp"
 
-namespace clca::store {
+namespace clca::store::trajectory_test {
 namespace {
 
 using ::testing::AnyOf;
@@ -280,4 +280,4 @@ TEST_F(TrajectoryTest, ATrajectoryOfAnotherSceneIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::store
+}  // namespace clca::store::trajectory_test

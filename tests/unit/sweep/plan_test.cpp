@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace clca::sweep {
+namespace clca::sweep::plan_test {
 namespace {
 
 using ::testing::AllOf;
@@ -108,4 +108,4 @@ TEST(Plan, MoreRunsThanASweepMayHaveAreRefusedBeforeTheyAreMade) {
 }
 
 }  // namespace
-}  // namespace clca::sweep
+}  // namespace clca::sweep::plan_test

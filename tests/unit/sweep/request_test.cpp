@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace clca::sweep {
+namespace clca::sweep::request_test {
 namespace {
 
 using ::testing::AllOf;
@@ -136,4 +136,4 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::sweep
+}  // namespace clca::sweep::request_test

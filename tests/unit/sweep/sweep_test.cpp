@@ -15,7 +15,7 @@
 #include "support/runs.hpp"
 #include "support/thread_ranks.hpp"
 
-namespace clca::sweep {
+namespace clca::sweep::sweep_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -418,4 +418,4 @@ TEST_F(SweepTest, EightRunsAtOnceDoNotDisturbEachOther) {
 }
 
 }  // namespace
-}  // namespace clca::sweep
+}  // namespace clca::sweep::sweep_test

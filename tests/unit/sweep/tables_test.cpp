@@ -5,7 +5,7 @@
 
 #include "sweep/overview.hpp"
 
-namespace clca::sweep {
+namespace clca::sweep::tables_test {
 namespace {
 
 Plan bare_plan(std::size_t variants, std::uint64_t seeds) {
@@ -82,4 +82,4 @@ TEST(Overview, ShowsTheFirstSeedsOfEachCombinationUpToABound) {
 }
 
 }  // namespace
-}  // namespace clca::sweep
+}  // namespace clca::sweep::tables_test

@@ -13,7 +13,7 @@
 #include "support/thread_ranks.hpp"
 #include "tasks/messages.hpp"
 
-namespace clca::tasks {
+namespace clca::tasks::pool_test {
 namespace {
 
 using ::testing::AllOf;
@@ -374,4 +374,4 @@ TEST_F(PoolTest, OfTheRanksThatAreLeftTheFirstSaysThatTheLeaderIsLost) {
 }
 
 }  // namespace
-}  // namespace clca::tasks
+}  // namespace clca::tasks::pool_test

@@ -10,7 +10,7 @@
 
 #include "support/runs.hpp"
 
-namespace clca::tasks {
+namespace clca::tasks::presence_test {
 namespace {
 
 TEST(Presence, IsSeenByOthersAsLongAsItLasts) {
@@ -51,4 +51,4 @@ TEST(Presence, OnlyTheFirstRankMakesTheFile) {
 }
 
 }  // namespace
-}  // namespace clca::tasks
+}  // namespace clca::tasks::presence_test

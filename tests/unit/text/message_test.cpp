@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace clca::text {
+namespace clca::text::message_test {
 
 namespace {
 
@@ -57,4 +57,4 @@ TEST(Listed, CutsLongLists) {
   EXPECT_TRUE(listed(many).ends_with("a, ..."));
 }
 
-}  // namespace clca::text
+}  // namespace clca::text::message_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace clca::text {
+namespace clca::text::name_test {
 namespace {
 
 TEST(FileName, IsOneComponentOfAPathThatEndingsFitBehind) {
@@ -26,4 +26,4 @@ TEST(FileName, LeadsNowhereElse) {
 }
 
 }  // namespace
-}  // namespace clca::text
+}  // namespace clca::text::name_test

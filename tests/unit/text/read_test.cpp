@@ -9,7 +9,7 @@
 
 #include "support/runs.hpp"
 
-namespace clca::text {
+namespace clca::text::read_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_F(ReadFile, TheReasonIsThatOfTheSystem) {
 }
 
 }  // namespace
-}  // namespace clca::text
+}  // namespace clca::text::read_test

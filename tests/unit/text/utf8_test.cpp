@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace clca::text {
+namespace clca::text::utf8_test {
 namespace {
 
 TEST(Utf8, ComesBackFromCodePoints) {
@@ -30,4 +30,4 @@ TEST(CharacterLength, RefusesWhatIsNotUtf8) {
 }
 
 }  // namespace
-}  // namespace clca::text
+}  // namespace clca::text::utf8_test
