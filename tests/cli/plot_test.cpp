@@ -171,7 +171,8 @@ TEST_F(PlotCommandTest, NamesOfFoldersAndScenesMayHoldAnySign) {
 
 TEST_F(PlotCommandTest, WithoutGnuplotItSaysWhatToInstall) {
   write_gas(folder_.path() / "gas", "gas");
-  for (const char* path : {"", "/nonexistent", "."}) {
+  const std::string missing = folder_.path() / "missing";
+  for (const std::string& path : {std::string(), missing, std::string(".")}) {
     expect_refused(plot({"gas"}, {.environment = {{"PATH", path}}}), 1,
                    StartsWith("clca: error: gnuplot not found; install gnuplot-nox"));
   }
