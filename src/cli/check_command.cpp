@@ -6,6 +6,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
@@ -44,14 +45,14 @@ void print(const scene::BoltzmannScene& scene) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& code) {
-  CLI::App* command =
-      app.add_subcommand("check", "Read a scene, print it with all defaults, sizes and memory");
+void add_check_command(CommandLine& command_line) {
+  Command command =
+      command_line.command("check", "Read a scene, print it with all defaults, sizes and memory");
   auto options = std::make_shared<SceneOptions>();
-  add_scene_options(*command, *options);
-  command->callback([options, &code] {
+  add_scene_options(command, *options);
+  command.action([options] {
     std::visit([](const auto& scene) { print(scene); }, load_any_scene(*options));
-    code = static_cast<int>(ExitCode::done);
+    return static_cast<int>(ExitCode::done);
   });
 }
 

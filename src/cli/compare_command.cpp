@@ -1,13 +1,14 @@
 // clca compare: compares an automaton run with a Boltzmann run.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "clca/compare/compare.hpp"
 #include "clca/plot/plot.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/text/message.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -46,25 +47,27 @@ void compare_runs(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_compare_command(CommandLine& command_line) {
+  Command command = command_line.command(
       "compare",
       "Energies of an automaton run beside those of a Boltzmann run, as tables and a figure");
   auto options = std::make_shared<CompareOptions>();
-  command->add_option("AUTOMATON", options->automaton, "Folder of a run with output.fields")
-      ->required();
-  command->add_option("BOLTZMANN", options->boltzmann, "Folder of a run with output.histograms")
-      ->required();
-  command->add_option("-o,--output", options->folder, "Folder to write to")->capture_default_str();
-  command->add_option("--stage", options->choice.stage,
-                      "Stage of the automaton [the last with a fluctuation table]");
-  command->add_option("--time", options->choice.time, "Time of the histogram [the latest]")
-      ->check(finite_number());
+  command.option("AUTOMATON", &options->automaton, "Folder of a run with output.fields").required();
+  command.option("BOLTZMANN", &options->boltzmann, "Folder of a run with output.histograms")
+      .required();
+  command.option("-o,--output", &options->folder, "Folder to write to").show_default();
+  command.option("--stage", &options->choice.stage,
+                 "Stage of the automaton [the last with a fluctuation table]");
+  command.option("--time", &options->choice.time, "Time of the histogram [the latest]")
+      .values(finite_number());
   command
-      ->add_option("--restitution", options->choice.restitution,
-                   "Restitution to choose if the Boltzmann run has several")
-      ->check(finite_number());
-  command->callback([options] { compare_runs(*options); });
+      .option("--restitution", &options->choice.restitution,
+              "Restitution to choose if the Boltzmann run has several")
+      .values(finite_number());
+  command.action([options] {
+    compare_runs(*options);
+    return static_cast<int>(ExitCode::done);
+  });
 }
 
 }  // namespace clca::cli

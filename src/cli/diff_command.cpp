@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 
 #include "clca/image/png.hpp"
 #include "clca/render/compare.hpp"
 #include "clca/store/file.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/input.hpp"
@@ -24,7 +24,7 @@ struct DiffOptions {
   std::string second;
   std::string out;
   int tolerance = 0;
-  std::size_t pixels = 0;
+  std::uint64_t pixels = 0;
 };
 
 render::Image read_picture(const std::string& file) {
@@ -60,22 +60,22 @@ ExitCode diff(const DiffOptions& options) {
 
 }  // namespace
 
-void add_diff_command(CLI::App& app, int& code) {
-  CLI::App* command = app.add_subcommand(
+void add_diff_command(CommandLine& command_line) {
+  Command command = command_line.command(
       "diff", "Compare two pictures; exit code 0 when they are alike, 1 when they differ");
   auto options = std::make_shared<DiffOptions>();
-  command->add_option("A", options->first, "First PNG file")->required();
-  command->add_option("B", options->second, "Second PNG file")->required();
+  command.option("A", &options->first, "First PNG file").required();
+  command.option("B", &options->second, "Second PNG file").required();
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "Channel difference up to which two pixels count as alike")
-      ->check(whole_number(0, 255))
-      ->capture_default_str();
-  command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
-      ->check(whole_number())
-      ->capture_default_str();
-  command->add_option("-o,--output", options->out, "Write a picture of the differences");
-  command->callback([options, &code] { code = static_cast<int>(diff(*options)); });
+      .option("--tolerance", &options->tolerance,
+              "Channel difference up to which two pixels count as alike")
+      .values(whole_number(0, 255))
+      .show_default();
+  command.option("--pixels", &options->pixels, "Number of pixels that may differ by more")
+      .values(whole_number())
+      .show_default();
+  command.option("-o,--output", &options->out, "Write a picture of the differences");
+  command.action([options] { return static_cast<int>(diff(*options)); });
 }
 
 }  // namespace clca::cli

@@ -1,12 +1,13 @@
 // clca explain: the keys of the scene format.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "clca/scene/format.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -36,17 +37,19 @@ std::string text_of(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("explain", "Explain the keys of a scene");
+void add_explain_command(CommandLine& command_line) {
+  Command command = command_line.command("explain", "Explain the keys of a scene");
   auto options = std::make_shared<ExplainOptions>();
-  command->add_option("KEY", options->keys,
-                      "Keys as for --set, such as rules.inertia or walls.motion [the top]");
-  command
-      ->add_option("--format", options->format, "text, markdown (a table) or schema (JSON Schema)")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "markdown", "schema"}))
-      ->capture_default_str();
-  command->callback([options] { print_out("{}", text_of(*options)); });
+  command.option("KEY", &options->keys,
+                 "Keys as for --set, such as rules.inertia or walls.motion [the top]");
+  command.option("--format", &options->format, "text, markdown (a table) or schema (JSON Schema)")
+      .type("FORMAT")
+      .values(one_of({"text", "markdown", "schema"}))
+      .show_default();
+  command.action([options] {
+    print_out("{}", text_of(*options));
+    return static_cast<int>(ExitCode::done);
+  });
 }
 
 }  // namespace clca::cli

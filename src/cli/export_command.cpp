@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -12,6 +11,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/input.hpp"
@@ -91,44 +91,40 @@ int export_run(const ExportOptions& options) {
                      : static_cast<int>(ExitCode::signal_base) + signal;
 }
 
-void add_choice_options(CLI::App& command, exports::FrameSelection& choice) {
-  command.add_option("--from", choice.from, "First step")->type_name("STEP")->check(whole_number());
-  command.add_option("--to", choice.until, "Last step")->type_name("STEP")->check(whole_number());
+void add_choice_options(Command& command, exports::FrameSelection& choice) {
+  command.option("--from", &choice.from, "First step").type("STEP").values(whole_number());
+  command.option("--to", &choice.until, "Last step").type("STEP").values(whole_number());
   command
-      .add_option("--every", choice.every,
-                  "Steps from frame to frame, at least, in a stage [all frames]")
-      ->type_name("STEPS")
-      ->check(whole_number(1));
+      .option("--every", &choice.every,
+              "Steps from frame to frame, at least, in a stage [all frames]")
+      .type("STEPS")
+      .values(whole_number(1));
 }
 
 }  // namespace
 
-void add_export_command(CLI::App& app, int& code) {
-  CLI::App* command = app.add_subcommand(
+void add_export_command(CommandLine& command_line) {
+  Command command = command_line.command(
       "export", "The trajectory of a run in a format of ParaView (vtp) or OVITO (gsd, xyz)");
   auto options = std::make_shared<ExportOptions>();
-  command->add_option("DIR", options->run, "Folder that a run with output.trajectory has left")
-      ->required();
+  command.option("DIR", &options->run, "Folder that a run with output.trajectory has left")
+      .required();
   command
-      ->add_option_function<std::string>(
-          "--format",
-          [options](const std::string& name) {
-            options->format = name == "vtp"   ? exports::Format::vtp
-                              : name == "gsd" ? exports::Format::gsd
-                                              : exports::Format::xyz;
-          },
-          "Format")
-      ->required()
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"vtp", "gsd", "xyz"}));
+      .choice("--format", &options->format,
+              {{"vtp", exports::Format::vtp},
+               {"gsd", exports::Format::gsd},
+               {"xyz", exports::Format::xyz}},
+              "Format")
+      .required()
+      .type("FORMAT");
   command
-      ->add_option("-o,--output", options->file,
-                   "File to write, of vtp the .pvd with the others beside it "
-                   "[DIR/export/SCENE with .pvd, .gsd or .xyz]")
-      ->type_name("FILE");
-  add_choice_options(*command, options->choice);
-  add_memory_limit(*command, options->scene);
-  command->callback([options, &code] { code = export_run(*options); });
+      .option("-o,--output", &options->file,
+              "File to write, of vtp the .pvd with the others beside it "
+              "[DIR/export/SCENE with .pvd, .gsd or .xyz]")
+      .type("FILE");
+  add_choice_options(command, options->choice);
+  add_memory_limit(command, options->scene);
+  command.action([options] { return export_run(*options); });
 }
 
 }  // namespace clca::cli

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "clca/tasks/leader.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/ranks.hpp"
@@ -34,24 +33,6 @@ int fail(ExitCode code, std::string_view message) {
   return static_cast<int>(code);
 }
 
-/// CLI11 would only say that a subcommand is required.
-void check_command_name(const CLI::App& app, const std::vector<const char*>& arguments) {
-  if (arguments.size() < 2 || *arguments[1] == '-' || *arguments[1] == '\0') {
-    return;
-  }
-  const std::string_view given = arguments[1];
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    names.push_back(command->get_name());
-  }
-  if (std::find(names.begin(), names.end(), given) == names.end()) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw CLI::ParseError(fmt::format("no command {}{}", clca::text::shown(given),
-                                      clca::text::suggestion(given, known)),
-                          CLI::ExitCodes::InvalidError);
-  }
-}
-
 /// `clca help COMMAND` is `clca COMMAND --help`.
 std::vector<const char*> arguments_of(int argc, char** argv) {
   std::vector<const char*> arguments(argv, argv + argc);
@@ -63,51 +44,27 @@ std::vector<const char*> arguments_of(int argc, char** argv) {
 }
 
 int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
-  CLI::App app(
+  clca::cli::CommandLine command_line(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
-      "clca");
-  app.set_version_flag("-V,--version", "clca " + clca::run::version());
-  app.require_subcommand(1);
-  app.failure_message([](const CLI::App* /*app*/, const CLI::Error& error) {
-    return fmt::format("clca: error: {} (see clca --help)\n", clca::text::printable(error.what()));
-  });
-  app.footer(
+      "clca " + clca::run::version(),
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
       "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
       "continues the run.");
-
-  int code = 0;
-  clca::cli::add_run_command(app, code);
-  clca::cli::add_resume_command(app, code, ranks);
-  clca::cli::add_boltzmann_command(app, code, ranks);
-  clca::cli::add_sweep_command(app, code, ranks);
-  clca::cli::add_check_command(app, code);
-  clca::cli::add_compare_command(app);
-  clca::cli::add_diff_command(app, code);
-  clca::cli::add_explain_command(app);
-  clca::cli::add_export_command(app, code);
-  clca::cli::add_plot_command(app);
-  clca::cli::add_render_command(app, code);
-  clca::cli::add_report_command(app);
-  app.add_subcommand("help", "Print the help of a command: clca help run");
-  const std::vector<const char*> arguments = arguments_of(argc, argv);
-  try {
-    check_command_name(app, arguments);
-    if (std::any_of(arguments.begin(), arguments.end(),
-                    [](const char* text) { return *text == '\0'; })) {
-      throw CLI::ParseError("an argument is empty", CLI::ExitCodes::InvalidError);
-    }
-    app.parse(static_cast<int>(arguments.size()), arguments.data());
-  } catch (const CLI::ParseError& error) {
-    std::ostringstream out;
-    std::ostringstream err;
-    const bool is_help = app.exit(error, out, err) == 0;
-    clca::cli::write_out(out.str());
-    clca::cli::write_error(err.str());
-    return static_cast<int>(is_help ? ExitCode::done : ExitCode::wrong_input);
-  }
-  return code;
+  clca::cli::add_run_command(command_line);
+  clca::cli::add_resume_command(command_line, ranks);
+  clca::cli::add_boltzmann_command(command_line, ranks);
+  clca::cli::add_sweep_command(command_line, ranks);
+  clca::cli::add_check_command(command_line);
+  clca::cli::add_compare_command(command_line);
+  clca::cli::add_diff_command(command_line);
+  clca::cli::add_explain_command(command_line);
+  clca::cli::add_export_command(command_line);
+  clca::cli::add_plot_command(command_line);
+  clca::cli::add_render_command(command_line);
+  clca::cli::add_report_command(command_line);
+  command_line.command("help", "Print the help of a command: clca help run");
+  return command_line.run(arguments_of(argc, argv));
 }
 
 int run_or_complain(int argc, char** argv, clca::tasks::Ranks* ranks) {

@@ -1,7 +1,9 @@
 #include "cli/option_values.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -34,6 +36,13 @@ std::optional<Quantity<T>> quantity(std::string_view text) {
   return result;
 }
 
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return text;
+}
+
 /// Seconds.
 std::optional<double> time_unit(std::string_view unit) {
   if (unit.empty() || unit == "s") {
@@ -44,7 +53,7 @@ std::optional<double> time_unit(std::string_view unit) {
 
 /// Bytes of `k`, `KB`, `KiB` and so on, all of 1024.
 std::optional<double> size_unit(std::string unit) {
-  unit = CLI::detail::to_lower(unit);
+  unit = lowered(unit);
   if (unit.empty() || unit == "b") {
     return 1;
   }
@@ -62,8 +71,8 @@ std::string expected(std::string_view what, const std::string& text) {
 
 }  // namespace
 
-CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
-  const auto check = [least, most](const std::string& text) -> std::string {
+OptionValues whole_number(std::uint64_t least, std::uint64_t most) {
+  const auto check = [least, most](std::string& text) -> std::string {
     const auto found = quantity<std::uint64_t>(text);
     const bool is_plain = found && found->unit.empty() && (text.size() == 1 || text.front() != '0');
     return is_plain && found->number >= least && found->number <= most
@@ -74,8 +83,8 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   return {check, is_any ? std::string() : fmt::format("in [{} - {}]", least, most)};
 }
 
-CLI::Validator finite_number() {
-  const auto check = [](const std::string& text) -> std::string {
+OptionValues finite_number() {
+  const auto check = [](std::string& text) -> std::string {
     const bool is_negative = text.starts_with('-');
     const auto found = quantity<double>(std::string_view(text).substr(is_negative ? 1 : 0));
     return found && found->unit.empty() ? std::string() : expected("a number", text);
@@ -83,8 +92,8 @@ CLI::Validator finite_number() {
   return {check, ""};
 }
 
-CLI::Validator part_of_whole(std::uint64_t most) {
-  const auto check = [most](const std::string& text) -> std::string {
+OptionValues part_of_whole(std::uint64_t most) {
+  const auto check = [most](std::string& text) -> std::string {
     const std::size_t slash = text.find('/');
     const auto number = quantity<std::uint64_t>(text.substr(0, slash));
     const auto of = quantity<std::uint64_t>(slash < text.size() ? text.substr(slash + 1) : "");
@@ -97,7 +106,7 @@ CLI::Validator part_of_whole(std::uint64_t most) {
   return {check, ""};
 }
 
-CLI::Validator time_span() {
+OptionValues time_span() {
   const auto convert = [](std::string& text) -> std::string {
     constexpr double kMaxSeconds = 1e9;
     const auto found = quantity<double>(text);
@@ -111,7 +120,7 @@ CLI::Validator time_span() {
   return {convert, ""};
 }
 
-CLI::Validator byte_size() {
+OptionValues byte_size() {
   const auto convert = [](std::string& text) -> std::string {
     constexpr double kMaxBytes = 0x1p62;
     const auto found = quantity<std::uint64_t>(text);
@@ -124,6 +133,21 @@ CLI::Validator byte_size() {
     return {};
   };
   return {convert, ""};
+}
+
+OptionValues one_of(const std::vector<std::string>& words, LetterCase letter_case) {
+  const std::string shown = fmt::format("{{{}}}", fmt::join(words, ","));
+  const auto convert = [words, letter_case, shown](std::string& text) -> std::string {
+    const auto word = std::find_if(words.begin(), words.end(), [&](const std::string& known) {
+      return letter_case == LetterCase::matters ? known == text : lowered(known) == lowered(text);
+    });
+    if (word == words.end()) {
+      return fmt::format("{} not in {}", text, shown);
+    }
+    text = *word;
+    return {};
+  };
+  return {convert, shown};
 }
 
 }  // namespace clca::cli

@@ -1,23 +1,37 @@
 #pragma once
-// Strict option values: CLI11 alone takes -1 as 2^64 - 1, 010 as 8 and nan as a number.
+// Which values an option takes. CLI11 alone takes -1 as 2^64 - 1, 010 as 8 and nan as a number.
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace clca::cli {
 
+struct OptionValues {
+  /// What is wrong with the text, or nothing. May replace it by another that means the same.
+  std::function<std::string(std::string& text)> read;
+  std::string shown;  ///< in the help, after the type
+};
+
 /// Digits without sign or leading zeros.
-CLI::Validator whole_number(std::uint64_t least = 0,
-                            std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
-CLI::Validator finite_number();
+OptionValues whole_number(std::uint64_t least = 0,
+                          std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+OptionValues finite_number();
 
 /// `3/64`: the third of 64 parts.
-CLI::Validator part_of_whole(std::uint64_t most);
+OptionValues part_of_whole(std::uint64_t most);
 
-/// For Option::transform: `90`, `30min` or `2h` into seconds.
-CLI::Validator time_span();
-/// For Option::transform: `4GiB` into bytes.
-CLI::Validator byte_size();
+/// `90`, `30min` or `2h` into seconds.
+OptionValues time_span();
+/// `4GiB` into bytes.
+OptionValues byte_size();
+
+enum class LetterCase : std::uint8_t { matters, ignored };
+
+/// A word into the same one as it is written in `words`.
+OptionValues one_of(const std::vector<std::string>& words,
+                    LetterCase letter_case = LetterCase::matters);
 
 }  // namespace clca::cli

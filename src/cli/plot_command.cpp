@@ -1,13 +1,13 @@
 // clca plot: figures of a run folder.
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "clca/plot/plot.hpp"
 #include "clca/store/run_folder.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -38,30 +38,33 @@ void draw_all(const PlotOptions& options) {
 
 }  // namespace
 
-void add_plot_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("plot", "Draw figures of the tables in a run folder, with gnuplot");
+void add_plot_command(CommandLine& command_line) {
+  Command command =
+      command_line.command("plot", "Draw figures of the tables in a run folder, with gnuplot");
   auto options = std::make_shared<PlotOptions>();
-  const CLI::Validator pixels = whole_number(100, 10'000);
-  command->add_option("DIR", options->run, "Folder that a run has left")->required();
-  command->add_option("-o,--output", options->folder, "Folder to write to [DIR/plots]");
-  command->add_option("--only", options->only, "Draw only these figures")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--format", options->appearance.format, "Format of the files")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, plot::Format>{
-              {"png", plot::Format::png}, {"svg", plot::Format::svg}, {"pdf", plot::Format::pdf}},
-          CLI::ignore_case))
-      ->default_str("png");
-  command->add_option("--width", options->appearance.width, "Pixels, 96 to the inch of a PDF")
-      ->check(pixels)
-      ->capture_default_str();
-  command->add_option("--height", options->appearance.height, "Pixels, 96 to the inch of a PDF")
-      ->check(pixels)
-      ->capture_default_str();
-  command->callback([options] { draw_all(*options); });
+  const OptionValues pixels = whole_number(100, 10'000);
+  command.option("DIR", &options->run, "Folder that a run has left").required();
+  command.option("-o,--output", &options->folder, "Folder to write to [DIR/plots]");
+  command.option("--only", &options->only, "Draw only these figures")
+      .type("NAME,...")
+      .delimiter(',')
+      .one_value();
+  command
+      .choice("--format", &options->appearance.format,
+              {{"png", plot::Format::png}, {"svg", plot::Format::svg}, {"pdf", plot::Format::pdf}},
+              "Format of the files", LetterCase::ignored)
+      .type("FORMAT")
+      .show_default("png");
+  command.option("--width", &options->appearance.width, "Pixels, 96 to the inch of a PDF")
+      .values(pixels)
+      .show_default();
+  command.option("--height", &options->appearance.height, "Pixels, 96 to the inch of a PDF")
+      .values(pixels)
+      .show_default();
+  command.action([options] {
+    draw_all(*options);
+    return static_cast<int>(ExitCode::done);
+  });
 }
 
 }  // namespace clca::cli

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/input.hpp"
@@ -189,19 +189,19 @@ int render_run(RenderOptions options) {
 }
 
 /// An option that stands for `--set output.frames.KEY=VALUE`.
-void add_frames_option(CLI::App& command, RenderOptions& options, const char* name, const char* key,
+void add_frames_option(Command& command, RenderOptions& options, const char* name, const char* key,
                        const char* type, const char* what) {
   command
-      .add_option_function<std::string>(
+      .option(
           name,
           [&options, key](const std::string& value) {
             options.look.push_back(fmt::format("output.frames.{}={}", key, value));
           },
           what)
-      ->type_name(type);
+      .type(type);
 }
 
-void add_look_options(CLI::App& command, RenderOptions& options) {
+void add_look_options(Command& command, RenderOptions& options) {
   add_frames_option(command, options, "--color-by", "color_by", "WHAT",
                     "species, stage_layer, displacement, speed, id or force");
   add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none, forces or velocity");
@@ -210,89 +210,87 @@ void add_look_options(CLI::App& command, RenderOptions& options) {
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
   command
-      .add_option("--set", options.scene.overrides,
-                  "Set a key of the pictures to VALUE (YAML), such as "
-                  "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
-                  "repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      .option("--set", &options.scene.overrides,
+              "Set a key of the pictures to VALUE (YAML), such as "
+              "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
+              "repeated")
+      .type("KEY=VALUE")
+      .one_value();
 }
 
-void add_choice_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--from", options.redraw.from, "First step to draw")
-      ->type_name("STEP")
-      ->check(whole_number());
-  command.add_option("--to", options.redraw.to, "Last step to draw")
-      ->type_name("STEP")
-      ->check(whole_number());
+void add_choice_options(Command& command, RenderOptions& options) {
+  command.option("--from", &options.redraw.from, "First step to draw")
+      .type("STEP")
+      .values(whole_number());
+  command.option("--to", &options.redraw.to, "Last step to draw")
+      .type("STEP")
+      .values(whole_number());
   add_frames_option(command, options, "--every", "every", "STEPS",
                     "Steps from picture to picture, at least, in a stage [as the scene says]");
 }
 
-void add_space_time_options(CLI::App& command, RenderOptions& options) {
+void add_space_time_options(Command& command, RenderOptions& options) {
   command
-      .add_option("--space-time", options.space_time.file,
-                  "Write one picture over time of a column or the free surface: FILE.png")
-      ->type_name("FILE");
+      .option("--space-time", &options.space_time.file,
+              "Write one picture over time of a column or the free surface: FILE.png")
+      .type("FILE");
   command
-      .add_option("--column", options.space_time.column,
-                  "Over time: the column of the box at this x, in lattice spacings")
-      ->type_name("X")
-      ->check(finite_number());
+      .option("--column", &options.space_time.column,
+              "Over time: the column of the box at this x, in lattice spacings")
+      .type("X")
+      .values(finite_number());
   command
-      .add_option("--slit", options.space_time.slit,
-                  "Over time: width of that column in lattice spacings; colours are means over it "
-                  "[1]")
-      ->type_name("WIDTH")
-      ->check(finite_number());
-  command.add_flag("--surface", options.space_time.surface,
-                   "Over time: the height of the free surface");
+      .option("--slit", &options.space_time.slit,
+              "Over time: width of that column in lattice spacings; colours are means over it "
+              "[1]")
+      .type("WIDTH")
+      .values(finite_number());
+  command.flag("--surface", &options.space_time.surface,
+               "Over time: the height of the free surface");
 }
 
-void add_target_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("-o,--output", options.folder,
-                     "Folder for the pictures [DIR/render; none with --movie, --sheet or "
-                     "--space-time]");
+void add_target_options(Command& command, RenderOptions& options) {
+  command.option("-o,--output", &options.folder,
+                 "Folder for the pictures [DIR/render; none with --movie, --sheet or "
+                 "--space-time]");
   command
-      .add_option_function<std::string>(
-          "--format", [&options](const std::string& name) { options.redraw.pdf = name == "pdf"; },
-          "Of these pictures: png, or pdf (vector graphics) [png]")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"png", "pdf"}));
+      .choice("--format", &options.redraw.pdf, {{"png", false}, {"pdf", true}},
+              "Of these pictures: png, or pdf (vector graphics) [png]")
+      .type("FORMAT");
   command
-      .add_option("--movie", options.redraw.movie,
-                  "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
-      ->type_name("FILE");
-  command.add_option("--fps", options.redraw.frames_per_second, "Pictures per second of the movie")
-      ->check(whole_number(1, 240))
-      ->capture_default_str();
+      .option("--movie", &options.redraw.movie,
+              "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
+      .type("FILE");
+  command.option("--fps", &options.redraw.frames_per_second, "Pictures per second of the movie")
+      .values(whole_number(1, 240))
+      .show_default();
   command
-      .add_option("--sheet", options.redraw.sheet,
-                  "Write a contact sheet of pictures evenly chosen: FILE.png")
-      ->type_name("FILE");
-  command.add_option("--columns", options.redraw.columns, "Pictures in a row of the contact sheet")
-      ->check(whole_number(1, 16))
-      ->capture_default_str();
+      .option("--sheet", &options.redraw.sheet,
+              "Write a contact sheet of pictures evenly chosen: FILE.png")
+      .type("FILE");
+  command.option("--columns", &options.redraw.columns, "Pictures in a row of the contact sheet")
+      .values(whole_number(1, 16))
+      .show_default();
   add_space_time_options(command, options);
 }
 
 }  // namespace
 
-void add_render_command(CLI::App& app, int& code) {
-  CLI::App* command =
-      app.add_subcommand("render", "Draw runs again from their trajectories: pictures, a movie");
+void add_render_command(CommandLine& command_line) {
+  Command command =
+      command_line.command("render", "Draw runs again from their trajectories: pictures, a movie");
   auto options = std::make_shared<RenderOptions>();
   command
-      ->add_option("DIR", options->runs,
-                   "Folder that a run with output.trajectory left. Several have the same colour "
-                   "bar, and stand side by side in --movie and --sheet")
-      ->required();
-  add_target_options(*command, *options);
-  add_look_options(*command, *options);
-  add_choice_options(*command, *options);
-  add_memory_limit(*command, options->scene);
-  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
-  command->callback([options, &code] { code = render_run(*options); });
+      .option("DIR", &options->runs,
+              "Folder that a run with output.trajectory left. Several have the same colour "
+              "bar, and stand side by side in --movie and --sheet")
+      .required();
+  add_target_options(command, *options);
+  add_look_options(command, *options);
+  add_choice_options(command, *options);
+  add_memory_limit(command, options->scene);
+  command.flag("--quiet", &options->quiet, "Print warnings and errors only");
+  command.action([options] { return render_run(*options); });
 }
 
 }  // namespace clca::cli

@@ -1,11 +1,12 @@
 // clca report: a page about a run or a sweep.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "clca/report/report.hpp"
 #include "clca/text/message.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 struct ReportOptions {
   std::string run;
   std::string file;
-  std::optional<std::size_t> max_frames;
+  std::optional<std::uint64_t> max_frames;
 };
 
 void write_report(const ReportOptions& options) {
@@ -31,17 +32,20 @@ void write_report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void add_report_command(CommandLine& command_line) {
+  Command command = command_line.command(
       "report", "Write a page about a run or a sweep: measures, figures, pictures");
   auto options = std::make_shared<ReportOptions>();
-  command->add_option("DIR", options->run, "Folder that a run or a sweep has left")->required();
-  command->add_option("-o,--output", options->file, "Page to write [DIR/report.html]");
+  command.option("DIR", &options->run, "Folder that a run or a sweep has left").required();
+  command.option("-o,--output", &options->file, "Page to write [DIR/report.html]");
   command
-      ->add_option("--max-frames", options->max_frames,
-                   "Most pictures to step through [as many as keep the page below 20 MB]")
-      ->check(whole_number(0, 100'000));
-  command->callback([options] { write_report(*options); });
+      .option("--max-frames", &options->max_frames,
+              "Most pictures to step through [as many as keep the page below 20 MB]")
+      .values(whole_number(0, 100'000));
+  command.action([options] {
+    write_report(*options);
+    return static_cast<int>(ExitCode::done);
+  });
 }
 
 }  // namespace clca::cli

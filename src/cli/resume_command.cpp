@@ -3,6 +3,7 @@
 #include <memory>
 #include <variant>
 
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/input.hpp"
@@ -44,18 +45,18 @@ int resume_run(const ResumeOptions& options) {
 
 }  // namespace
 
-void add_resume_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
-  CLI::App* command = app.add_subcommand(
+void add_resume_command(CommandLine& command_line, tasks::Ranks* ranks) {
+  Command command = command_line.command(
       "resume", "Continue a run that was stopped or killed, or prolong one that is done");
   auto options = std::make_shared<ResumeOptions>();
   share(options->run, ranks);
-  command->add_option("DIR", options->folder, "Folder of the run")->required();
-  command->add_option("--until", options->until,
-                      "Run to this end instead of the scene's: steps of the last stage, the time "
-                      "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
-  add_run_options(*command, options->run);
-  add_memory_limit(*command, options->scene);
-  command->callback([options, &code] { code = resume_run(*options); });
+  command.option("DIR", &options->folder, "Folder of the run").required();
+  command.option("--until", &options->until,
+                 "Run to this end instead of the scene's: steps of the last stage, the time "
+                 "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
+  add_run_options(command, options->run);
+  add_memory_limit(command, options->scene);
+  command.action([options] { return resume_run(*options); });
 }
 
 }  // namespace clca::cli

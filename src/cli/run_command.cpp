@@ -9,6 +9,7 @@
 
 #include "clca/run/run.hpp"
 #include "clca/store/run_folder.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/run_options.hpp"
 #include "cli/scene_options.hpp"
@@ -64,36 +65,36 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   return run_one(std::get<scene::BoltzmannScene>(scene), options);
 }
 
-CLI::App* add_command(CLI::App& app, int& code, tasks::Ranks* ranks, const char* name,
-                      const char* what, int (*run_it)(const RunCommandOptions&)) {
-  CLI::App* command = app.add_subcommand(name, what);
+Command add_command(CommandLine& command_line, tasks::Ranks* ranks, const char* name,
+                    const char* what, int (*run_it)(const RunCommandOptions&)) {
+  Command command = command_line.command(name, what);
   auto options = std::make_shared<RunCommandOptions>();
   share(options->run, ranks);
-  add_scene_options(*command, options->scene);
-  command->add_option("-o,--output", options->folder, "Folder to write to [renders/SCENE-NAME]");
-  CLI::Option* keep = command->add_flag(
-      "--keep", options->keep, "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
+  add_scene_options(command, options->scene);
+  command.option("-o,--output", &options->folder, "Folder to write to [renders/SCENE-NAME]");
+  const Option keep = command.flag(
+      "--keep", &options->keep, "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
   command
-      ->add_flag("--overwrite", options->overwrite,
-                 "Replace an earlier run in the folder even if it could be resumed")
-      ->excludes(keep);
-  add_run_options(*command, options->run);
-  command->callback([options, &code, run_it] { code = run_it(*options); });
+      .flag("--overwrite", &options->overwrite,
+            "Replace an earlier run in the folder even if it could be resumed")
+      .excludes(keep);
+  add_run_options(command, options->run);
+  command.action([options, run_it] { return run_it(*options); });
   return command;
 }
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& code) {
-  add_command(app, code, nullptr, "run", "Run a scene: pictures, tables and numbers into a folder",
-              run_scene);
+void add_run_command(CommandLine& command_line) {
+  add_command(command_line, nullptr, "run",
+              "Run a scene: pictures, tables and numbers into a folder", run_scene);
 }
 
-void add_boltzmann_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
-  CLI::App* command = add_command(app, code, ranks, "boltzmann",
-                                  "Run a scene of the Boltzmann equation", run_boltzmann_scene);
-  command->remove_option(command->get_option("--frames-every"));  // it draws no pictures
-  command->remove_option(command->get_option("--begin"));
+void add_boltzmann_command(CommandLine& command_line, tasks::Ranks* ranks) {
+  Command command = add_command(command_line, ranks, "boltzmann",
+                                "Run a scene of the Boltzmann equation", run_boltzmann_scene);
+  command.remove_option("--frames-every");  // it draws no pictures
+  command.remove_option("--begin");
 }
 
 }  // namespace clca::cli

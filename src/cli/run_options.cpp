@@ -5,6 +5,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
+#include "cli/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
@@ -45,30 +46,27 @@ int threads_here(const RunCommonOptions& options) {
   return options.threads * (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
 }
 
-void add_run_options(CLI::App& command, RunCommonOptions& options) {
-  command.add_option("--threads", options.threads, "Threads; the result does not depend on it")
-      ->check(whole_number(1, 1024))
-      ->capture_default_str();
+void add_run_options(Command& command, RunCommonOptions& options) {
+  command.option("--threads", &options.threads, "Threads; the result does not depend on it")
+      .values(whole_number(1, 1024))
+      .show_default();
   command
-      .add_option(
-          "--time-limit", options.time_limit,
+      .option(
+          "--time-limit", &options.time_limit,
           "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run")
-      ->type_name("TIME")
-      ->transform(time_span());
+      .type("TIME")
+      .values(time_span());
   command
-      .add_option_function<std::string>(
-          "--engine",
-          [&options](const std::string& name) { options.reference = name == "reference"; },
-          "fast, or reference: steps as the model is defined, for checks")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"fast", "reference"}))
-      ->default_str("fast");
-  auto* quiet = command.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+      .choice("--engine", &options.reference, {{"fast", false}, {"reference", true}},
+              "fast, or reference: steps as the model is defined, for checks")
+      .type("NAME")
+      .show_default("fast");
+  const Option quiet = command.flag("--quiet", &options.quiet, "Print warnings and errors only");
   command
-      .add_flag("--verbose", options.verbose,
-                "Print also what is done in between: stages that begin, checkpoints")
-      ->excludes(quiet);
-  command.add_flag("--json", options.json, "Print run.json at the end");
+      .flag("--verbose", &options.verbose,
+            "Print also what is done in between: stages that begin, checkpoints")
+      .excludes(quiet);
+  command.flag("--json", &options.json, "Print run.json at the end");
 }
 
 int serve_gases(const RunCommonOptions& options) {

@@ -1,7 +1,6 @@
 #pragma once
 // Options of the commands that run or resume a scene.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 
@@ -24,7 +23,7 @@ struct RunCommonOptions {
 void share(RunCommonOptions& options, tasks::Ranks* ranks);
 /// Of all ranks on this machine, which share its memory.
 int threads_here(const RunCommonOptions& options);
-void add_run_options(CLI::App& command, RunCommonOptions& options);
+void add_run_options(Command& command, RunCommonOptions& options);
 
 using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run::RunEvents&)>;
 

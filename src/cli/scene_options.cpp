@@ -15,6 +15,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/text/message.hpp"
+#include "cli/command.hpp"
 #include "cli/option_values.hpp"
 
 namespace clca::cli {
@@ -143,40 +144,42 @@ void check_memory(const scene::BoltzmannScene& scene, double limit, int threads)
   }
 }
 
-void add_scene_and_set(CLI::App& command, SceneOptions& options) {
+void add_scene_and_set(Command& command, SceneOptions& options) {
   command
-      .add_option("SCENE", options.file,
-                  "Scene file (YAML), - for standard input, or the name of a scene of this program")
-      ->required()
-      ->transform(find_scene);
+      .option("SCENE", &options.file,
+              "Scene file (YAML), - for standard input, or the name of a scene of this program")
+      .required()
+      .values({[](std::string& name) {
+                 name = find_scene(name);
+                 return std::string();
+               },
+               ""});
   command
-      .add_option("--set", options.overrides,
-                  "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
-                  "stages.flow.max_steps=500; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      .option("--set", &options.overrides,
+              "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
+              "stages.flow.max_steps=500; may be repeated")
+      .type("KEY=VALUE")
+      .one_value();
   command
-      .add_option(
-          "--begin", options.begin,
-          "Begin with the last state of the run in this folder, in place of the scene's begin")
-      ->type_name("FOLDER");
+      .option("--begin", &options.begin,
+              "Begin with the last state of the run in this folder, in place of the scene's begin")
+      .type("FOLDER");
 }
 
-void add_memory_limit(CLI::App& command, SceneOptions& options) {
+void add_memory_limit(Command& command, SceneOptions& options) {
   command
-      .add_option("--memory-limit", options.memory_limit,
-                  "Refuse scenes that need more memory, such as 4GiB [80 % of the free memory]")
-      ->type_name("SIZE")
-      ->transform(byte_size());
+      .option("--memory-limit", &options.memory_limit,
+              "Refuse scenes that need more memory, such as 4GiB [80 % of the free memory]")
+      .type("SIZE")
+      .values(byte_size());
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
+void add_scene_options(Command& command, SceneOptions& options) {
   add_scene_and_set(command, options);
-  command.add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's")
-      ->check(whole_number());
-  command
-      .add_option("--frames-every", options.frames_every, "A picture every N steps; 0: no pictures")
-      ->check(whole_number());
+  command.option("--seed", &options.seed, "Seed of the random draws, in place of the scene's")
+      .values(whole_number());
+  command.option("--frames-every", &options.frames_every, "A picture every N steps; 0: no pictures")
+      .values(whole_number());
   add_memory_limit(command, options);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // Options of the commands that take a scene.
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +9,8 @@
 #include "clca/scene/parse.hpp"
 
 namespace clca::cli {
+
+class Command;
 
 /// In which memory is told, in bytes.
 inline constexpr double kMebibyte = 1 << 20;
@@ -23,12 +24,12 @@ struct SceneOptions {
   std::optional<std::uint64_t> memory_limit;  ///< bytes
 };
 
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_scene_options(Command& command, SceneOptions& options);
 
 /// SCENE, --set and --begin only.
-void add_scene_and_set(CLI::App& command, SceneOptions& options);
+void add_scene_and_set(Command& command, SceneOptions& options);
 /// --memory-limit only.
-void add_memory_limit(CLI::App& command, SceneOptions& options);
+void add_memory_limit(Command& command, SceneOptions& options);
 
 /// --begin, --set and its short forms.
 std::vector<scene::Override> overrides_of(const SceneOptions& options);

@@ -10,6 +10,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 #include "clca/sweep/sweep.hpp"
+#include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
@@ -157,37 +158,36 @@ int run_sweep(const SweepCommandOptions& options) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
-  CLI::App* command = app.add_subcommand(
+void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks) {
+  Command command = command_line.command(
       "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
   auto options = std::make_shared<SweepCommandOptions>();
   if (ranks != nullptr) {
     options->ranks = ranks;
     options->jobs = 1;
   }
-  add_scene_and_set(*command, options->scene);
+  add_scene_and_set(command, options->scene);
   command
-      ->add_option(
-          "--seeds", options->seeds,
+      .option(
+          "--seeds", &options->seeds,
           "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
-      ->capture_default_str();
+      .show_default();
   command
-      ->add_option("--vary", options->variations,
-                   "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
-                   "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
-                   "all combinations")
-      ->type_name("KEY=V1,V2,...")
-      ->allow_extra_args(false);
-  command->add_option("-o,--output", options->folder,
-                      "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
+      .option("--vary", &options->variations,
+              "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
+              "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
+              "all combinations")
+      .type("KEY=V1,V2,...")
+      .one_value();
+  command.option("-o,--output", &options->folder,
+                 "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
   command
-      ->add_option(
-          "--jobs", options->jobs,
-          "Runs at a time, each with one thread; with mpirun on each rank; the result does "
-          "not depend on it")
-      ->check(whole_number(1, 1024))
-      ->capture_default_str();
-  CLI::Option* part = command->add_option_function<std::string>(
+      .option("--jobs", &options->jobs,
+              "Runs at a time, each with one thread; with mpirun on each rank; the result does "
+              "not depend on it")
+      .values(whole_number(1, 1024))
+      .show_default();
+  Option part = command.option(
       "--part",
       [part = &options->part](const std::string& text) {
         const std::size_t slash = text.find('/');
@@ -196,17 +196,17 @@ void add_sweep_command(CLI::App& app, int& code, tasks::Ranks* ranks) {
       },
       "Do part K of N of the runs only, without tables; the same command without --part "
       "collects them and does what is missing");
-  part->type_name("K/N")->check(part_of_whole(100'000));
+  part.type("K/N").values(part_of_whole(100'000));
   command
-      ->add_flag("--collect", options->collect_only,
-                 "Run nothing: tables over the runs that are there, and how many are missing")
-      ->excludes(part);
-  command->add_flag("--frames", options->all_pictures,
-                    "All pictures that the scene asks for, not only the last of each run that the "
-                    "overview shows");
-  add_memory_limit(*command, options->scene);
-  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
-  command->callback([options, &code] { code = run_sweep(*options); });
+      .flag("--collect", &options->collect_only,
+            "Run nothing: tables over the runs that are there, and how many are missing")
+      .excludes(part);
+  command.flag("--frames", &options->all_pictures,
+               "All pictures that the scene asks for, not only the last of each run that the "
+               "overview shows");
+  add_memory_limit(command, options->scene);
+  command.flag("--quiet", &options->quiet, "Print warnings and errors only");
+  command.action([options] { return run_sweep(*options); });
 }
 
 }  // namespace clca::cli

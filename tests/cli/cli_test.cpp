@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -141,6 +142,27 @@ TEST_F(CliTest, AnUnknownCommandIsNamedWithTheNearestOne) {
     const auto result = run(arguments);
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.err, "clca: error: no command 'rum'; did you mean 'run'? (see clca --help)\n");
+  }
+}
+
+TEST_F(CliTest, AnUnknownOptionIsNamedWithOrWithoutACommand) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--no"}, {"run", "a.yaml", "--no"}, {"--no", "run", "a.yaml"}}) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err,
+              "clca: error: The following argument was not expected: --no (see clca --help)\n");
+  }
+}
+
+TEST_F(CliTest, TheHelpOfACommandIsPlainText) {
+  for (const char* command : {"run", "resume", "boltzmann", "sweep", "check", "compare", "diff",
+                              "explain", "export", "plot", "render", "report"}) {
+    const std::string help = run({command, "--help"}).out;
+    EXPECT_THAT(help, HasSubstr("Usage: clca " + std::string(command)));
+    EXPECT_TRUE(std::none_of(help.begin(), help.end(), [](unsigned char letter) {
+      return letter != '\n' && std::iscntrl(letter) != 0;
+    })) << command;
   }
 }
 

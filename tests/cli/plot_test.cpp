@@ -135,7 +135,17 @@ TEST_F(PlotCommandTest, DrawsVectorsOfTheSameSize) {
   };
   EXPECT_THAT(file_of("svg"), AllOf(HasSubstr("viewBox=\"0 0 480 300\""), HasSubstr("</svg>")));
   EXPECT_THAT(file_of("pdf"), AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 360 225 ]")));
-  expect_refused(plot({"gas", "--format", "gif"}), 2, HasSubstr("--format"));
+}
+
+TEST_F(PlotCommandTest, FormatsAreWordsInAnyCaseAndNoNumbers) {
+  EXPECT_THAT(plot({"--help"}).out, HasSubstr("--format FORMAT:{png,svg,pdf}=png\n"));
+  write_gas(folder_.path() / "gas", "gas");
+  EXPECT_EQ(plot({"gas", "--only", "collisions", "--format", "SVG"}).out,
+            "gas/plots/collisions.svg\n");
+  for (const std::string word : {"gif", "1", "sv"}) {
+    expect_refused(plot({"gas", "--format", word}), 2,
+                   "clca: error: --format: " + word + " not in {png,svg,pdf} (see clca --help)\n");
+  }
 }
 
 TEST_F(PlotCommandTest, TheSameTablesGiveTheSameBytes) {
@@ -161,7 +171,8 @@ TEST_F(PlotCommandTest, NamesOfFoldersAndScenesMayHoldAnySign) {
 
 TEST_F(PlotCommandTest, WithoutGnuplotItSaysWhatToInstall) {
   write_gas(folder_.path() / "gas", "gas");
-  for (const char* path : {"", "/nonexistent", "."}) {
+  const std::string missing = folder_.path() / "missing";
+  for (const std::string& path : {std::string(), missing, std::string(".")}) {
     expect_refused(plot({"gas"}, {.environment = {{"PATH", path}}}), 1,
                    StartsWith("clca: error: gnuplot not found; install gnuplot-nox"));
   }

@@ -179,8 +179,9 @@ TEST_F(RenderCommandTest, AMovieAndASheetNeedNoFolderOfPictures) {
 }
 
 TEST_F(RenderCommandTest, WithoutFfmpegThereIsNoMovieAndWithTroubleItsReason) {
-  expect_refused(render({"run", "--movie", "a.mp4"}, {.environment = {{"PATH", "/nonexistent"}}}),
-                 1, HasSubstr("ffmpeg not found; install ffmpeg (Debian)"));
+  const std::string missing = path("missing").string();
+  expect_refused(render({"run", "--movie", "a.mp4"}, {.environment = {{"PATH", missing}}}), 1,
+                 HasSubstr("ffmpeg not found; install ffmpeg (Debian)"));
   fs::create_directories(path("bin"));
   const auto expect = [&](const std::string& program, const std::string& message) {
     const fs::path file = path("bin/ffmpeg");

@@ -130,7 +130,8 @@ TEST_F(ReportCommand, RefusesASweepThatIsDamagedWithOneLine) {
 
 TEST_F(ReportCommand, WithoutGnuplotHasTheRestAndOneWarning) {
   const auto result = testing::run_program(
-      {"report", "run"}, {.folder = folder_.path().string(), .environment = {{"PATH", "/none"}}});
+      {"report", "run"}, {.folder = folder_.path().string(),
+                          .environment = {{"PATH", (folder_.path() / "missing").string()}}});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err,
             "clca: warning: gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the "

@@ -86,16 +86,20 @@ TEST(ProgramTest, OneThatIsGivenUpIsEnded) {
 }
 
 TEST(ProgramTest, OneThatCannotBeStartedIsAnError) {
-  EXPECT_THROW(Program({"/nonexistent"}, {}), ProcessError);
-  EXPECT_THROW(Program({"/nonexistent"}, {.fed = true}), ProcessError);
+  const testing::ScratchFolder folder;
+  const std::string missing = folder.path() / "missing";
+  EXPECT_THROW(Program({missing}, {}), ProcessError);
+  EXPECT_THROW(Program({missing}, {.fed = true}), ProcessError);
 }
 
 TEST(ProgramTest, OneInAFolderThatIsNotThereNamesTheFolder) {
+  const testing::ScratchFolder folder;
+  const std::string missing = folder.path() / "missing";
   try {
-    Program({"/bin/sh", "-c", "true"}, {.folder = "/nonexistent"});
+    Program({"/bin/sh", "-c", "true"}, {.folder = missing});
     FAIL();
   } catch (const ProcessError& error) {
-    EXPECT_STREQ(error.what(), "cannot enter the folder /nonexistent: No such file or directory");
+    EXPECT_EQ(error.what(), "cannot enter the folder " + missing + ": No such file or directory");
   }
 }
 

@@ -124,7 +124,7 @@ TEST_F(MovieTest, TheSamePicturesGiveTheSameBytes) {
 TEST_F(MovieTest, WhatFfmpegCannotWriteIsAnErrorWithItsReason) {
   const Image large(640, 480, {});
   try {
-    Movie movie("/nonexistent/a.mp4", MovieFormat::mp4, 640, 480, 25);
+    Movie movie(file("missing/a.mp4"), MovieFormat::mp4, 640, 480, 25);
     for (int i = 0; i < 100; ++i) {
       movie.add(large);
     }

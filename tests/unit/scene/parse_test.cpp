@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bad_scenes.hpp"
+#include "support/runs.hpp"
 
 namespace clca::scene::parse_test {
 
@@ -264,19 +265,19 @@ TEST(Parse, TakesABoxOfAMillionColumnsAndRowsWithoutVisitingItsSites) {
 }
 
 TEST(ParseFile, SaysWhyAFileCannotBeRead) {
-  const std::filesystem::path folder = ::testing::TempDir();
-  EXPECT_THAT(refusal_of_file(folder),
+  const clca::testing::ScratchFolder folder;
+  EXPECT_THAT(refusal_of_file(folder.path()),
               HasSubstr("1:1: error: cannot read the file: it is a folder"));
-  EXPECT_EQ(refusal_of_file("nowhere/scene.yaml"),
-            "nowhere/scene.yaml:1:1: error: cannot read the file: No such file or directory");
+  const std::filesystem::path missing = folder.path() / "missing.yaml";
+  EXPECT_EQ(refusal_of_file(missing),
+            missing.string() + ":1:1: error: cannot read the file: No such file or directory");
 }
 
 TEST(ParseFile, ReadsWhatParseReads) {
-  const std::filesystem::path file =
-      std::filesystem::path(::testing::TempDir()) / "clca-parse-file.yaml";
+  const clca::testing::ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "scene.yaml";
   std::ofstream(file) << testing::small_scene();
   EXPECT_EQ(parse_file(file), parse(testing::small_scene(), "scene.yaml"));
-  std::filesystem::remove(file);
 }
 
 }  // namespace clca::scene::parse_test

@@ -6,6 +6,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
+#include "support/runs.hpp"
 
 namespace clca::store::read_table_test {
 namespace {
@@ -15,7 +16,6 @@ using ::testing::HasSubstr;
 
 class ReadTableTest : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(file_); }
   ReadTable read(std::string_view text) const {
     write_whole(file_, text);
     return read_table(file_);
@@ -26,10 +26,8 @@ class ReadTableTest : public ::testing::Test {
         << text;
   }
 
-  std::filesystem::path file_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("clca-table-") +
-       ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv");
+  testing::ScratchFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "table.csv";
 };
 
 TEST_F(ReadTableTest, GivesBackWhatWasWritten) {

@@ -20,21 +20,13 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test.
 class StoreTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("clca-store-") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string text_of(const fs::path& file) {
     const auto bytes = testing::bytes_of(file);
     return {bytes.begin(), bytes.end()};
   }
 
-  fs::path folder_;
+  testing::ScratchFolder scratch_;
+  fs::path folder_ = scratch_.path();
 };
 
 using WriteWhole = StoreTest;
