@@ -1,8 +1,5 @@
 #include "scene/key.hpp"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 namespace clca::scene {
 
 AnyType::AnyType() = default;
@@ -21,32 +18,11 @@ AnyKey::~AnyKey() = default;
 
 namespace {
 
-Json map_schema(const AnyMap& map) {
-  Json schema = {{"type", "object"}, {"properties", Json::object()}};
-  Json required = Json::array();
-  for (const AnyKey& key : map.keys) {
-    Json& property = schema["properties"][key.name];
-    const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
-    property["description"] =
-        meaning(key) +
-        (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
-    property.update(key.schema());
-    if (key.default_value) {
-      property["default"] = to_json(*key.default_value);
-    }
-    if (key.required) {
-      required.push_back(key.name);
-    }
-  }
-  if (!required.empty()) {
-    schema["required"] = required;
-  }
-  schema["additionalProperties"] = false;
-  if (!map.conditions.empty()) {
-    schema.update(Json::parse(map.conditions));
-  }
-  return schema;
-}
+/// A map that is read into an owner.
+struct AnyMap {
+  std::vector<AnyKey> keys;
+  AnyAction check;
+};
 
 const void* member(const Step& step, const void* object) {
   return step.member == nullptr ? object : step.member(object, step.pointer);
@@ -59,28 +35,18 @@ void* member(const Step& step, void* object) {
 
 /// Where the value is; null if there is none.
 const void* find(const std::vector<Step>& way, const void* object) {
-  for (const Step& step : way) {
-    object = member(step, object);
-    if (step.container != nullptr) {
-      object = step.container->at(object, 0);
-    }
-    if (object == nullptr) {
-      break;
-    }
+  for (std::size_t i = 0; object != nullptr && i < way.size(); ++i) {
+    object = member(way[i], object);
+    object = way[i].container == nullptr ? object : way[i].container->at(object, 0);
   }
   return object;
 }
 
 /// Where the value is to be; null if it cannot be there.
 void* place(const std::vector<Step>& way, void* object) {
-  for (const Step& step : way) {
-    object = member(step, object);
-    if (step.container != nullptr) {
-      object = step.container->append(object);
-    }
-    if (object == nullptr) {
-      break;
-    }
+  for (std::size_t i = 0; object != nullptr && i < way.size(); ++i) {
+    object = member(way[i], object);
+    object = way[i].container == nullptr ? object : way[i].container->append(object);
   }
   return object;
 }
@@ -118,9 +84,6 @@ void read_fields(const Value& value, const std::string& path, const AnyMap& map,
       continue;
     }
     read_key(key, fields, owner, scene);
-  }
-  if (map.has_one_key) {
-    fields.only(names);
   }
   if (map.check) {
     map.check(fields, owner, scene);
@@ -168,27 +131,16 @@ KeyDescription described(std::string_view name, const AnyType& type, std::string
           .keys = type.keys};
 }
 
-AnyKey any_key(std::string_view name, const Step& step, const AnyType& type,
-               std::string_view about) {
+AnyKey any_key(std::string_view name, const Step& step, const AnyType& type, std::string_view about,
+               const void* otherwise) {
   AnyKey key;
   static_cast<KeyDescription&>(key) = described(name, type, about);
   key.way = {step};
   key.type = std::make_shared<const AnyType>(type);
-  return key;
-}
-
-AnyKey required_key(std::string_view name, const Step& step, const AnyType& type,
-                    std::string_view about) {
-  AnyKey key = any_key(name, step, type, about);
-  key.required = true;
-  return key;
-}
-
-AnyKey default_key(std::string_view name, const Step& step, const AnyType& type,
-                   std::string_view about, const void* otherwise) {
-  AnyKey key = any_key(name, step, type, about);
-  key.default_value = type.text_of(otherwise, Scene());
-  key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  if (otherwise != nullptr) {
+    key.default_value = type.text_of(otherwise, Scene());
+    key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  }
   return key;
 }
 
@@ -199,19 +151,26 @@ std::vector<AnyKey> inlined_keys(const Step& step, std::vector<AnyKey> keys) {
   return keys;
 }
 
-AnyType map_type(AnyMap map) {
-  const auto shared = std::make_shared<const AnyMap>(std::move(map));
+AnyType map_type(const std::vector<AnyKey>& keys, const AnyAction& check,
+                 std::string_view conditions) {
+  const auto map = std::make_shared<const AnyMap>(AnyMap{keys, check});
   AnyType type;
   type.allowed = "map";
-  type.schema = [map = shared] { return map_schema(*map); };
-  type.read_into = [map = shared](const Value& value, const std::string& path, const Scene& scene,
-                                  void* owner) { read_fields(value, path, *map, owner, scene); };
-  type.text_of = [map = shared](const void* owner, const Scene& scene) {
+  type.read_into = [map](const Value& value, const std::string& path, const Scene& scene,
+                         void* owner) { read_fields(value, path, *map, owner, scene); };
+  type.text_of = [map](const void* owner, const Scene& scene) {
     return map_text(*map, owner, scene);
   };
-  type.keys =
-      std::make_shared<const std::vector<KeyDescription>>(shared->keys.begin(), shared->keys.end());
+  type.keys = std::make_shared<const std::vector<KeyDescription>>(keys.begin(), keys.end());
+  type.schema = map_schema(type.keys, std::string(conditions));
   return type;
+}
+
+AnyType one_of_type(const std::vector<AnyKey>& keys) {
+  const auto check = [keys](const KeyedMap& fields, void* /*owner*/, const Scene& /*scene*/) {
+    fields.only(names_of(keys));
+  };
+  return map_type(keys, check, R"({"minProperties": 1, "maxProperties": 1})");
 }
 
 AnyType member_type(const AnyType& type, const Step& step) {
@@ -226,33 +185,35 @@ AnyType member_type(const AnyType& type, const Step& step) {
   return result;
 }
 
-AnyType optional_type(const AnyType& type, const Container& optional) {
+AnyType optional_type(
+    const std::string& word, std::string_view between, const AnyType& type,
+    const Container& optional,
+    const std::function<bool(const Value& value, const std::string& path)>& is_word) {
   AnyType result = type;
-  result.allowed = "`none`, " + type.allowed;
-  result.schema = any_of({word_schema("none"), type.schema});
-  result.read_into = [read = type.read_into, &optional](const Value& value, const std::string& path,
-                                                        const Scene& scene, void* value_or_none) {
-    optional.clear(value_or_none);
-    if (!is_none(value)) {
-      require_map_or_none(value, path);
-      read(value, path, scene, optional.append(value_or_none));
+  result.allowed = fmt::format("`{}`{}{}", word, between, type.allowed);
+  result.schema = any_of({word_schema(word), type.schema});
+  result.read_into = [=, read = type.read_into, &optional](const Value& value,
+                                                           const std::string& path,
+                                                           const Scene& scene, void* none_or_one) {
+    optional.clear(none_or_one);
+    if (!is_word(value, path)) {
+      read(value, path, scene, optional.append(none_or_one));
     }
   };
-  result.text_of = [text = type.text_of, &optional](const void* value_or_none, const Scene& scene) {
-    const void* value = optional.at(value_or_none, 0);
-    return value != nullptr ? text(value, scene) : Yaml::scalar("none");
+  result.text_of = [=, text = type.text_of, &optional](const void* none_or_one,
+                                                       const Scene& scene) {
+    const void* value = optional.at(none_or_one, 0);
+    return value != nullptr ? text(value, scene) : Yaml::scalar(word);
   };
   return result;
 }
 
 AnyType list_type(const AnyType& item, const Container& list, std::size_t least, std::size_t most,
-                  std::string (*path_of)(const std::string& path, const Value& item,
-                                         std::size_t index)) {
+                  PathOfItem path_of) {
   AnyType type;
   type.schema = array_schema(item.schema, least, most);
   type.read_into = [=, &list, read = item.read_into](const Value& value, const std::string& path,
                                                      const Scene& scene, void* result) {
-    list.clear(result);
     std::size_t index = 0;
     for (const Value& one : read_list(value, path, least, most)) {
       read(one, path_of == nullptr ? path : path_of(path, one, index++), scene,
@@ -278,7 +239,6 @@ AnyType named_type(const std::string& section, const AnyType& thing, const Conta
   type.schema = named_schema(thing.schema, least);
   type.read_into = [=, &list, read = thing.read_into](const Value& value, const std::string& path,
                                                       const Scene& scene, void* things) {
-    list.clear(things);
     for (const Entry& entry : read_named(value, path)) {
       void* one = list.append(things);
       read(entry.value, join_path(section, entry.key), scene, one);

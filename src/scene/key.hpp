@@ -25,10 +25,6 @@
 
 namespace clca::scene {
 
-struct KeyDescription;
-/// Shared, since types and keys are copied into each other.
-using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
-
 /// A key as users see it. Texts are Markdown.
 struct KeyDescription {
   std::string name;
@@ -48,19 +44,18 @@ struct Container {
   const void* (*at)(const void* container, std::size_t index);  ///< null after the last
   /// A default value. Null if the container takes none.
   void* (*append)(void* container);
-  void (*clear)(void* container);
+  void (*clear)(void* container) = nullptr;  ///< of an optional
 };
 
 template <class T>
-inline constexpr Container kListOf = {
-    .at = [](const void* list, std::size_t index) -> const void* {
-      const auto& values = *static_cast<const std::vector<T>*>(list);
-      return index < values.size() ? &values[index] : nullptr;
-    },
-    .append = [](void* list) -> void* {
-      return &static_cast<std::vector<T>*>(list)->emplace_back();
-    },
-    .clear = [](void* list) { static_cast<std::vector<T>*>(list)->clear(); }};
+inline constexpr Container kListOf = {.at = [](const void* list, std::size_t index) -> const void* {
+                                        const auto& values =
+                                            *static_cast<const std::vector<T>*>(list);
+                                        return index < values.size() ? &values[index] : nullptr;
+                                      },
+                                      .append = [](void* list) -> void* {
+                                        return &static_cast<std::vector<T>*>(list)->emplace_back();
+                                      }};
 
 template <class T>
 inline constexpr Container kOptional = {
@@ -80,15 +75,14 @@ inline constexpr Container kAlternative = {
     },
     .append = [](void* variant) -> void* {
       return &static_cast<Variant*>(variant)->template emplace<T>();
-    },
-    .clear = nullptr};
+    }};
 
 /// Takes no value of the type while it has one of another.
 template <class Variant, class T>
-inline constexpr Container kPresent = {
-    .at = kAlternative<Variant, T>.at,
-    .append = [](void* variant) -> void* { return std::get_if<T>(static_cast<Variant*>(variant)); },
-    .clear = nullptr};
+inline constexpr Container kPresent = {.at = kAlternative<Variant, T>.at,
+                                       .append = [](void* variant) -> void* {
+                                         return std::get_if<T>(static_cast<Variant*>(variant));
+                                       }};
 
 /// The only value of a list.
 template <class T>
@@ -97,8 +91,7 @@ inline constexpr Container kSingle = {
       const auto& values = *static_cast<const std::vector<T>*>(list);
       return index == 0 && values.size() == 1 ? values.data() : nullptr;
     },
-    .append = kListOf<T>.append,
-    .clear = kListOf<T>.clear};
+    .append = kListOf<T>.append};
 
 /// The list itself, unless it is empty.
 template <class T>
@@ -106,8 +99,7 @@ inline constexpr Container kNotEmpty = {
     .at = [](const void* list, std::size_t index) -> const void* {
       return index == 0 && !static_cast<const std::vector<T>*>(list)->empty() ? list : nullptr;
     },
-    .append = [](void* list) { return list; },
-    .clear = nullptr};
+    .append = [](void* list) { return list; }};
 
 /// From an object to a member, and on to the value in it where that is a container.
 struct Step {
@@ -170,15 +162,12 @@ struct Type : AnyType {
   }
 };
 
-template <class T>
-using Read = std::function<T(const Value& value, const std::string& path, const Scene& scene)>;
-template <class T>
-using Text = std::function<Yaml(const T& value, const Scene& scene)>;
-
 /// A type with functions of its own.
 template <class T>
-Type<T> own_type(std::string_view allowed, const Schema& schema, const Read<T>& read,
-                 const Text<T>& text) {
+Type<T> own_type(
+    std::string_view allowed, const Schema& schema,
+    const std::function<T(const Value& value, const std::string& path, const Scene& scene)>& read,
+    const std::function<Yaml(const T& value, const Scene& scene)>& text) {
   AnyType type;
   type.allowed = allowed;
   type.schema = schema;
@@ -228,63 +217,45 @@ struct Key : AnyKey {
   explicit Key(AnyKey key) : AnyKey(std::move(key)) {}
 
   /// Has an effect in one model only.
-  Key of(Model only) const {
-    Key result = *this;
-    result.model = only;
-    return result;
+  Key& of(Model only) {
+    model = only;
+    return *this;
   }
   /// Described by a phrase, where the default is no value or follows from other keys.
-  Key defaults_to(std::string_view phrase) const {
-    Key result = *this;
-    result.otherwise = phrase;
-    result.default_value.reset();
-    return result;
+  Key& defaults_to(std::string_view phrase) {
+    otherwise = phrase;
+    default_value.reset();
+    return *this;
   }
-  Key after(Action<Owner> action) const {
-    Key result = *this;
-    result.before = any_action(action);
-    return result;
+  Key& after(Action<Owner> action) {
+    before = any_action(action);
+    return *this;
   }
-  Key written_as(std::optional<Yaml> (*own)(const Owner& owner, const Scene& scene)) const {
-    Key result = *this;
-    result.text = [own](const void* owner, const Scene& scene) {
+  Key& written_as(std::optional<Yaml> (*own)(const Owner& owner, const Scene& scene)) {
+    text = [own](const void* owner, const Scene& scene) {
       return own(*static_cast<const Owner*>(owner), scene);
     };
-    return result;
+    return *this;
   }
 };
 
 template <class Owner>
 struct Keys : std::vector<AnyKey> {
-  explicit Keys(std::vector<AnyKey> keys = {}) : std::vector<AnyKey>(std::move(keys)) {}
+  explicit Keys(std::vector<AnyKey> keys) : std::vector<AnyKey>(std::move(keys)) {}
   Keys(std::initializer_list<Key<Owner>> keys) : std::vector<AnyKey>(keys.begin(), keys.end()) {}
 
   void add(const Key<Owner>& key) { push_back(key); }
   void add(const Keys& keys) { insert(end(), keys.begin(), keys.end()); }
 };
 
-/// A map that is read into an owner.
-struct AnyMap {
-  std::vector<AnyKey> keys;
-  /// What depends on several keys, once they have been read.
-  AnyAction check;
-  std::string conditions;  ///< the same as far as a schema can say it; JSON
-  bool has_one_key = false;
-};
-
 /// A map that is read into an Owner.
 template <class Owner>
 struct Map {
   Keys<Owner> keys = {};
+  /// What depends on several keys, once they have been read.
   Action<Owner> check = nullptr;
-  std::string_view conditions = {};
+  std::string_view conditions = {};  ///< the same as far as a schema can say it; JSON
 };
-
-template <class Owner>
-AnyMap any_map(const Map<Owner>& map) {
-  return {
-      .keys = map.keys, .check = any_action(map.check), .conditions = std::string(map.conditions)};
-}
 
 /// Without backticks and addresses of links.
 std::string without_markup(std::string text);
@@ -292,12 +263,9 @@ std::string without_markup(std::string text);
 std::string meaning(const KeyDescription& key);
 
 KeyDescription described(std::string_view name, const AnyType& type, std::string_view about);
-AnyKey any_key(std::string_view name, const Step& step, const AnyType& type,
-               std::string_view about);
-AnyKey required_key(std::string_view name, const Step& step, const AnyType& type,
-                    std::string_view about);
-AnyKey default_key(std::string_view name, const Step& step, const AnyType& type,
-                   std::string_view about, const void* otherwise);
+/// `otherwise`: the default; null if it is no value.
+AnyKey any_key(std::string_view name, const Step& step, const AnyType& type, std::string_view about,
+               const void* otherwise = nullptr);
 /// After a step to the owner of the keys.
 std::vector<AnyKey> inlined_keys(const Step& step, std::vector<AnyKey> keys);
 
@@ -305,14 +273,16 @@ std::vector<AnyKey> inlined_keys(const Step& step, std::vector<AnyKey> keys);
 template <class Owner, class T>
 Key<Owner> required(std::string_view name, T Owner::*member, const Type<T>& type,
                     std::string_view about) {
-  return Key<Owner>(required_key(name, step(member), type, about));
+  Key<Owner> key(any_key(name, step(member), type, about));
+  key.required = true;
+  return key;
 }
 
 /// A member of the Owner that has this default.
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type, std::string_view about,
                const std::type_identity_t<T>& otherwise) {
-  return Key<Owner>(default_key(name, step(member), type, about, &otherwise));
+  return Key<Owner>(any_key(name, step(member), type, about, &otherwise));
 }
 
 /// A member of the Owner, whose default is that of the struct.
@@ -369,32 +339,39 @@ Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
 template <class Owner>
 Key<Owner> own_key(const KeyDescription& description, Action<Owner> read = nullptr,
                    std::optional<Yaml> (*text)(const Owner& owner, const Scene& scene) = nullptr) {
-  AnyKey any;
-  static_cast<KeyDescription&>(any) = description;
-  const Key<Owner> key = Key<Owner>(std::move(any)).after(read);
+  Key<Owner> key{AnyKey()};
+  static_cast<KeyDescription&>(key) = description;
+  key.before = any_action(read);
   return text != nullptr ? key.written_as(text) : key;
 }
 
-AnyType map_type(AnyMap map);
+AnyType map_type(const std::vector<AnyKey>& keys, const AnyAction& check,
+                 std::string_view conditions);
+AnyType one_of_type(const std::vector<AnyKey>& keys);
 AnyType member_type(const AnyType& type, const Step& step);
-AnyType optional_type(const AnyType& type, const Container& optional);
+/// `word`, which is read as no value, or a value of the type; `between` them in descriptions.
+AnyType optional_type(
+    const std::string& word, std::string_view between, const AnyType& type,
+    const Container& optional,
+    const std::function<bool(const Value& value, const std::string& path)>& is_word);
+using PathOfItem = std::string (*)(const std::string& path, const Value& item, std::size_t index);
 AnyType list_type(const AnyType& item, const Container& list, std::size_t least, std::size_t most,
-                  std::string (*path_of)(const std::string& path, const Value& item,
-                                         std::size_t index));
+                  PathOfItem path_of);
 AnyType named_type(const std::string& section, const AnyType& thing, const Container& list,
                    const Step& name, std::size_t least);
 
 /// A map as the value of a key.
 template <class Owner>
 Type<Owner> type_of(const Map<Owner>& map) {
-  return Type<Owner>(map_type(any_map(map)));
+  return Type<Owner>(map_type(map.keys, any_action(map.check), map.conditions));
 }
 
 /// A map of which all that is left out is as in a member of the scene.
 template <class Owner>
 Type<Owner> changed(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {
-    key = Key<Owner>(key).defaults_to("as in the scene");
+    key.otherwise = "as in the scene";
+    key.default_value.reset();
   }
   Type<Owner> type = type_of<Owner>({.keys = keys});
   type.read_into = [read = type.read_into, member](const Value& value, const std::string& path,
@@ -420,24 +397,20 @@ Type<Owner> as(T Owner::*member, const Type<T>& type) {
 /// A map with exactly one of the keys.
 template <class Variant>
 Type<Variant> one_of(const Keys<Variant>& keys) {
-  AnyMap map = any_map(
-      Map<Variant>{.keys = keys, .conditions = R"({"minProperties": 1, "maxProperties": 1})"});
-  map.has_one_key = true;
-  return Type<Variant>(map_type(std::move(map)));
+  return Type<Variant>(one_of_type(keys));
 }
 
 /// `none`, or a value of the type.
 template <class T>
 Type<std::optional<T>> or_none(const Type<T>& type) {
-  return Type<std::optional<T>>(optional_type(type, kOptional<T>));
+  return Type<std::optional<T>>(optional_type("none", ", ", type, kOptional<T>, is_none));
 }
 
 /// A list of `least` to `most` such values; `path_of` an item in messages is that of the list
 /// unless it is given.
 template <class T>
 Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t most,
-                             std::string (*path_of)(const std::string& path, const Value& item,
-                                                    std::size_t index) = nullptr) {
+                             PathOfItem path_of = nullptr) {
   return Type<std::vector<T>>(list_type(item, kListOf<T>, least, most, path_of));
 }
 

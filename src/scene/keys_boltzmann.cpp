@@ -56,28 +56,6 @@ Key<BoltzmannScene> friction_key() {
       });
 }
 
-/// The scheme by its index.
-Key<BoltzmannScene> scheme_key() {
-  const std::string otherwise(name_of(kSchemeNames, BoltzmannScene().scheme.index()));
-  KeyDescription description =
-      described("scheme", choice(kSchemeNames),
-                "pairs in continuous time; or the time steps of the paper, which are biased");
-  description.otherwise = fmt::format("`{}`", otherwise);
-  description.default_value = Yaml::scalar(otherwise);
-  return own_key<BoltzmannScene>(
-      description,
-      [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-        const Value* value = fields.find("scheme");
-        if (value != nullptr && read_choice(*value, fields.path("scheme"), kSchemeNames) > 0) {
-          scene.scheme = boltzmann::OgawaKato{.quasi = scene.quasi};
-        }
-      },
-      [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-        return std::optional(
-            Yaml::scalar(std::string(name_of(kSchemeNames, scene.scheme.index()))));
-      });
-}
-
 bool is_majorant(const BoltzmannScene& scene) {
   return std::holds_alternative<boltzmann::Majorant>(scene.scheme);
 }
@@ -91,32 +69,34 @@ void refuse_key(const KeyedMap& fields, const std::string& key, const BoltzmannS
   }
 }
 
+void read_scheme(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+  const Value* value = fields.find("scheme");
+  if (value != nullptr && read_choice(*value, fields.path("scheme"), kSchemeNames) > 0) {
+    scene.scheme = boltzmann::OgawaKato{.quasi = scene.quasi};
+  } else {
+    refuse_key(fields, "time_step", scene);
+    refuse_key(fields, "partners", scene);
+  }
+}
+
+/// The scheme by its index.
+Key<BoltzmannScene> scheme_key() {
+  const auto scheme_text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
+    return std::optional(Yaml::scalar(std::string(name_of(kSchemeNames, scene.scheme.index()))));
+  };
+  KeyDescription description =
+      described("scheme", choice(kSchemeNames),
+                "pairs in continuous time; or the time steps of the paper, which are biased");
+  description.default_value = scheme_text({}, {});
+  description.otherwise = fmt::format("`{}`", flow_text(*description.default_value));
+  return own_key<BoltzmannScene>(description, read_scheme, scheme_text);
+}
+
 /// A member of OgawaKato.
 template <class T>
 Key<BoltzmannScene> ogawa_kato_key(std::string_view name, T boltzmann::OgawaKato::*member,
-                                   const Type<T>& type, std::string_view about,
-                                   Action<BoltzmannScene> refuse) {
-  return inlined_alternative(&BoltzmannScene::scheme, key(name, member, type, about)).after(refuse);
-}
-
-Key<BoltzmannScene> time_step_key() {
-  return ogawa_kato_key("time_step", &boltzmann::OgawaKato::time_step, above_zero(kMaxTimeStep),
-                        "of `ogawa-kato` only",
-                        [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-                          if (is_majorant(scene)) {
-                            refuse_key(fields, "time_step", scene);
-                          }
-                        });
-}
-
-Key<BoltzmannScene> partners_key() {
-  return ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, kMaxPartners),
-                        "of `ogawa-kato` only: how many each particle draws in a step",
-                        [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-                          if (is_majorant(scene)) {
-                            refuse_key(fields, "partners", scene);
-                          }
-                        });
+                                   const Type<T>& type, std::string_view about) {
+  return inlined_alternative(&BoltzmannScene::scheme, key(name, member, type, about));
 }
 
 Key<BoltzmannScene> shear_rate_key() {
@@ -164,8 +144,12 @@ Key<BoltzmannScene> boltzmann_block() {
                "β, tangential restitution where nothing slides: -1 smooth, 1 reversed"),
            key("energy_ratio", &B::energy_ratio, number(0, kMaxEnergyRatio),
                "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
-           scheme_key(), time_step_key(), partners_key(), shear_rate_key(),
-           key("until", &B::until, above_zero(kMaxTime), "time at the end"),
+           scheme_key(),
+           ogawa_kato_key("time_step", &boltzmann::OgawaKato::time_step, above_zero(kMaxTimeStep),
+                          "of `ogawa-kato` only"),
+           ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, kMaxPartners),
+                          "of `ogawa-kato` only: how many each particle draws in a step"),
+           shear_rate_key(), key("until", &B::until, above_zero(kMaxTime), "time at the end"),
            key("ensemble", &B::ensemble, count(1, kMaxEnsemble),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,

@@ -58,7 +58,7 @@ char pixel_of(image::Rgb color, const std::vector<Color>& colors) {
   return pixel;
 }
 
-/// Colors that stand for `pixels`, and a file for `rows`: a run folder has no other file.
+/// Of the keys that stand for `rows` and `pixels`: a run folder has no other file.
 void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
   constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
   if (fields.only(kSources) != "file") {
@@ -85,7 +85,7 @@ void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene)
   }
 }
 
-Key<FillPicture> file_key() {
+Key<FillPicture> parts_file_key() {
   return own_key<FillPicture>(
              described("file", file_path_type(),
                        "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
@@ -158,7 +158,7 @@ void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& /*
 Type<FillPicture> picture() {
   const auto allowed = [](char pixel) { return pixel == kEmptyPixel || is_part(pixel); };
   return type_of<FillPicture>(
-      {.keys = {file_key(), colors_key(),
+      {.keys = {parts_file_key(), colors_key(),
                 key("rows", &FillPicture::rows,
                     rows_type(allowed, "the letters A to Z and .", "^[A-Z.]+$"),
                     "the same as text, from the top: a letter for each part, `.` for what stays "

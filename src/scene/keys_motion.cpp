@@ -76,7 +76,7 @@ bool too_steep(const Point& from, const Point& to) {
   return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
 }
 
-grains::Path read_path(const Value& value, const std::string& path, const Scene& /*scene*/) {
+grains::Path read_points(const Value& value, const std::string& path, const Scene& /*scene*/) {
   grains::Path way;
   Point before;
   for (const Value& item : read_list(value, path, 1, kMaxPoints)) {
@@ -103,7 +103,7 @@ Type<grains::Path> path_type() {
       tuple_schema({count_schema(1, kMaxSteps), integer_schema(-kMaxOffset, kMaxOffset)});
   return own_type<grains::Path>(
       fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
-      array_schema(point, 1, kMaxPoints), read_path,
+      array_schema(point, 1, kMaxPoints), read_points,
       [](const grains::Path& path, const Scene& /*scene*/) {
         Yaml list = Yaml::list({});
         for (const Point& one : path.points) {

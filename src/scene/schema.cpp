@@ -4,36 +4,28 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "scene/key.hpp"
 #include "scene/limits.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-/// The schema with a further member.
-Schema extended(const Schema& schema, const std::string& name, const Json& value) {
-  return [=] {
-    Json result = schema();
-    result[name] = value;
-    return result;
-  };
-}
-
-Schema of_type(const std::string& type) {
-  return [=] {
-    Json result;
-    result["type"] = type;
-    return result;
-  };
-}
-
-/// The schema with a member that is a schema itself, or a list of them.
-Schema containing(const Schema& schema, const std::string& name, const Schema& value) {
+/// The schema, or an empty one, with a further member.
+Schema extended(const Schema& schema, const std::string& name, const Schema& value) {
   return [=] {
     Json result = schema ? schema() : Json();
     result[name] = value();
     return result;
   };
+}
+
+Schema extended(const Schema& schema, const std::string& name, const Json& value) {
+  return extended(schema, name, Schema([=] { return value; }));
+}
+
+Schema of_type(const std::string& type) {
+  return extended({}, "type", Json(type));
 }
 
 Schema list_of_schemas(const std::vector<Schema>& schemas) {
@@ -57,19 +49,19 @@ Schema schema(std::string_view text) {
 }
 
 Schema with(const Schema& schema, const std::string& name, std::uint64_t number) {
-  return extended(schema, name, number);
+  return extended(schema, name, Json(number));
 }
 
 Schema number_schema(double low, double high) {
-  return extended(extended(of_type("number"), "minimum", low), "maximum", high);
+  return extended(extended(of_type("number"), "minimum", Json(low)), "maximum", Json(high));
 }
 
 Schema above_zero_schema(double high) {
-  return extended(with(of_type("number"), "exclusiveMinimum", 0), "maximum", high);
+  return extended(with(of_type("number"), "exclusiveMinimum", 0), "maximum", Json(high));
 }
 
 Schema integer_schema(std::int64_t low, std::int64_t high) {
-  return extended(extended(of_type("integer"), "minimum", low), "maximum", high);
+  return extended(extended(of_type("integer"), "minimum", Json(low)), "maximum", Json(high));
 }
 
 Schema count_schema(std::uint64_t low, std::uint64_t high) {
@@ -80,28 +72,28 @@ Schema count_schema(std::uint64_t low, std::uint64_t high) {
 }
 
 Schema text_schema(const std::string& pattern) {
-  return extended(of_type("string"), "pattern", pattern);
+  return extended(of_type("string"), "pattern", Json(pattern));
 }
 
 Schema scalar_schema(const std::string& pattern) {
   const Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
-  return pattern.empty() ? any : extended(any, "pattern", pattern);
+  return pattern.empty() ? any : extended(any, "pattern", Json(pattern));
 }
 
 Schema word_schema(const std::string& word) {
-  return extended([] { return Json(); }, "const", word);
+  return extended({}, "const", Json(word));
 }
 
 Schema choice_schema(const std::vector<std::string_view>& words) {
-  return extended([] { return Json(); }, "enum", words);
+  return extended({}, "enum", Json(words));
 }
 
 Schema any_of(const std::vector<Schema>& schemas) {
-  return containing({}, "anyOf", list_of_schemas(schemas));
+  return extended({}, "anyOf", list_of_schemas(schemas));
 }
 
 Schema array_schema(const Schema& item) {
-  return containing(of_type("array"), "items", item);
+  return extended(of_type("array"), "items", item);
 }
 
 Schema array_schema(const Schema& item, std::size_t least, std::size_t most) {
@@ -113,24 +105,53 @@ Schema tuple_schema(const std::vector<Schema>& items) {
 }
 
 Schema unique(const Schema& array) {
-  return extended(array, "uniqueItems", true);
+  return extended(array, "uniqueItems", Json(true));
 }
 
 Schema object_schema(const Schema& value, const std::string& pattern) {
-  const Schema names = [=] {
-    Json result;
-    result["pattern"] = pattern;
-    return result;
-  };
   const Schema object = of_type("object");
-  return containing(pattern.empty() ? object : containing(object, "propertyNames", names),
-                    "additionalProperties", value);
+  return extended(pattern.empty()
+                      ? object
+                      : extended(object, "propertyNames", extended({}, "pattern", Json(pattern))),
+                  "additionalProperties", value);
 }
 
 Schema named_schema(const Schema& value, std::size_t least) {
   const Schema object =
       with(object_schema(value, std::string(kNamePattern)), "maxProperties", kMaxItems);
   return least > 0 ? with(object, "minProperties", least) : object;
+}
+
+Schema map_schema(const Descriptions& keys, const std::string& conditions) {
+  return [=] {
+    Json result;
+    result["type"] = "object";
+    Json& properties = result["properties"] = Json::object();
+    std::vector<std::string> required;
+    for (const KeyDescription& key : *keys) {
+      Json property;
+      const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
+      property["description"] =
+          meaning(key) +
+          (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
+      property.update(key.schema());
+      if (key.default_value) {
+        property["default"] = to_json(*key.default_value);
+      }
+      if (key.required) {
+        required.push_back(key.name);
+      }
+      properties[key.name] = property;
+    }
+    if (!required.empty()) {
+      result["required"] = required;
+    }
+    result["additionalProperties"] = false;
+    if (!conditions.empty()) {
+      result.update(Json::parse(conditions));
+    }
+    return result;
+  };
 }
 
 }  // namespace clca::scene

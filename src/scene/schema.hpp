@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,10 @@ namespace clca::scene {
 
 /// Built on demand: only `clca explain` needs it.
 using Schema = std::function<Json()>;
+
+struct KeyDescription;
+/// Shared, since types and keys are copied into each other.
+using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
 
 /// As the JSON text says.
 Schema schema(std::string_view text);
@@ -42,5 +47,7 @@ Schema unique(const Schema& array);
 Schema object_schema(const Schema& value, const std::string& pattern = {});
 /// An object of at least so many things by the names that the scene gives them.
 Schema named_schema(const Schema& value, std::size_t least = 0);
+/// A map with these keys. `conditions`: further members, as JSON.
+Schema map_schema(const Descriptions& keys, const std::string& conditions);
 
 }  // namespace clca::scene

@@ -15,12 +15,19 @@ namespace clca::scene {
 
 namespace {
 
-/// One that fmt writes.
-template <class T>
-Type<T> scalar_type(const std::string& allowed, const Schema& schema, const Read<T>& read) {
-  return own_type<T>(allowed, schema, read, [](const T& value, const Scene& /*scene*/) {
-    return Yaml::scalar(fmt::format("{}", value));
-  });
+/// One that fmt writes and such a function reads.
+template <class T, class... Limits>
+Type<T> scalar_type(const std::string& allowed, const Schema& schema,
+                    T (*read)(const Value& value, std::string_view path, Limits... limits),
+                    std::type_identity_t<Limits>... limits) {
+  return own_type<T>(
+      allowed, schema,
+      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        return read(value, path, limits...);
+      },
+      [](const T& value, const Scene& /*scene*/) {
+        return Yaml::scalar(fmt::format("{}", value));
+      });
 }
 
 std::string range(double low, double high) {
@@ -106,42 +113,28 @@ Yaml numbers_text(const std::vector<double>& numbers) {
 }
 
 Type<double> number(double low, double high) {
-  return scalar_type<double>(range(low, high), number_schema(low, high),
-                             [=](const Value& value, const std::string& path, const Scene&) {
-                               return read_number(value, path, low, high);
-                             });
+  return scalar_type<double>(range(low, high), number_schema(low, high), read_number, low, high);
 }
 
 Type<double> above_zero(double high) {
   return scalar_type<double>(fmt::format("above 0, up to {}", shown_number(high)),
-                             above_zero_schema(high),
-                             [=](const Value& value, const std::string& path, const Scene&) {
-                               return read_positive(value, path, high);
-                             });
+                             above_zero_schema(high), read_positive, high);
 }
 
 Type<int> integer(int low, int high) {
-  return scalar_type<int>(range(low, high), integer_schema(low, high),
-                          [=](const Value& value, const std::string& path, const Scene&) {
-                            return read_int(value, path, low, high);
-                          });
+  return scalar_type<int>(range(low, high), integer_schema(low, high), read_int, low, high);
 }
 
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
   constexpr std::uint64_t kMaxExact = std::uint64_t{1} << 53U;  // of a double
-  return scalar_type<std::uint64_t>(
-      high < kMaxExact ? range(static_cast<double>(low), static_cast<double>(high))
-                       : fmt::format("{} to {}", low, high),
-      count_schema(low, high), [=](const Value& value, const std::string& path, const Scene&) {
-        return read_count(value, path, low, high);
-      });
+  return scalar_type<std::uint64_t>(high < kMaxExact
+                                        ? range(static_cast<double>(low), static_cast<double>(high))
+                                        : fmt::format("{} to {}", low, high),
+                                    count_schema(low, high), read_count, low, high);
 }
 
 Type<bool> yes_or_no() {
-  return scalar_type<bool>("`true`, `false`", schema(R"({"type": "boolean"})"),
-                           [](const Value& value, const std::string& path, const Scene&) {
-                             return read_bool(value, path);
-                           });
+  return scalar_type<bool>("`true`, `false`", schema(R"({"type": "boolean"})"), read_bool);
 }
 
 Type<Eigen::Vector2d> point() {
@@ -230,40 +223,6 @@ Type<std::vector<std::size_t>> references(
         }
         return Yaml::list(std::move(items));
       });
-}
-
-AnyType word_or_type(const std::string& word, const AnyType& type, const std::string& phrase,
-                     const Container& optional) {
-  AnyType result;
-  result.allowed = fmt::format("`{}`, or {}", word, type.allowed);
-  result.schema = any_of({word_schema(word), type.schema});
-  result.read_into = [=, read = type.read_into, &optional](const Value& value,
-                                                           const std::string& path,
-                                                           const Scene& scene, void* number) {
-    optional.clear(number);
-    if (!is_word(value, path, word, phrase)) {
-      read(value, path, scene, optional.append(number));
-    }
-  };
-  result.text_of = [=, text = type.text_of, &optional](const void* number, const Scene& scene) {
-    const void* value = optional.at(number, 0);
-    return value != nullptr ? text(value, scene) : Yaml::scalar(word);
-  };
-  return result;
-}
-
-AnyType choice_type(const std::vector<std::string_view>& words,
-                    const std::function<void(std::size_t index, void* result)>& assign,
-                    const std::function<std::size_t(const void* value)>& index_of) {
-  AnyType type;
-  type.allowed = fmt::format("`{}`", fmt::join(words, "`, `"));
-  type.schema = choice_schema(words);
-  type.read_into = [=](const Value& value, const std::string& path, const Scene& /*scene*/,
-                       void* result) { assign(read_word(value, path, words), result); };
-  type.text_of = [=](const void* value, const Scene& /*scene*/) {
-    return Yaml::scalar(std::string(words[index_of(value)]));
-  };
-  return type;
 }
 
 }  // namespace clca::scene

@@ -56,34 +56,28 @@ image::Image read_picture(const Value& value, const std::string& path, const Sce
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
                                          const std::string& pattern);
 
-AnyType word_or_type(const std::string& word, const AnyType& type, const std::string& phrase,
-                     const Container& optional);
-
 /// `word`, or a number of the type, in messages `phrase`; `word` stands for none.
 template <class T>
 Type<std::optional<T>> word_or(const std::string& word, const Type<T>& type,
                                const std::string& phrase) {
-  return Type<std::optional<T>>(word_or_type(word, type, phrase, kOptional<T>));
+  return Type<std::optional<T>>(optional_type(word, ", or ", type, kOptional<T>,
+                                              [=](const Value& value, const std::string& path) {
+                                                return is_word(value, path, word, phrase);
+                                              }));
 }
-
-AnyType choice_type(const std::vector<std::string_view>& words,
-                    const std::function<void(std::size_t index, void* result)>& assign,
-                    const std::function<std::size_t(const void* value)>& index_of);
 
 /// One of the words.
 template <class T, std::size_t kCount>
 Type<T> choice(const std::array<Named<T>, kCount>& names) {
-  const std::array<std::string_view, kCount> all = words(names);
-  return Type<T>(choice_type(
-      {all.begin(), all.end()},
-      [&names](std::size_t index, void* result) { *static_cast<T*>(result) = names[index].value; },
-      [&names](const void* value) {
-        std::size_t index = 0;
-        while (names[index].value != *static_cast<const T*>(value)) {
-          ++index;
-        }
-        return index;
-      }));
+  const auto all = words(names);
+  return own_type<T>(
+      fmt::format("`{}`", fmt::join(all, "`, `")), choice_schema({all.begin(), all.end()}),
+      [&names](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        return read_choice(value, path, names);
+      },
+      [&names](const T& value, const Scene& /*scene*/) {
+        return Yaml::scalar(std::string(name_of(names, value)));
+      });
 }
 
 }  // namespace clca::scene
