@@ -16,6 +16,11 @@ AnyKey& AnyKey::operator=(const AnyKey&) = default;
 AnyKey& AnyKey::operator=(AnyKey&&) noexcept = default;
 AnyKey::~AnyKey() = default;
 
+void AnyKey::describe_default(std::string_view phrase) {
+  otherwise = phrase;
+  default_value.reset();
+}
+
 namespace {
 
 /// A map that is read into an owner.
@@ -120,6 +125,13 @@ std::string without_markup(std::string text) {
   }
   std::erase(text, '`');
   return text;
+}
+
+AnyType any_type(std::string_view allowed, const Schema& schema) {
+  AnyType type;
+  type.allowed = allowed;
+  type.schema = schema;
+  return type;
 }
 
 KeyDescription described(std::string_view name, const AnyType& type, std::string_view about) {

@@ -162,15 +162,16 @@ struct Type : AnyType {
   }
 };
 
+/// Without functions.
+AnyType any_type(std::string_view allowed, const Schema& schema);
+
 /// A type with functions of its own.
 template <class T>
 Type<T> own_type(
     std::string_view allowed, const Schema& schema,
     const std::function<T(const Value& value, const std::string& path, const Scene& scene)>& read,
     const std::function<Yaml(const T& value, const Scene& scene)>& text) {
-  AnyType type;
-  type.allowed = allowed;
-  type.schema = schema;
+  AnyType type = any_type(allowed, schema);
   type.read_into = [read](const Value& value, const std::string& path, const Scene& scene,
                           void* result) { *static_cast<T*>(result) = read(value, path, scene); };
   type.text_of = [text](const void* value, const Scene& scene) {
@@ -202,6 +203,8 @@ struct AnyKey : KeyDescription {
   /// Its value in place of that one; none if it is left out.
   std::function<std::optional<Yaml>(const void* owner, const Scene& scene)> text;
 
+  void describe_default(std::string_view phrase);
+
   // Compiled once.
   AnyKey();
   AnyKey(const AnyKey&);
@@ -223,8 +226,7 @@ struct Key : AnyKey {
   }
   /// Described by a phrase, where the default is no value or follows from other keys.
   Key& defaults_to(std::string_view phrase) {
-    otherwise = phrase;
-    default_value.reset();
+    describe_default(phrase);
     return *this;
   }
   Key& after(Action<Owner> action) {
@@ -370,8 +372,7 @@ Type<Owner> type_of(const Map<Owner>& map) {
 template <class Owner>
 Type<Owner> changed(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {
-    key.otherwise = "as in the scene";
-    key.default_value.reset();
+    key.describe_default("as in the scene");
   }
   Type<Owner> type = type_of<Owner>({.keys = keys});
   type.read_into = [read = type.read_into, member](const Value& value, const std::string& path,
