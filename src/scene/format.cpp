@@ -1,6 +1,7 @@
 #include "clca/scene/format.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "clca/text/message.hpp"
 #include "scene/sections.hpp"
@@ -8,16 +9,6 @@
 namespace clca::scene {
 
 namespace {
-
-const Descriptions& grains() {
-  static const Descriptions kKeys = descriptions(scene_map().keys);
-  return kKeys;
-}
-
-const Descriptions& gas() {
-  static const Descriptions kKeys = descriptions(boltzmann_map().keys);
-  return kKeys;
-}
 
 std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
@@ -65,7 +56,8 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   const bool gas_only = path.starts_with(kGasOnly);
   const std::vector<std::string> parts = parts_of(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =
-      gas_only ? std::vector{gas()} : std::vector{grains(), gas()};
+      gas_only ? std::vector{boltzmann_type().keys}
+               : std::vector{scene_type().keys, boltzmann_type().keys};
   std::vector<FoundKey> found;
   for (const Descriptions& top : tops) {
     const FoundKey one = find(top, parts);
@@ -165,29 +157,24 @@ std::string markdown_table(const std::vector<std::string>& paths) {
 }
 
 std::string json_schema() {
-  const auto definition = [](const auto& map, std::string_view about) {
-    Json schema = {{"description", about}};
-    schema.update(map_schema(descriptions(map.keys), map.conditions));
-    return schema;
+  Json schema = Json::parse(R"({
+    "$schema": "http://json-schema.org/draft-07/schema#",
+    "title": "Scene of clca",
+    "description": "Everything about a run: of grains, or of the Boltzmann equation. Written by clca explain --format schema.",
+    "type": "object",
+    "oneOf": [{"$ref": "#/definitions/grains"}, {"$ref": "#/definitions/boltzmann"}]})");
+  const auto define = [&](const char* name, const AnyType& type, std::string_view about) {
+    Json& definition = schema["definitions"][name];
+    definition["description"] = about;
+    definition.update(type.schema());
   };
-  Json schema = {
-      {"$schema", "http://json-schema.org/draft-07/schema#"},
-      {"title", "Scene of clca"},
-      {"description",
-       "Everything about a run: of grains, or of the Boltzmann equation. Written by clca explain "
-       "--format schema."},
-      {"type", "object"},
-      {"oneOf", {{{"$ref", "#/definitions/grains"}}, {{"$ref", "#/definitions/boltzmann"}}}},
-      {"definitions",
-       {{"grains",
-         definition(scene_map(),
-                    "A scene of grains on the lattice. Lengths in lattice spacings from the lower "
-                    "left site, time in steps, angles in degrees.")},
-        {"boltzmann",
-         definition(boltzmann_map(),
-                    "A scene of the Boltzmann equation: a homogeneous gas of inelastic, rough "
-                    "spheres. Velocities in v0, the root of a third of the mean square at time 0; "
-                    "time in 1 / (pi N (2 a)^2 v0).")}}}};
+  define("grains", scene_type(),
+         "A scene of grains on the lattice. Lengths in lattice spacings from the lower left site, "
+         "time in steps, angles in degrees.");
+  define("boltzmann", boltzmann_type(),
+         "A scene of the Boltzmann equation: a homogeneous gas of inelastic, rough spheres. "
+         "Velocities in v0, the root of a third of the mean square at time 0; time in 1 / (pi N "
+         "(2 a)^2 v0).");
   allow_expressions(schema);
   return schema.dump(2) + "\n";
 }

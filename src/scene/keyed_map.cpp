@@ -191,14 +191,12 @@ std::size_t read_word(const Value& value, std::string_view path,
   return static_cast<std::size_t>(match - words.begin());
 }
 
-bool is_none(const Value& value) {
-  return value.is(Value::Kind::scalar) && value.text == "none";
-}
-
-void require_map_or_none(const Value& value, std::string_view path) {
-  if (!value.is(Value::Kind::map)) {
+bool is_none(const Value& value, std::string_view path) {
+  const bool none = value.is(Value::Kind::scalar) && value.text == "none";
+  if (!none && !value.is(Value::Kind::map)) {
     unexpected(value, path, "a map or none");
   }
+  return none;
 }
 
 bool is_word(const Value& value, std::string_view path, std::string_view word,

@@ -54,10 +54,8 @@ T read_choice(const Value& value, std::string_view path,
 
 using text::names_of;
 
-/// True for the scalar `none`.
-bool is_none(const Value& value);
-/// Throws SceneError unless it is a map, in whose place there may be `none`.
-void require_map_or_none(const Value& value, std::string_view path);
+/// True for the scalar `none`. Throws SceneError if it is no map either.
+bool is_none(const Value& value, std::string_view path);
 /// True for the word. Throws SceneError if it is no number either, which `phrase` describes.
 bool is_word(const Value& value, std::string_view path, std::string_view word,
              std::string_view phrase);

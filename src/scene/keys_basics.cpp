@@ -12,7 +12,7 @@ namespace {
 
 using Priority = std::array<automaton::UpdateClass, 3>;
 
-Priority read_priority(const Value& value, const std::string& path) {
+Priority read_priority(const Value& value, const std::string& path, const Scene& /*scene*/) {
   const std::vector<Value>& items = read_list(value, path, 3, 3);
   Priority order = {};
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -27,28 +27,19 @@ Priority read_priority(const Value& value, const std::string& path) {
 }
 
 Type<Priority> priority_type() {
-  return {.allowed = "`rest`, `inertia`, `gravity`, each once",
-          .schema =
-              [=] {
-                return Json{{"type", "array"},
-                            {"items", choice(kUpdateClassNames).schema()},
-                            {"minItems", 3},
-                            {"maxItems", 3},
-                            {"uniqueItems", true}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_priority(value, path); },
-          .text =
-              [](const Priority& order, const Scene& scene) {
-                Yaml list = Yaml::list({});
-                for (const automaton::UpdateClass one : order) {
-                  list.items.push_back(choice(kUpdateClassNames).text(one, scene));
-                }
-                return list;
-              }};
+  const Type<automaton::UpdateClass> one = choice(kUpdateClassNames);
+  return own_type<Priority>("`rest`, `inertia`, `gravity`, each once",
+                            unique(array_schema(one.schema, 3, 3)), read_priority,
+                            [one](const Priority& order, const Scene& scene) {
+                              Yaml list = Yaml::list({});
+                              for (const automaton::UpdateClass next : order) {
+                                list.items.push_back(one.text(next, scene));
+                              }
+                              return list;
+                            });
 }
 
-std::string read_title(const Value& value, const std::string& path) {
+std::string read_title(const Value& value, const std::string& path, const Scene& /*scene*/) {
   const std::string& title = read_text(value, path);
   const std::optional<std::size_t> characters = line_length(title);
   if (!characters) {
@@ -81,17 +72,10 @@ Keys<automaton::Rules> rules_keys() {
 }  // namespace
 
 Type<std::string> title_type() {
-  return {
-      .allowed = fmt::format("1 to {} characters", kMaxTitleLength),
-      .schema =
-          [=] {
-            return Json{{"type", {"string", "number", "boolean"}},
-                        {"minLength", 1},
-                        {"maxLength", kMaxTitleLength}};
-          },
-      .read = [](const Value& value, const std::string& path,
-                 const Scene& /*scene*/) { return read_title(value, path); },
-      .text = [](const std::string& title, const Scene& /*scene*/) { return quoted_text(title); }};
+  return own_type<std::string>(
+      fmt::format("1 to {} characters", kMaxTitleLength),
+      with(with(scalar_schema(), "minLength", 1), "maxLength", kMaxTitleLength), read_title,
+      [](const std::string& title, const Scene& /*scene*/) { return quoted_text(title); });
 }
 
 Type<Box> box_type() {

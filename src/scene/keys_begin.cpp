@@ -25,14 +25,11 @@ std::uint64_t read_hash(const Value& value, const std::string& path, const Scene
 }
 
 Type<std::uint64_t> hash_type() {
-  return {.allowed = fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
-          .schema =
-              [] {
-                return Json{{"type", "string"}, {"pattern", "^[0-9A-Fa-f]{16}$"}};
-              },
-          .read = read_hash,
-          .text = [](std::uint64_t hash,
-                     const Scene& /*scene*/) { return quoted_text(fmt::format("{:016x}", hash)); }};
+  return own_type<std::uint64_t>(fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
+                                 text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
+                                 [](std::uint64_t hash, const Scene& /*scene*/) {
+                                   return quoted_text(fmt::format("{:016x}", hash));
+                                 });
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace clca::scene {
 
 namespace {
 
-void read_restitutions(const Value& value, const std::string& path, BoltzmannScene& scene) {
+void read_restitutions(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+  const Value& value = fields.at("restitution");
+  const std::string path = fields.path("restitution");
   scene.restitutions.clear();
   scene.lists_restitutions = value.is(Value::Kind::list);
   if (!scene.lists_restitutions) {
@@ -29,63 +31,33 @@ void read_restitutions(const Value& value, const std::string& path, BoltzmannSce
 }
 
 Key<BoltzmannScene> restitution_key() {
-  const Type<double> one = number(0, 1);
-  Key<BoltzmannScene> key;
-  key.name = "restitution";
-  key.about = "ε, normal restitution; of a list, one run for each, in that order";
-  key.allowed = fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions);
-  key.required = true;
-  key.schema = [=] {
-    return Json{{"anyOf",
-                 {one.schema(),
-                  {{"type", "array"},
-                   {"items", one.schema()},
-                   {"minItems", 1},
-                   {"maxItems", kMaxRestitutions},
-                   {"uniqueItems", true}}}}};
-  };
-  key.read = [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-    read_restitutions(fields.at("restitution"), fields.path("restitution"), scene);
-  };
-  key.text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-    Yaml list = Yaml::list({});
-    for (const double restitution : scene.restitutions) {
-      list.items.push_back(Yaml::number(restitution));
-    }
-    return std::optional(scene.lists_restitutions ? list : list.items.front());
-  };
-  return key;
+  const Schema one = number_schema(0, 1);
+  return own_key<BoltzmannScene>(
+      {.name = "restitution",
+       .about = "ε, normal restitution; of a list, one run for each, in that order",
+       .allowed = fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
+       .required = true,
+       .schema = any_of({one, unique(array_schema(one, 1, kMaxRestitutions))})},
+      read_restitutions, [](const BoltzmannScene& scene, const Scene& /*scene*/) {
+        const Yaml list = numbers_text(scene.restitutions);
+        return std::optional(scene.lists_restitutions ? list : list.items.front());
+      });
 }
 
 /// Without it nothing slides; see boltzmann::Law.
 Key<BoltzmannScene> friction_key() {
-  auto result = key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
-                    "η of Coulomb; without it, but with a roughness, nothing slides")
-                    .defaults_to("see below");
-  result.text = [text = result.text](const BoltzmannScene& scene, const Scene& grains) {
-    return scene.friction != boltzmann::kNoSlidingLimit ? text(scene, grains) : std::nullopt;
-  };
-  return result;
+  return key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
+             "η of Coulomb; without it, but with a roughness, nothing slides")
+      .defaults_to("see below")
+      .written_as([](const BoltzmannScene& scene, const Scene& /*scene*/) {
+        return scene.friction != boltzmann::kNoSlidingLimit
+                   ? std::optional(Yaml::number(scene.friction))
+                   : std::nullopt;
+      });
 }
 
-/// The scheme by its index.
-Key<BoltzmannScene> scheme_key() {
-  auto key = described<BoltzmannScene>(
-      "scheme", choice(kSchemeNames),
-      "pairs in continuous time; or the time steps of the paper, which are biased");
-  const std::string otherwise(name_of(kSchemeNames, BoltzmannScene().scheme.index()));
-  key.otherwise = fmt::format("`{}`", otherwise);
-  key.default_value = Yaml::scalar(otherwise);
-  key.read = [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-    const Value* value = fields.find("scheme");
-    if (value != nullptr && read_choice(*value, fields.path("scheme"), kSchemeNames) > 0) {
-      scene.scheme = boltzmann::OgawaKato{.quasi = scene.quasi};
-    }
-  };
-  key.text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-    return std::optional(Yaml::scalar(std::string(name_of(kSchemeNames, scene.scheme.index()))));
-  };
-  return key;
+bool is_majorant(const BoltzmannScene& scene) {
+  return std::holds_alternative<boltzmann::Majorant>(scene.scheme);
 }
 
 /// Refuses a key that only the other scheme has.
@@ -97,46 +69,47 @@ void refuse_key(const KeyedMap& fields, const std::string& key, const BoltzmannS
   }
 }
 
+void read_scheme(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+  const Value* value = fields.find("scheme");
+  if (value != nullptr && read_choice(*value, fields.path("scheme"), kSchemeNames) > 0) {
+    scene.scheme = boltzmann::OgawaKato{.quasi = scene.quasi};
+  } else {
+    refuse_key(fields, "time_step", scene);
+    refuse_key(fields, "partners", scene);
+  }
+}
+
+/// The scheme by its index.
+Key<BoltzmannScene> scheme_key() {
+  const auto scheme_text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
+    return std::optional(Yaml::scalar(std::string(name_of(kSchemeNames, scene.scheme.index()))));
+  };
+  KeyDescription description =
+      described("scheme", choice(kSchemeNames),
+                "pairs in continuous time; or the time steps of the paper, which are biased");
+  description.default_value = scheme_text({}, {});
+  description.otherwise = fmt::format("`{}`", flow_text(*description.default_value));
+  return own_key<BoltzmannScene>(description, read_scheme, scheme_text);
+}
+
 /// A member of OgawaKato.
 template <class T>
-Key<BoltzmannScene> ogawa_kato_key(const std::string& name, T boltzmann::OgawaKato::*member,
-                                   const Type<T>& type, const std::string& about) {
-  const auto part = key(name, member, type, about);
-  Key<BoltzmannScene> result;
-  result.describe_as(part);
-  result.read = [=](const KeyedMap& fields, BoltzmannScene& scene, const Scene& grains) {
-    if (auto* scheme = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
-      part.read(fields, *scheme, grains);
-    } else {
-      refuse_key(fields, name, scene);
-    }
-  };
-  result.text = [=](const BoltzmannScene& scene, const Scene& grains) {
-    const auto* scheme = std::get_if<boltzmann::OgawaKato>(&scene.scheme);
-    return scheme != nullptr ? part.text(*scheme, grains) : std::nullopt;
-  };
-  return result;
+Key<BoltzmannScene> ogawa_kato_key(std::string_view name, T boltzmann::OgawaKato::*member,
+                                   const Type<T>& type, std::string_view about) {
+  return inlined_alternative(&BoltzmannScene::scheme, key(name, member, type, about));
 }
 
 Key<BoltzmannScene> shear_rate_key() {
-  auto result =
-      key("shear_rate", &BoltzmannScene::shear_rate, number(0, kMaxShearRate),
-          "of `majorant` only: velocity gradient of uniform shear flow, per unit of time");
-  const auto has_it = [](const BoltzmannScene& scene) {
-    return std::holds_alternative<boltzmann::Majorant>(scene.scheme);
-  };
-  result.read = [=, read = result.read](const KeyedMap& fields, BoltzmannScene& scene,
-                                        const Scene& grains) {
-    if (has_it(scene)) {
-      read(fields, scene, grains);
-    } else {
-      refuse_key(fields, "shear_rate", scene);
-    }
-  };
-  result.text = [=, text = result.text](const BoltzmannScene& scene, const Scene& grains) {
-    return has_it(scene) ? text(scene, grains) : std::nullopt;
-  };
-  return result;
+  return key("shear_rate", &BoltzmannScene::shear_rate, number(0, kMaxShearRate),
+             "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
+      .after([](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+        if (!is_majorant(scene)) {
+          refuse_key(fields, "shear_rate", scene);
+        }
+      })
+      .written_as([](const BoltzmannScene& scene, const Scene& /*scene*/) {
+        return is_majorant(scene) ? std::optional(Yaml::number(scene.shear_rate)) : std::nullopt;
+      });
 }
 
 void check_block(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
@@ -153,8 +126,6 @@ void check_block(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*s
 
 Key<BoltzmannScene> boltzmann_block() {
   using B = BoltzmannScene;
-  const Json in_steps = {{"required", {"scheme"}},
-                         {"properties", {{"scheme", {{"const", "ogawa-kato"}}}}}};
   Map<B> map = {
       .keys =
           {key("particles", &B::particles, count(kMinGasParticles, kMaxGasParticles),
@@ -182,13 +153,13 @@ Key<BoltzmannScene> boltzmann_block() {
            key("ensemble", &B::ensemble, count(1, kMaxEnsemble),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,
-      .conditions = [=] {
-        return Json{{"anyOf", {{{"required", {"friction"}}}, {{"required", {"roughness"}}}}},
-                    {"dependencies",
-                     {{"time_step", in_steps},
-                      {"partners", in_steps},
-                      {"shear_rate", {{"not", in_steps}}}}}};
-      }};
+      .conditions = R"({
+        "anyOf": [{"required": ["friction"]}, {"required": ["roughness"]}],
+        "dependencies": {
+          "time_step": {"required": ["scheme"], "properties": {"scheme": {"const": "ogawa-kato"}}},
+          "partners": {"required": ["scheme"], "properties": {"scheme": {"const": "ogawa-kato"}}},
+          "shear_rate": {"not": {"required": ["scheme"],
+                                 "properties": {"scheme": {"const": "ogawa-kato"}}}}}})"};
   auto block = section("boltzmann", map,
                        "the gas, what a collision does, and for how long: [boltzmann](#boltzmann)");
   block.required = true;

@@ -12,11 +12,16 @@ namespace clca::scene {
 
 namespace {
 
-std::vector<double> read_histograms(const Value& value, const std::string& path,
-                                    const BoltzmannScene& scene) {
+void read_histograms(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+  const Value* value = fields.find("histograms");
+  if (value == nullptr) {
+    return;
+  }
+  const std::string path = fields.path("histograms");
   const double apart = kSameTime * scene.series_every;
-  std::vector<double> times;
-  for (const Value& item : read_list(value, path, 0, kMaxHistograms)) {
+  std::vector<double>& times = scene.histograms;
+  times.clear();
+  for (const Value& item : read_list(*value, path, 0, kMaxHistograms)) {
     times.push_back(read_number(item, path, 0, scene.until));
     if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
       fail(item.location,
@@ -24,7 +29,6 @@ std::vector<double> read_histograms(const Value& value, const std::string& path,
                        apart, times.back(), times[times.size() - 2]));
     }
   }
-  return times;
 }
 
 /// The number in `q20`; nothing where it is not plain digits in range.
@@ -59,61 +63,43 @@ Type<UniformBins> uniform_bins() {
 
 Type<BinsSpec> bins_type() {
   const Type<UniformBins> uniform = uniform_bins();
-  return {.allowed = fmt::format("`q{}` to `q{}`, or map", kMinQuantiles, kMaxQuantiles),
-          .schema =
-              [=] {
-                return Json{{"anyOf",
-                             {{{"type", "string"}, {"pattern", "^q([2-9]|[1-9][0-9]{1,2}|1000)$"}},
-                              uniform.schema()}}};
-              },
-          .read = [=](const Value& value, const std::string& path, const Scene& scene) -> BinsSpec {
-            if (value.is(Value::Kind::map)) {
-              return uniform.read(value, path, scene);
-            }
-            const std::optional<int> count = quantiles(value);
-            if (!count) {
-              fail(value.location,
-                   fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}",
-                               path, kMinQuantiles, kMaxQuantiles, found(value)));
-            }
-            return QuantileBins{*count};
-          },
-          .text =
-              [=](const BinsSpec& bins, const Scene& scene) {
-                const auto* quantile = std::get_if<QuantileBins>(&bins);
-                return quantile != nullptr ? Yaml::scalar(fmt::format("q{}", quantile->count))
-                                           : uniform.text(std::get<UniformBins>(bins), scene);
-              },
-          .keys = uniform.keys};
+  auto type = own_type<BinsSpec>(
+      fmt::format("`q{}` to `q{}`, or map", kMinQuantiles, kMaxQuantiles),
+      any_of({text_schema("^q([2-9]|[1-9][0-9]{1,2}|1000)$"), uniform.schema}),
+      [=](const Value& value, const std::string& path, const Scene& scene) -> BinsSpec {
+        if (value.is(Value::Kind::map)) {
+          return uniform.read(value, path, scene);
+        }
+        const std::optional<int> count = quantiles(value);
+        if (!count) {
+          fail(value.location,
+               fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}", path,
+                           kMinQuantiles, kMaxQuantiles, found(value)));
+        }
+        return QuantileBins{*count};
+      },
+      [=](const BinsSpec& bins, const Scene& scene) {
+        const auto* quantile = std::get_if<QuantileBins>(&bins);
+        return quantile != nullptr ? Yaml::scalar(fmt::format("q{}", quantile->count))
+                                   : uniform.text(std::get<UniformBins>(bins), scene);
+      });
+  type.keys = uniform.keys;
+  return type;
 }
 
 Key<BoltzmannScene> histograms_key() {
-  Key<BoltzmannScene> key;
-  key.name = "histograms";
-  key.about =
-      "times, ascending, from 0 to `until`, at which the distributions of both energies are "
-      "written; `[]` for none";
-  key.allowed = fmt::format("list of at most {}", kMaxHistograms);
-  key.otherwise = "begin and end";
-  key.schema = [=] {
-    return Json{{"type", "array"},
-                {"items", number(0, kMaxTime).schema()},
-                {"maxItems", kMaxHistograms},
-                {"uniqueItems", true}};
-  };
-  key.read = [](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-    if (const Value* value = fields.find("histograms")) {
-      scene.histograms = read_histograms(*value, fields.path("histograms"), scene);
-    }
-  };
-  key.text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-    Yaml list = Yaml::list({});
-    for (const double time : scene.histograms) {
-      list.items.push_back(Yaml::number(time));
-    }
-    return std::optional(list);
-  };
-  return key;
+  return own_key<BoltzmannScene>(
+      {.name = "histograms",
+       .about =
+           "times, ascending, from 0 to `until`, at which the distributions of both energies are "
+           "written; `[]` for none",
+       .allowed = fmt::format("list of at most {}", kMaxHistograms),
+       .otherwise = "begin and end",
+       .schema =
+           unique(with(array_schema(number_schema(0, kMaxTime)), "maxItems", kMaxHistograms))},
+      read_histograms, [](const BoltzmannScene& scene, const Scene& /*scene*/) {
+        return std::optional(numbers_text(scene.histograms));
+      });
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace clca::scene {
 namespace {
 
 /// `1 mm` in metres.
-double read_length(const Value& value, const std::string& path) {
+double read_length(const Value& value, const std::string& path, const Scene& /*scene*/) {
   const std::size_t end = value.text.find_last_of("0123456789.") + 1;
   const std::size_t unit_begin =
       std::min(value.text.find_first_not_of(' ', end), value.text.size());
@@ -30,51 +30,41 @@ double read_length(const Value& value, const std::string& path) {
 }
 
 Type<double> length() {
-  return {.allowed = fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing,
-                                 kMaxSpacing),
-          .schema =
-              [=] {
-                return Json{{"type", "string"}, {"pattern", "^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_length(value, path); },
-          .text = [](double metres,
-                     const Scene& /*scene*/) { return Yaml::scalar(fmt::format("{} m", metres)); }};
+  return own_type<double>(
+      fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing, kMaxSpacing),
+      text_schema("^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"), read_length,
+      [](double metres, const Scene& /*scene*/) {
+        return Yaml::scalar(fmt::format("{} m", metres));
+      });
 }
 
 Type<int> sweeps() {
   Type<int> type = integer(kMinSweeps, kMaxSweeps);
   type.allowed += ", even";
-  type.schema = [schema = type.schema] {
-    Json result = schema();
-    result["multipleOf"] = 2;
-    return result;
-  };
-  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
-    const int sweeps = read(value, path, scene);
+  type.schema = with(type.schema, "multipleOf", 2);
+  return type.checked([](const int& sweeps, const Value& value, const std::string& path,
+                         const Scene& /*scene*/) {
     if (sweeps % 2 != 0) {
       fail(value.location,
            fmt::format("{}: expected an even number, as every second sweep goes backwards, found "
                        "'{}'",
                        path, sweeps));
     }
-    return sweeps;
-  };
-  return type;
+  });
 }
 
 /// 0 for `auto`.
 Type<double> fall_height() {
   const auto type = word_or("auto", above_zero(kMaxFallHeight),
                             fmt::format("a number above 0 and up to {}", kMaxFallHeight));
-  return {.allowed = type.allowed,
-          .schema = type.schema,
-          .read = [=](const Value& value, const std::string& path,
-                      const Scene& scene) { return type.read(value, path, scene).value_or(0); },
-          .text =
-              [=](double height, const Scene& scene) {
-                return type.text(height > 0 ? std::optional(height) : std::nullopt, scene);
-              }};
+  return own_type<double>(
+      type.allowed, type.schema,
+      [=](const Value& value, const std::string& path, const Scene& scene) {
+        return type.read(value, path, scene).value_or(0);
+      },
+      [=](double height, const Scene& scene) {
+        return type.text(height > 0 ? std::optional(height) : std::nullopt, scene);
+      });
 }
 
 /// What may differ from stage to stage.
@@ -107,17 +97,15 @@ Type<contact::Parameters> contact_type() {
               key("rolling", &P::rolling, choice(kRollingNames),
                   "how particles turn: not at all, against a moment that resists rolling, or "
                   "freely; only hexagons turn"));
-  const Keys<P> more = {
-      key("sweeps", &P::sweeps, sweeps(),
-          "sweeps over all contacts in a step, forwards and backwards in turn"),
-      key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
-          "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
-      key("fall_height", &P::fall_height, fall_height(),
-          "height of that fall in lattice spacings; `auto`: from the fills"),
-      key("sleeping", &P::sleeping, yes_or_no(),
-          "whether steps leave out particles that have come to rest")};
-  keys.insert(keys.end(), more.begin(), more.end());
-  return type_of<P>({.keys = std::move(keys)});
+  keys.add({key("sweeps", &P::sweeps, sweeps(),
+                "sweeps over all contacts in a step, forwards and backwards in turn"),
+            key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
+                "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
+            key("fall_height", &P::fall_height, fall_height(),
+                "height of that fall in lattice spacings; `auto`: from the fills"),
+            key("sleeping", &P::sleeping, yes_or_no(),
+                "whether steps leave out particles that have come to rest")});
+  return type_of<P>({.keys = keys});
 }
 
 Type<contact::Parameters> stage_contact_type() {

@@ -31,8 +31,8 @@ std::vector<std::uint32_t> read_part(const Value& value, const std::string& path
   return weights;
 }
 
-Json part_schema() {
-  return {{"anyOf", {{{"type", "string"}}, weights_type().schema()}}};
+Schema part_schema() {
+  return any_of({schema(R"({"type": "string"})"), weights_type().schema});
 }
 
 char letter(std::size_t part) {
@@ -58,7 +58,12 @@ char pixel_of(image::Rgb color, const std::vector<Color>& colors) {
   return pixel;
 }
 
+/// Of the keys that stand for `rows` and `pixels`: a run folder has no other file.
 void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
+  constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
+  if (fields.only(kSources) != "file") {
+    return;
+  }
   const std::string path = fields.path("colors");
   const std::vector<Entry>& entries = read_map(fields.at("colors"), path);
   if (entries.empty() || entries.size() > kMaxParts) {
@@ -80,72 +85,54 @@ void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene)
   }
 }
 
-/// The keys that stand for `rows` and `pixels`: a run folder has no other file.
 Key<FillPicture> parts_file_key() {
-  auto key = described<FillPicture>(
-      "file", file_path_type(),
-      "a PNG of up to 1000000 pixels; a relative path begins at the folder of the scene");
-  key.otherwise = "this or `rows`";
-  key.read = [](const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
-    constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
-    if (fields.only(kSources) == "file") {
-      read_file(fields, picture, scene);
-    }
-  };
-  key.text = [](const FillPicture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
-  return key;
+  return own_key<FillPicture>(
+             described("file", file_path_type(),
+                       "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
+                       "scene"),
+             read_file)
+      .defaults_to("this or `rows`");
 }
 
+/// Read with the file.
 Key<FillPicture> colors_key() {
-  Key<FillPicture> key;
-  key.name = "colors";
-  key.about =
-      "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a pixel has "
-      "the nearest of these colours, or is white and stays empty";
-  key.allowed = "map of colours";
-  key.otherwise = "none";
-  key.schema = [] {
-    return Json{{"type", "object"},
-                {"propertyNames", {{"pattern", "^#[0-9A-Fa-f]{6}$"}}},
-                {"additionalProperties", part_schema()},
-                {"minProperties", 1},
-                {"maxProperties", kMaxParts}};
-  };
-  key.read = [](const KeyedMap& /*fields*/, FillPicture& /*picture*/, const Scene& /*scene*/) {};
-  key.text = [](const FillPicture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
-  return key;
+  return own_key<FillPicture>(
+      {.name = "colors",
+       .about =
+           "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a pixel "
+           "has the nearest of these colours, or is white and stays empty",
+       .allowed = "map of colours",
+       .otherwise = "none",
+       .schema = with(with(object_schema(part_schema(), "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
+                      "maxProperties", kMaxParts)});
 }
 
-Type<std::map<char, std::vector<std::uint32_t>>> pixels_type() {
-  return {.allowed = "map of letters",
-          .schema =
-              [] {
-                return Json{{"type", "object"},
-                            {"propertyNames", {{"pattern", "^[A-Z]$"}}},
-                            {"additionalProperties", part_schema()},
-                            {"minProperties", 1}};
-              },
-          .read =
-              [](const Value& value, const std::string& path, const Scene& scene) {
-                std::map<char, std::vector<std::uint32_t>> weights;
-                for (const Entry& entry : read_map(value, path)) {
-                  if (entry.key.size() != 1 || !is_part(entry.key.front())) {
-                    fail(entry.location, fmt::format("{}: expected a letter from A to Z, found {}",
-                                                     path, text::shown(entry.key)));
-                  }
-                  weights[entry.key.front()] =
-                      read_part(entry.value, join_path(path, entry.key), scene);
-                }
-                return weights;
-              },
-          .text =
-              [](const std::map<char, std::vector<std::uint32_t>>& weights, const Scene& scene) {
-                Yaml map = Yaml::map({});
-                for (const auto& [pixel, part] : weights) {
-                  map.entries.push_back({std::string(1, pixel), weights_type().text(part, scene)});
-                }
-                return map;
-              }};
+using Parts = std::map<char, std::vector<std::uint32_t>>;
+
+Parts read_pixels(const Value& value, const std::string& path, const Scene& scene) {
+  Parts weights;
+  for (const Entry& entry : read_map(value, path)) {
+    if (entry.key.size() != 1 || !is_part(entry.key.front())) {
+      fail(entry.location, fmt::format("{}: expected a letter from A to Z, found {}", path,
+                                       text::shown(entry.key)));
+    }
+    weights[entry.key.front()] = read_part(entry.value, join_path(path, entry.key), scene);
+  }
+  return weights;
+}
+
+Yaml pixels_text(const Parts& weights, const Scene& scene) {
+  Yaml map = Yaml::map({});
+  for (const auto& [pixel, part] : weights) {
+    map.entries.push_back({std::string(1, pixel), weights_type().text(part, scene)});
+  }
+  return map;
+}
+
+Type<Parts> pixels_type() {
+  return own_type<Parts>("map of letters",
+                         with(object_schema(part_schema(), "^[A-Z]$"), "minProperties", 1),
+                         read_pixels, pixels_text);
 }
 
 void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& /*scene*/) {
@@ -182,10 +169,8 @@ Type<FillPicture> picture() {
                     "of rows: by letter, a species or weights by species", {})
                     .defaults_to("none")},
        .check = check_picture,
-       .conditions = [] {
-         return Json{
-             {"oneOf", {{{"required", {"file", "colors"}}}, {{"required", {"rows", "pixels"}}}}}};
-       }});
+       .conditions =
+           R"({"oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}]})"});
 }
 
 void check_keys_of_fill(const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
@@ -213,7 +198,7 @@ Type<Fill> fill_type() {
       {.keys = {key("method", &Fill::method, choice(kFillMethodNames),
                     "a rain that falls in the steps that follow, or a packing at rest"),
                 required("region", &Fill::region, region(), "where: no particle sticks out of it"),
-                list_key("counts", &Fill::counts, by_species<std::size_t>(kMaxParticles),
+                list_key("counts", &Fill::counts, counts_type(kMaxParticles),
                          "number of particles; 0 for species that are not named")
                     .defaults_to("one of these three"),
                 list_key("mix", &Fill::mix, weights_type(),
@@ -227,11 +212,8 @@ Type<Fill> fill_type() {
                     "of a deposited mix: mean height of its surface where the filling ends")
                     .defaults_to("until the region is full")},
        .check = check_keys_of_fill,
-       .conditions = [] {
-         return Json{
-             {"oneOf",
-              {{{"required", {"counts"}}}, {{"required", {"mix"}}}, {{"required", {"picture"}}}}}};
-       }});
+       .conditions = R"({"oneOf": [{"required": ["counts"]}, {"required": ["mix"]},
+                                   {"required": ["picture"]}]})"});
 }
 
 std::optional<grains::Mixture> mixture_of(const Fill& fill) {

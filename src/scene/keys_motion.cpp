@@ -43,13 +43,14 @@ Type<grains::Wave> wave() {
 
 Type<int> shake_amplitude() {
   Type<int> type = integer(1, kMaxOffset);
-  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
+  type.read_into = [read = type.read_into](const Value& value, const std::string& path,
+                                           const Scene& scene, void* amplitude) {
     if (value.is(Value::Kind::scalar) && value.text == "0") {
       fail(value.location, fmt::format("{}: expected a whole number from 1 to {}, found '0'; a "
                                        "shake of 0 does nothing",
                                        path, kMaxOffset));
     }
-    return read(value, path, scene);
+    read(value, path, scene, amplitude);
   };
   return type;
 }
@@ -75,7 +76,7 @@ bool too_steep(const Point& from, const Point& to) {
   return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
 }
 
-grains::Path read_path(const Value& value, const std::string& path) {
+grains::Path read_points(const Value& value, const std::string& path, const Scene& /*scene*/) {
   grains::Path way;
   Point before;
   for (const Value& item : read_list(value, path, 1, kMaxPoints)) {
@@ -98,31 +99,18 @@ grains::Path read_path(const Value& value, const std::string& path) {
 }
 
 Type<grains::Path> path_type() {
-  return {
-      .allowed = fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
-      .schema =
-          [=] {
-            return Json{
-                {"type", "array"},
-                {"items",
-                 {{"type", "array"},
-                  {"items",
-                   {count(1, kMaxSteps).schema(), integer(-kMaxOffset, kMaxOffset).schema()}},
-                  {"minItems", 2},
-                  {"maxItems", 2}}},
-                {"minItems", 1},
-                {"maxItems", kMaxPoints}};
-          },
-      .read = [](const Value& value, const std::string& path,
-                 const Scene& /*scene*/) { return read_path(value, path); },
-      .text =
-          [](const grains::Path& path, const Scene& /*scene*/) {
-            Yaml list = Yaml::list({});
-            for (const Point& point : path.points) {
-              list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", point.step, point.offset)));
-            }
-            return list;
-          }};
+  const Schema point =
+      tuple_schema({count_schema(1, kMaxSteps), integer_schema(-kMaxOffset, kMaxOffset)});
+  return own_type<grains::Path>(
+      fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
+      array_schema(point, 1, kMaxPoints), read_points,
+      [](const grains::Path& path, const Scene& /*scene*/) {
+        Yaml list = Yaml::list({});
+        for (const Point& one : path.points) {
+          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", one.step, one.offset)));
+        }
+        return list;
+      });
 }
 
 /// The key of the program; empty for a drive.
@@ -145,20 +133,9 @@ std::string_view program_key(const KeyedMap& fields) {
 
 /// A member of grains::Drive, the program unless another is given.
 template <class T>
-Key<WallMotion> drive_key(const std::string& name, T grains::Drive::*member, const Type<T>& type,
-                          const std::string& about) {
-  auto key = described<WallMotion>(name, type, about);
-  key.read = [=](const KeyedMap& fields, WallMotion& motion, const Scene& scene) {
-    auto* drive = std::get_if<grains::Drive>(&motion.program);
-    if (const Value* value = fields.find(name); value != nullptr && drive != nullptr) {
-      drive->*member = type.read(*value, fields.path(name), scene);
-    }
-  };
-  key.text = [=](const WallMotion& motion, const Scene& scene) {
-    const auto* drive = std::get_if<grains::Drive>(&motion.program);
-    return drive != nullptr ? std::optional(type.text(drive->*member, scene)) : std::nullopt;
-  };
-  return key;
+Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const Type<T>& type,
+                          std::string_view about) {
+  return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
 }
 
 void check_program(const KeyedMap& fields, WallMotion& /*motion*/, const Scene& /*scene*/) {
@@ -174,20 +151,19 @@ void check_program(const KeyedMap& fields, WallMotion& /*motion*/, const Scene& 
 }
 
 template <class T>
-Key<WallMotion> program(const std::string& name, const Type<T>& type, const std::string& about) {
+Key<WallMotion> program(std::string_view name, const Type<T>& type, std::string_view about) {
   return inlined(&WallMotion::program, alternative<Program>(name, type, about));
 }
 
 }  // namespace
 
 Type<WallMotion> motion_type() {
-  auto period = drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
-                          "steps for each site of the distance");
-  period.otherwise = "1";
   return type_of<WallMotion>(
       {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
                     "where to; required with `distance`"),
-                period,
+                drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
+                          "steps for each site of the distance")
+                    .defaults_to("1"),
                 drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
                           "sites in all, then it stands"),
                 program("wave", wave(), "to and fro about home"),
@@ -197,16 +173,11 @@ Type<WallMotion> motion_type() {
                     "path", path_type(),
                     "from point to point, straight between them: steps increase, and nowhere is "
                     "it steeper than one site a step, counted from `[0, 0]`")},
-       .start = {.direction = lattice::Direction::up, .program = {}},
        .check = check_program,
-       .conditions = [] {
-         Json one_program = Json::array();
-         for (const char* name : {"distance", "wave", "shake", "path"}) {
-           one_program.push_back({{"required", {name}}});
-         }
-         return Json{{"oneOf", one_program},
-                     {"dependencies", {{"distance", {"direction"}}, {"period", {"distance"}}}}};
-       }});
+       .conditions = R"({
+         "oneOf": [{"required": ["distance"]}, {"required": ["wave"]}, {"required": ["shake"]},
+                   {"required": ["path"]}],
+         "dependencies": {"distance": ["direction"], "period": ["distance"]}})"});
 }
 
 }  // namespace clca::scene

@@ -161,7 +161,8 @@ Key<Checkpoints> seconds_key() {
              "on it");
 }
 
-std::vector<Measure> read_measures(const Value& value, const std::string& path) {
+std::vector<Measure> read_measures(const Value& value, const std::string& path,
+                                   const Scene& /*scene*/) {
   std::vector<Measure> measures;
   for (const Value& item : read_list(value, path, 0, kMeasureNames.size())) {
     const Measure measure = read_choice(item, path, kMeasureNames);
@@ -177,21 +178,12 @@ std::vector<Measure> read_measures(const Value& value, const std::string& path) 
 
 Type<std::vector<Measure>> measures_type() {
   const Type<Measure> word = choice(kMeasureNames);
-  return {.allowed = "list of " + word.allowed,
-          .schema =
-              [=] {
-                return Json{{"type", "array"}, {"items", word.schema()}, {"uniqueItems", true}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_measures(value, path); },
-          .text =
-              [=](const std::vector<Measure>& measures, const Scene& scene) {
-                Yaml list = Yaml::list({});
-                for (const Measure measure : measures) {
-                  list.items.push_back(word.text(measure, scene));
-                }
-                return list;
-              }};
+  const auto list = list_of(word, 0, kMeasureNames.size());
+  return own_type<std::vector<Measure>>(
+      "list of " + word.allowed, unique(array_schema(word.schema)), read_measures,
+      [list](const std::vector<Measure>& measures, const Scene& scene) {
+        return list.text(measures, scene);
+      });
 }
 
 Type<Checkpoints> checkpoint_type() {
@@ -206,18 +198,13 @@ Type<Checkpoints> checkpoint_type() {
                     fmt::format("{}: expected every (steps), seconds or both", fields.path()));
              }
            },
-       .conditions =
-           [=] {
-             return Json{{"minProperties", 1}};
-           }});
+       .conditions = R"({"minProperties": 1})"});
 }
 
 Type<Checkpoints> gas_checkpoint_type() {
   auto seconds = seconds_key();
   seconds.required = true;
-  return type_of<Checkpoints>({.keys = {seconds},
-                               .check = [](const KeyedMap& fields, Checkpoints& /*checkpoints*/,
-                                           const Scene& /*scene*/) { fields.at("seconds"); }});
+  return type_of<Checkpoints>({.keys = {seconds}});
 }
 
 Type<Output> output_type() {
@@ -238,13 +225,7 @@ Type<Output> output_type() {
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
                     "[output.checkpoint](#outputcheckpoint)",
-                    std::optional(kDefaultCheckpoints))},
-       .start = {.frames = {},
-                 .series = {},
-                 .fields = {},
-                 .contacts = {},
-                 .trajectory = {},
-                 .checkpoint = kDefaultCheckpoints}});
+                    std::optional(kDefaultCheckpoints))}});
 }
 
 }  // namespace clca::scene

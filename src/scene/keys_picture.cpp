@@ -38,19 +38,18 @@ bool is_wall_pixel(char pixel) {
 
 /// The key that stands for `rows`: a run folder has no other file.
 Key<Picture> file_key() {
-  auto key = described<Picture>(
-      "file", file_path_type(),
-      "a PNG of up to 1000000 pixels; a relative path begins at the folder of the scene");
-  key.otherwise = "this or `rows`";
-  key.read = [](const KeyedMap& fields, Picture& picture, const Scene& scene) {
-    constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
-    fields.only(kSources);
-    if (const Value* value = fields.find("file")) {
-      picture.rows = rows_of(read_picture(*value, fields.path("file"), scene));
-    }
-  };
-  key.text = [](const Picture& /*picture*/, const Scene& /*scene*/) { return std::nullopt; };
-  return key;
+  return own_key<Picture>(
+             described("file", file_path_type(),
+                       "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
+                       "scene"),
+             [](const KeyedMap& fields, Picture& picture, const Scene& scene) {
+               constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
+               fields.only(kSources);
+               if (const Value* value = fields.find("file")) {
+                 picture.rows = rows_of(read_picture(*value, fields.path("file"), scene));
+               }
+             })
+      .defaults_to("this or `rows`");
 }
 
 }  // namespace
@@ -65,42 +64,34 @@ image::Image read_picture(const Value& value, const std::string& path, const Sce
   }
 }
 
-Type<Rows> rows_type(const std::function<bool(char)>& allowed, const std::string& about,
+Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
                      const std::string& pattern) {
-  return {
-      .allowed = "list of texts",
-      .schema =
-          [=] {
-            return Json{{"type", "array"},
-                        {"items", {{"type", "string"}, {"pattern", pattern}}},
-                        {"minItems", 1}};
-          },
-      .read =
-          [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
-            Rows rows;
-            std::size_t pixels = 0;
-            for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
-              const std::string& row = rows.emplace_back(read_text(item, path));
-              if (row.empty() || row.size() != rows.front().size() ||
-                  !std::all_of(row.begin(), row.end(), allowed)) {
-                fail(item.location, fmt::format("{}: expected rows of one length of {}, found {}",
-                                                path, about, found(item)));
-              }
-              pixels += row.size();
-            }
-            if (pixels > kMaxPicturePixels) {
-              fail(value.location, fmt::format("{}: expected at most {} pixels, found {}", path,
-                                               kMaxPicturePixels, pixels));
-            }
-            return rows;
-          },
-      .text =
-          [](const Rows& rows, const Scene& /*scene*/) {
-            Yaml list = Yaml::list({});
-            list.in_lines = true;
-            std::transform(rows.begin(), rows.end(), std::back_inserter(list.items), quoted_text);
-            return list;
-          }};
+  return own_type<Rows>(
+      "list of texts", with(array_schema(text_schema(pattern)), "minItems", 1),
+      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        Rows rows;
+        std::size_t pixels = 0;
+        for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
+          const std::string& row = rows.emplace_back(read_text(item, path));
+          if (row.empty() || row.size() != rows.front().size() ||
+              !std::all_of(row.begin(), row.end(), allowed)) {
+            fail(item.location, fmt::format("{}: expected rows of one length of {}, found {}", path,
+                                            about, found(item)));
+          }
+          pixels += row.size();
+        }
+        if (pixels > kMaxPicturePixels) {
+          fail(value.location, fmt::format("{}: expected at most {} pixels, found {}", path,
+                                           kMaxPicturePixels, pixels));
+        }
+        return rows;
+      },
+      [](const Rows& rows, const Scene& /*scene*/) {
+        Yaml list = Yaml::list({});
+        list.in_lines = true;
+        std::transform(rows.begin(), rows.end(), std::back_inserter(list.items), quoted_text);
+        return list;
+      });
 }
 
 Type<Picture> picture_type() {
@@ -111,9 +102,7 @@ Type<Picture> picture_type() {
                     "the same as text, from the top: `#` for dark pixels, `.` for others", {})
                     .defaults_to("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},
-       .conditions = [] {
-         return Json{{"oneOf", {{{"required", {"file"}}}, {{"required", {"rows"}}}}}};
-       }});
+       .conditions = R"({"oneOf": [{"required": ["file"]}, {"required": ["rows"]}]})"});
 }
 
 }  // namespace clca::scene

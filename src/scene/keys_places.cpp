@@ -70,25 +70,8 @@ void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
 
 }  // namespace
 
-Type<std::vector<std::uint32_t>> weights_type() {
-  auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
-  type.schema = [schema = type.schema] {
-    Json result = schema();
-    result["minProperties"] = 1;
-    return result;
-  };
-  type.read = [read = type.read](const Value& value, const std::string& path, const Scene& scene) {
-    auto weights = read(value, path, scene);
-    if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
-      fail(value.location, fmt::format("{}: expected a weight above 0", path));
-    }
-    return weights;
-  };
-  return type;
-}
-
 Type<std::vector<Source>> sources_type() {
-  const auto place = [](const std::string& name, const auto& type, const std::string& about) {
+  const auto place = [](std::string_view name, const auto& type, std::string_view about) {
     return inlined(&Source::place, alternative<Place>(name, type, about));
   };
   return by_name<Source>(
@@ -104,9 +87,7 @@ Type<std::vector<Source>> sources_type() {
                     "closes for good after so many")
                     .defaults_to("no end")},
        .check = check_source,
-       .conditions = [=] {
-         return Json{{"oneOf", {{{"required", {"at"}}}, {{"required", {"region"}}}}}};
-       }});
+       .conditions = R"({"oneOf": [{"required": ["at"]}, {"required": ["region"]}]})"});
 }
 
 Type<std::vector<Outlet>> outlets_type() {
@@ -120,34 +101,24 @@ Type<std::vector<Outlet>> outlets_type() {
 
 Type<std::vector<Probe>> probes_type() {
   const Type<lattice::Rectangle> edges = region();
-  return {
-      .allowed = fmt::format("{} by name", edges.allowed),
-      .schema =
-          [=] {
-            return Json{{"type", "object"},
-                        {"propertyNames", {{"pattern", kNamePattern}}},
-                        {"additionalProperties", edges.schema()},
-                        {"maxProperties", kMaxItems}};
-          },
-      .read =
-          [=](const Value& value, const std::string& path, const Scene& scene) {
-            std::vector<Probe> probes;
-            for (const Entry& entry : read_named(value, path)) {
-              const std::string place = join_path(path, entry.key);
-              probes.push_back(
-                  {.name = entry.key, .region = edges.read(entry.value, place, scene)});
-              check_region(probes.back().region, entry.value, place, scene.box);
-            }
-            return probes;
-          },
-      .text =
-          [=](const std::vector<Probe>& probes, const Scene& scene) {
-            Yaml map = Yaml::map({});
-            for (const Probe& probe : probes) {
-              map.entries.push_back({name_text(probe.name).text, edges.text(probe.region, scene)});
-            }
-            return map;
-          }};
+  return own_type<std::vector<Probe>>(
+      edges.allowed + " by name", named_schema(edges.schema),
+      [=](const Value& value, const std::string& path, const Scene& scene) {
+        std::vector<Probe> probes;
+        for (const Entry& entry : read_named(value, path)) {
+          const std::string place = join_path(path, entry.key);
+          probes.push_back({.name = entry.key, .region = edges.read(entry.value, place, scene)});
+          check_region(probes.back().region, entry.value, place, scene.box);
+        }
+        return probes;
+      },
+      [=](const std::vector<Probe>& probes, const Scene& scene) {
+        Yaml map = Yaml::map({});
+        for (const Probe& probe : probes) {
+          map.entries.push_back({name_text(probe.name).text, edges.text(probe.region, scene)});
+        }
+        return map;
+      });
 }
 
 Type<std::vector<Line>> lines_type() {

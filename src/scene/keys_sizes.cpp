@@ -19,26 +19,9 @@ constexpr std::array<Named<RoundShape>, 2> kRoundShapeNames = {
 
 Type<std::vector<double>> numbers(double high) {
   const Type<double> number = above_zero(high);
-  return {.allowed = fmt::format("list of numbers {}", number.allowed),
-          .schema =
-              [=] {
-                return Json{{"type", "array"},
-                            {"items", number.schema()},
-                            {"minItems", 1},
-                            {"maxItems", kMaxKinds}};
-              },
-          .read =
-              [=](const Value& value, const std::string& path, const Scene& scene) {
-                std::vector<double> result;
-                for (const Value& item : read_list(value, path, 1, kMaxKinds)) {
-                  result.push_back(number.read(item, path, scene));
-                }
-                return result;
-              },
-          .text =
-              [=](const std::vector<double>& values, const Scene& /*scene*/) {
-                return Yaml::scalar(fmt::format("[{}]", fmt::join(values, ", ")));
-              }};
+  auto type = list_of(number, 1, kMaxKinds);
+  type.allowed = "list of numbers " + number.allowed;
+  return type;
 }
 
 void check(const KeyedMap& fields, Sizes& sizes, const Scene& /*scene*/) {

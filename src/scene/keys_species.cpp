@@ -34,30 +34,20 @@ std::vector<lattice::Axial> read_sites(const Value& value, const std::string& pa
 }
 
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
-  const Type<int> coordinate = integer(-kMaxSiteCoordinate, kMaxSiteCoordinate);
-  return {.allowed = fmt::format("{} to {} `[x, q]`", least, most),
-          .schema =
-              [=] {
-                return Json{{"type", "array"},
-                            {"items",
-                             {{"type", "array"},
-                              {"items", coordinate.schema()},
-                              {"minItems", 2},
-                              {"maxItems", 2}}},
-                            {"minItems", least},
-                            {"maxItems", most},
-                            {"uniqueItems", true}};
-              },
-          .read = [=](const Value& value, const std::string& path,
-                      const Scene& /*scene*/) { return read_sites(value, path, least, most); },
-          .text =
-              [](const std::vector<lattice::Axial>& sites, const Scene& /*scene*/) {
-                Yaml list = Yaml::list({});
-                for (const lattice::Axial site : sites) {
-                  list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", site.x, site.q)));
-                }
-                return list;
-              }};
+  const Schema coordinate = integer_schema(-kMaxSiteCoordinate, kMaxSiteCoordinate);
+  return own_type<std::vector<lattice::Axial>>(
+      fmt::format("{} to {} `[x, q]`", least, most),
+      unique(array_schema(array_schema(coordinate, 2, 2), least, most)),
+      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        return read_sites(value, path, least, most);
+      },
+      [](const std::vector<lattice::Axial>& sites, const Scene& /*scene*/) {
+        Yaml list = Yaml::list({});
+        for (const lattice::Axial site : sites) {
+          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", site.x, site.q)));
+        }
+        return list;
+      });
 }
 
 Type<RodSpec> rod() {
@@ -123,7 +113,8 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
 }
 
 const std::vector<int> kAllOrientations = {0, 60, 120, 180, 240, 300};
-std::vector<int> read_orientations(const Value& value, const std::string& path) {
+std::vector<int> read_orientations(const Value& value, const std::string& path,
+                                   const Scene& /*scene*/) {
   if (value.is(Value::Kind::scalar) && value.text == "any") {
     return kAllOrientations;
   }
@@ -145,7 +136,7 @@ std::vector<int> read_orientations(const Value& value, const std::string& path) 
   return angles;
 }
 
-Color read_color(const Value& value, const std::string& path) {
+Color read_color(const Value& value, const std::string& path, const Scene& /*scene*/) {
   const std::string& text = value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
@@ -160,47 +151,34 @@ Color read_color(const Value& value, const std::string& path) {
 }
 
 Type<std::vector<int>> orientations() {
-  return {.allowed = "list of 0, 60, 120, 180, 240, 300, or `any`",
-          .schema =
-              [=] {
-                return Json{{"anyOf",
-                             {{{"const", "any"}},
-                              {{"type", "array"},
-                               {"items", {{"enum", kAllOrientations}}},
-                               {"minItems", 1},
-                               {"maxItems", lattice::kDirectionCount},
-                               {"uniqueItems", true}}}}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_orientations(value, path); },
-          .text =
-              [](const std::vector<int>& angles, const Scene& /*scene*/) {
-                return Yaml::scalar(angles == kAllOrientations
-                                        ? std::string("any")
-                                        : fmt::format("[{}]", fmt::join(angles, ", ")));
-              }};
+  return own_type<std::vector<int>>(
+      "list of 0, 60, 120, 180, 240, 300, or `any`",
+      any_of({word_schema("any"),
+              unique(array_schema(schema(R"({"enum": [0, 60, 120, 180, 240, 300]})"), 1,
+                                  lattice::kDirectionCount))}),
+      read_orientations, [](const std::vector<int>& angles, const Scene& /*scene*/) {
+        return Yaml::scalar(angles == kAllOrientations
+                                ? std::string("any")
+                                : fmt::format("[{}]", fmt::join(angles, ", ")));
+      });
 }
 
 Key<Species> shape_key() {
   auto key = required("shape", &Species::shape_spec, shape(), "the sites of a particle")
-                 .defaults_to("this or `sizes`");
+                 .defaults_to("this or `sizes`")
+                 .after([](const KeyedMap& fields, Species& /*species*/, const Scene& /*scene*/) {
+                   constexpr std::array<std::string_view, 2> kKeys = {"shape", "sizes"};
+                   fields.only(kKeys);
+                 });
   key.required = false;
-  key.read = [read = key.read](const KeyedMap& fields, Species& species, const Scene& scene) {
-    constexpr std::array<std::string_view, 2> kKeys = {"shape", "sizes"};
-    fields.only(kKeys);
-    read(fields, species, scene);
-  };
   return key;
 }
 
 /// Replaced by species with shapes before the keys are read; see expand_sizes.
 Key<Species> sizes_key() {
-  auto key = described<Species>("sizes", sizes_type(),
-                                "round particles whose sizes follow a law: [sizes](#sizes)");
-  key.otherwise = "this or `shape`";
-  key.read = [](const KeyedMap& /*fields*/, Species& /*species*/, const Scene& /*scene*/) {};
-  key.text = [](const Species& /*species*/, const Scene& /*scene*/) { return std::nullopt; };
-  return key;
+  return own_key<Species>(described("sizes", sizes_type(),
+                                    "round particles whose sizes follow a law: [sizes](#sizes)"))
+      .defaults_to("this or `shape`");
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
@@ -224,18 +202,11 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
 }  // namespace
 
 Type<Color> color_type() {
-  return {.allowed = "`\"#rrggbb\"`, in quotes",
-          .schema =
-              [=] {
-                return Json{{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}};
-              },
-          .read = [](const Value& value, const std::string& path,
-                     const Scene& /*scene*/) { return read_color(value, path); },
-          .text =
-              [](const Color& color, const Scene& /*scene*/) {
-                return quoted_text(
-                    fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
-              }};
+  return own_type<Color>(
+      "`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"), read_color,
+      [](const Color& color, const Scene& /*scene*/) {
+        return quoted_text(fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
+      });
 }
 
 Type<std::vector<Species>> species_type() {
@@ -245,10 +216,7 @@ Type<std::vector<Species>> species_type() {
                    "angles it may start with, clockwise; one of them at random", {0}),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
                    .defaults_to("palette")},
-      .start = {{}, {}, lattice::Shape::hexagon(0), {0}, {}},
-      .conditions = [] {
-        return Json{{"oneOf", {{{"required", {"shape"}}}, {{"required", {"sizes"}}}}}};
-      }};
+      .conditions = R"({"oneOf": [{"required": ["shape"]}, {"required": ["sizes"]}]})"};
   map.check = [](const KeyedMap& fields, Species& species, const Scene& scene) {
     try {
       species.shape = build_checked(species.shape_spec);
@@ -257,7 +225,7 @@ Type<std::vector<Species>> species_type() {
     }
     check_width(species, scene.box, fields);
   };
-  return by_name("species", std::move(map), 1);
+  return by_name("species", map, 1);
 }
 
 }  // namespace clca::scene

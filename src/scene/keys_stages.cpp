@@ -69,35 +69,17 @@ std::string stage_path(const Value& value, std::size_t number) {
 }
 
 Type<std::vector<Stage>> stages_type() {
-  const auto map = std::make_shared<const Map<Stage>>(stage_map());
-  const Descriptions keys = descriptions(map->keys);
-  return {.allowed = fmt::format("list of 1 to {} maps", kMaxItems),
-          .schema =
-              [=] {
-                return Json{{"type", "array"},
-                            {"items", map_schema(keys, map->conditions)},
-                            {"minItems", 1},
-                            {"maxItems", kMaxItems}};
-              },
-          .read =
-              [=](const Value& value, const std::string& path, const Scene& scene) {
-                std::vector<Stage> stages;
-                for (const Value& item : read_list(value, path, 1, kMaxItems)) {
-                  stages.push_back(read_fields(item, stage_path(item, stages.size()), *map, scene));
-                }
-                return stages;
-              },
-          .text =
-              [=](const std::vector<Stage>& stages, const Scene& scene) {
-                Yaml list = Yaml::list({});
-                list.in_lines = true;
-                for (const Stage& stage : stages) {
-                  list.items.push_back(text_of(map->keys, stage, scene));
-                }
-                return list;
-              },
-          .keys = keys,
-          .is_collection = true};
+  auto type = list_of(type_of(stage_map()), 1, kMaxItems,
+                      [](const std::string& /*path*/, const Value& item, std::size_t index) {
+                        return stage_path(item, index);
+                      });
+  type.allowed = fmt::format("list of 1 to {} maps", kMaxItems);
+  type.text_of = [text = type.text_of](const void* stages, const Scene& scene) {
+    Yaml list = text(stages, scene);
+    list.in_lines = true;
+    return list;
+  };
+  return type;
 }
 
 }  // namespace clca::scene

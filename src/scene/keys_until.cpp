@@ -136,7 +136,7 @@ void check_possible(const KeyedMap& fields, const Stage& stage, const Scene& sce
 
 /// An end other than settled.
 Type<Until> end_type() {
-  const auto end = [](const std::string& name, const auto& type, const std::string& about) {
+  const auto end = [](std::string_view name, const auto& type, std::string_view about) {
     return alternative<Until>(name, type, about);
   };
   return one_of<Until>(
@@ -172,19 +172,17 @@ Until read_until(const Value& value, const std::string& path, const Type<Until>&
 
 Type<Until> until_type() {
   const Type<Until> end = end_type();
-  return {.allowed = "`settled`, or map",
-          .schema =
-              [=] {
-                return Json{{"anyOf", {{{"const", "settled"}}, end.schema()}}};
-              },
-          .read = [=](const Value& value, const std::string& path,
-                      const Scene& scene) { return read_until(value, path, end, scene); },
-          .text =
-              [=](const Until& until, const Scene& scene) {
-                return std::holds_alternative<UntilSettled>(until) ? Yaml::scalar("settled")
-                                                                   : end.text(until, scene);
-              },
-          .keys = end.keys};
+  auto type = own_type<Until>(
+      "`settled`, or map", any_of({word_schema("settled"), end.schema}),
+      [=](const Value& value, const std::string& path, const Scene& scene) {
+        return read_until(value, path, end, scene);
+      },
+      [=](const Until& until, const Scene& scene) {
+        return std::holds_alternative<UntilSettled>(until) ? Yaml::scalar("settled")
+                                                           : end.text(until, scene);
+      });
+  type.keys = end.keys;
+  return type;
 }
 
 void check_until(const KeyedMap& fields, Stage& stage, const Scene& scene) {

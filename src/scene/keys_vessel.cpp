@@ -13,26 +13,18 @@ Type<Tilt> tilt() {
   auto rate = key("rate", &Tilt::rate, above_zero(kMaxVesselRate), "degrees per unit of time");
   rate.required = true;
   const Type<Tilt> turn =
-      type_of<Tilt>({.keys = {required("to", &Tilt::to, angle, "degrees"), rate},
-                     .check = [](const KeyedMap& fields, Tilt& /*tilt*/, const Scene& /*scene*/) {
-                       fields.at("rate");
-                     }});
-  return {.allowed = angle.allowed + ", or map",
-          .schema =
-              [=] {
-                return Json{{"anyOf", {angle.schema(), turn.schema()}}};
-              },
-          .read =
-              [=](const Value& value, const std::string& path, const Scene& scene) {
-                return value.is(Value::Kind::map)
-                           ? turn.read(value, path, scene)
-                           : Tilt{.to = angle.read(value, path, scene), .rate = {}};
-              },
-          .text =
-              [=](const Tilt& tilt, const Scene& scene) {
-                return tilt.rate ? turn.text(tilt, scene) : angle.text(tilt.to, scene);
-              },
-          .keys = turn.keys};
+      type_of<Tilt>({.keys = {required("to", &Tilt::to, angle, "degrees"), rate}});
+  auto type = own_type<Tilt>(
+      angle.allowed + ", or map", any_of({angle.schema, turn.schema}),
+      [=](const Value& value, const std::string& path, const Scene& scene) {
+        return value.is(Value::Kind::map) ? turn.read(value, path, scene)
+                                          : Tilt{.to = angle.read(value, path, scene), .rate = {}};
+      },
+      [=](const Tilt& tilt, const Scene& scene) {
+        return tilt.rate ? turn.text(tilt, scene) : angle.text(tilt.to, scene);
+      });
+  type.keys = turn.keys;
+  return type;
 }
 
 Type<Rotate> rotate() {

@@ -96,26 +96,24 @@ Keys<lattice::Ring> ring_keys() {
               "outer radius less the inner one")};
 }
 
+void check_arc(const KeyedMap& fields, lattice::Arc& arc, const Scene& /*scene*/) {
+  if (arc.from >= arc.to || arc.to - arc.from >= 360) {
+    fail(fields.location(),
+         fmt::format("{}: expected from < to, less than 360 degrees apart, found {} to {}; a "
+                     "whole circle is a ring",
+                     fields.path(), arc.from, arc.to));
+  }
+}
+
 Type<lattice::Arc> arc() {
   using lattice::Arc;
-  Map<Arc> map;
-  for (const auto& part : ring_keys()) {
-    map.keys.push_back(inlined(&Arc::ring, part));
-  }
   const Type<double> angle = number(-kMaxAngle, kMaxAngle);
-  map.keys.push_back(
-      required("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"));
-  map.keys.push_back(required("to", &Arc::to, angle,
-                              "the other end, anticlockwise of `from` by less than 360 degrees"));
-  map.check = [](const KeyedMap& fields, Arc& arc, const Scene& /*scene*/) {
-    if (arc.from >= arc.to || arc.to - arc.from >= 360) {
-      fail(fields.location(),
-           fmt::format("{}: expected from < to, less than 360 degrees apart, found {} to {}; a "
-                       "whole circle is a ring",
-                       fields.path(), arc.from, arc.to));
-    }
-  };
-  return type_of(std::move(map));
+  Keys<Arc> keys = inlined(&Arc::ring, ring_keys());
+  keys.add(
+      {required("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
+       required("to", &Arc::to, angle,
+                "the other end, anticlockwise of `from` by less than 360 degrees")});
+  return type_of<Arc>({.keys = keys, .check = check_arc});
 }
 
 Keys<WallPart> forms() {
@@ -130,49 +128,12 @@ Keys<WallPart> forms() {
 }
 
 Type<std::vector<WallPart>> parts() {
-  const Type<WallPart> part = one_of(forms());
-  return {.allowed = fmt::format("list of 1 to {} of these forms", kMaxItems),
-          .schema =
-              [=] {
-                return Json{{"type", "array"},
-                            {"items", part.schema()},
-                            {"minItems", 1},
-                            {"maxItems", kMaxItems}};
-              },
-          .read =
-              [=](const Value& value, const std::string& path, const Scene& scene) {
-                std::vector<WallPart> result;
-                for (const Value& item : read_list(value, path, 1, kMaxItems)) {
-                  result.push_back(
-                      part.read(item, join_path(path, std::to_string(result.size())), scene));
-                }
-                return result;
-              },
-          .text =
-              [=](const std::vector<WallPart>& parts, const Scene& scene) {
-                Yaml list = Yaml::list({});
-                for (const WallPart& one : parts) {
-                  list.items.push_back(part.text(one, scene));
-                }
-                return list;
-              },
-          .keys = part.keys,
-          .is_collection = true};
-}
-
-/// A wall of a single part, which is not in a list.
-Key<Wall> single(const Key<WallPart>& form) {
-  Key<Wall> key;
-  key.describe_as(form);
-  key.read = [=](const KeyedMap& fields, Wall& wall, const Scene& scene) {
-    if (fields.find(form.name) != nullptr) {
-      form.read(fields, wall.parts.emplace_back(), scene);
-    }
-  };
-  key.text = [=](const Wall& wall, const Scene& scene) {
-    return wall.parts.size() == 1 ? form.text(wall.parts.front(), scene) : std::nullopt;
-  };
-  return key;
+  auto type = list_of(one_of(forms()), 1, kMaxItems,
+                      [](const std::string& path, const Value& /*item*/, std::size_t index) {
+                        return join_path(path, std::to_string(index));
+                      });
+  type.allowed = fmt::format("list of 1 to {} of these forms", kMaxItems);
+  return type;
 }
 
 void check_wall(const KeyedMap& fields, Wall& wall, const Scene& scene) {
@@ -203,36 +164,33 @@ void check_wall(const KeyedMap& fields, Wall& wall, const Scene& scene) {
 }  // namespace
 
 Type<std::vector<Wall>> walls_type() {
-  Map<Wall> map = {.check = check_wall};
-  for (const auto& form : forms()) {
-    map.keys.push_back(single(form));
-  }
-  auto several = key("parts", &Wall::parts, parts(), "one body of several pieces").defaults_to("");
-  several.text = [](const Wall& wall, const Scene& scene) {
-    return wall.parts.size() > 1 ? std::optional(parts().text(wall.parts, scene)) : std::nullopt;
-  };
-  map.keys.push_back(several);
-  map.keys.push_back(key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
-                         .defaults_to("none: it stands"));
-  auto passive = key("passive", &Wall::passive, choice(kPassiveNames),
-                     "of one that moves: whether particles in its way are pushed, or entered and "
-                     "left to the passive rule");
-  passive.text = [text = passive.text](const Wall& wall, const Scene& scene) {
-    return wall.motion ? text(wall, scene) : std::nullopt;
-  };
-  map.keys.push_back(passive);
-  map.keys.push_back(key("friction", &Wall::friction, number(0, kMaxContactFriction),
-                         "between particles and this wall")
-                         .of(Model::contact)
-                         .defaults_to("`contact.wall_friction`"));
-  map.conditions = [] {
-    Json one_form = {{{"required", {"parts"}}}};
-    for (const std::string_view form : kForms) {
-      one_form.push_back({{"required", {form}}});
-    }
-    return Json{{"oneOf", one_form}, {"dependencies", {{"passive", {"motion"}}}}};
-  };
-  return by_name("walls", std::move(map));
+  // A wall of a single part is not in a list.
+  Keys<Wall> keys = inlined_single(&Wall::parts, forms());
+  keys.add({key("parts", &Wall::parts, parts(), "one body of several pieces")
+                .defaults_to("")
+                .written_as([](const Wall& wall, const Scene& scene) {
+                  return wall.parts.size() > 1 ? std::optional(parts().text(wall.parts, scene))
+                                               : std::nullopt;
+                }),
+            key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
+                .defaults_to("none: it stands"),
+            key("passive", &Wall::passive, choice(kPassiveNames),
+                "of one that moves: whether particles in its way are pushed, or entered and "
+                "left to the passive rule")
+                .written_as([](const Wall& wall, const Scene& /*scene*/) {
+                  return wall.motion ? std::optional(Yaml::scalar(
+                                           std::string(name_of(kPassiveNames, wall.passive))))
+                                     : std::nullopt;
+                }),
+            key("friction", &Wall::friction, number(0, kMaxContactFriction),
+                "between particles and this wall")
+                .of(Model::contact)
+                .defaults_to("`contact.wall_friction`")});
+  return by_name<Wall>("walls", {.keys = keys, .check = check_wall, .conditions = R"({
+    "oneOf": [{"required": ["parts"]}, {"required": ["box"]}, {"required": ["line"]},
+              {"required": ["disc"]}, {"required": ["ring"]}, {"required": ["arc"]},
+              {"required": ["picture"]}],
+    "dependencies": {"passive": ["motion"]}})"});
 }
 
 }  // namespace clca::scene

@@ -25,8 +25,8 @@ bool stands_for_boltzmann(const Entry& entry) {
 }  // namespace
 
 Kind kind_of(const Value& root) {
-  const std::vector<std::string_view> automaton_keys = names_of(scene_map().keys);
-  const std::vector<std::string_view> boltzmann_keys = names_of(boltzmann_map().keys);
+  const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
+  const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);
   const Entry* automaton = nullptr;
   const Entry* boltzmann = nullptr;
   for (const Entry& entry : root.entries) {

@@ -46,7 +46,7 @@ void Evaluator::define(const Entry& entry) {
   const auto refuse_name = [&](const std::string& why) {
     fail(entry.location, fmt::format("{}: {}", path, why));
   };
-  for (const auto& keys : {names_of(scene_map().keys), names_of(boltzmann_map().keys)}) {
+  for (const auto& keys : {names_of(*scene_type().keys), names_of(*boltzmann_type().keys)}) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) {
       refuse_name("a key of the scene has this name");
     }

@@ -37,12 +37,10 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
 }
 
 Scene read_scene(const Value& root, const std::string& file) {
-  const Map<Scene>& map = scene_map();
-  const std::vector<std::string_view> names = names_of(map.keys);
-  Scene scene = map.start;
+  Scene scene = default_scene();
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
-  read_fields(KeyedMap(root, "", names), map, scene, scene);
+  scene_type().read_into(root, "", scene, &scene);
   check_model(scene, root);
   check_history(scene, *root.find("stages"));
   check_time_step(scene, root);
@@ -53,11 +51,9 @@ Scene read_scene(const Value& root, const std::string& file) {
 }
 
 BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) {
-  const Map<BoltzmannScene>& map = boltzmann_map();
-  const std::vector<std::string_view> names = names_of(map.keys);
-  BoltzmannScene scene = map.start;
+  BoltzmannScene scene = default_boltzmann_scene();
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
-  read_fields(KeyedMap(root, "", names), map, scene, Scene());
+  boltzmann_type().read_into(root, "", Scene(), &scene);
   check_rows(root, scene);
   const auto block = std::find_if(root.entries.begin(), root.entries.end(),
                                   [](const Entry& entry) { return entry.key == "boltzmann"; });

@@ -5,11 +5,11 @@
 namespace clca::scene {
 
 std::string to_yaml(const Scene& scene) {
-  return block_text(text_of(scene_map().keys, scene, scene));
+  return block_text(scene_type().text(scene, scene));
 }
 
 std::string to_yaml(const BoltzmannScene& scene) {
-  return block_text(text_of(boltzmann_map().keys, scene, Scene()));
+  return block_text(boltzmann_type().text(scene, Scene()));
 }
 
 }  // namespace clca::scene

@@ -7,9 +7,11 @@
 
 namespace clca::scene {
 
-/// The keys of a scene of grains, and of one of the Boltzmann equation.
-const Map<Scene>& scene_map();
-const Map<BoltzmannScene>& boltzmann_map();
+/// A scene of grains, and one of the Boltzmann equation; read into the default one.
+const Type<Scene>& scene_type();
+const Type<BoltzmannScene>& boltzmann_type();
+Scene default_scene();
+BoltzmannScene default_boltzmann_scene();
 
 Type<std::string> title_type();
 Type<Begin> begin_type();

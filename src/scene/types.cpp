@@ -1,5 +1,7 @@
 #include "scene/types.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,22 +15,19 @@ namespace clca::scene {
 
 namespace {
 
-/// A type without need of the scene.
-template <class T, class Read, class Text>
-Type<T> plain_type(const std::string& allowed, const Schema& schema, Read read, Text text) {
-  return {.allowed = allowed,
-          .schema = schema,
-          .read = [read](const Value& value, const std::string& path, const Scene& /*scene*/) -> T {
-            return read(value, path);
-          },
-          .text = [text](const T& value, const Scene& /*scene*/) { return text(value); }};
-}
-
-/// One that fmt writes.
-template <class T, class Read>
-Type<T> scalar_type(const std::string& allowed, const Schema& schema, Read read) {
-  return plain_type<T>(allowed, schema, read,
-                       [](const T& value) { return Yaml::scalar(fmt::format("{}", value)); });
+/// One that fmt writes and such a function reads.
+template <class T, class... Limits>
+Type<T> scalar_type(const std::string& allowed, const Schema& schema,
+                    T (*read)(const Value& value, std::string_view path, Limits... limits),
+                    std::type_identity_t<Limits>... limits) {
+  return own_type<T>(
+      allowed, schema,
+      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        return read(value, path, limits...);
+      },
+      [](const T& value, const Scene& /*scene*/) {
+        return Yaml::scalar(fmt::format("{}", value));
+      });
 }
 
 std::string range(double low, double high) {
@@ -49,12 +48,53 @@ std::string read_path(const Value& value, const std::string& path, const Scene& 
   return file;
 }
 
-Json numbers_schema(std::size_t size) {
-  return {
-      {"type", "array"},
-      {"items", {{"type", "number"}, {"minimum", -kMaxCoordinate}, {"maximum", kMaxCoordinate}}},
-      {"minItems", size},
-      {"maxItems", size}};
+/// So many coordinates.
+Schema coordinates_schema(std::size_t size) {
+  return array_schema(number_schema(-kMaxCoordinate, kMaxCoordinate), size, size);
+}
+
+ColorRange read_color_range(const Value& value, const std::string& path, const Scene& /*scene*/) {
+  constexpr double kMost = 1e9;
+  const std::vector<Value>& ends = read_list(value, path, 2, 2);
+  const ColorRange range = {read_number(ends[0], path, 0, kMost),
+                            read_number(ends[1], path, 0, kMost)};
+  if (range.low >= range.high) {
+    fail(value.location, fmt::format("{}: expected [low, high] with low < high, found [{}, {}]",
+                                     path, range.low, range.high));
+  }
+  return range;
+}
+
+std::string read_name(const Value& value, const std::string& path, const Scene& /*scene*/) {
+  const std::string& name = read_text(value, path);
+  check_name(name, value.location, path);
+  return name;
+}
+
+template <class Number>
+Type<std::vector<Number>> by_species(std::uint64_t high) {
+  return own_type<std::vector<Number>>(
+      fmt::format("0 to {} by species", high), object_schema(count_schema(0, high)),
+      [high](const Value& value, const std::string& path, const Scene& scene) {
+        std::vector<Number> numbers(scene.species.size(), 0);
+        for (const Entry& entry : read_map(value, path)) {
+          const std::size_t species =
+              read_reference(entry.key, entry.location, path, "species", names_of(scene.species));
+          numbers[species] =
+              static_cast<Number>(read_count(entry.value, join_path(path, entry.key), 0, high));
+        }
+        return numbers;
+      },
+      [](const std::vector<Number>& numbers, const Scene& scene) {
+        Yaml map = Yaml::map({});
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+          if (numbers[i] != 0) {
+            map.entries.push_back({name_text(scene.species[i].name).text,
+                                   Yaml::scalar(fmt::format("{}", numbers[i]))});
+          }
+        }
+        return map;
+      });
 }
 
 }  // namespace
@@ -66,170 +106,123 @@ std::string shown_number(double number) {
              : fmt::format("{}", number);
 }
 
+Yaml numbers_text(const std::vector<double>& numbers) {
+  Yaml list = Yaml::list({});
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(list.items), Yaml::number);
+  return list;
+}
+
 Type<double> number(double low, double high) {
-  return scalar_type<double>(
-      range(low, high),
-      [=] {
-        return Json{{"type", "number"}, {"minimum", low}, {"maximum", high}};
-      },
-      [=](const Value& value, const std::string& path) {
-        return read_number(value, path, low, high);
-      });
+  return scalar_type<double>(range(low, high), number_schema(low, high), read_number, low, high);
 }
 
 Type<double> above_zero(double high) {
-  return scalar_type<double>(
-      fmt::format("above 0, up to {}", shown_number(high)),
-      [=] {
-        return Json{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", high}};
-      },
-      [=](const Value& value, const std::string& path) {
-        return read_positive(value, path, high);
-      });
+  return scalar_type<double>(fmt::format("above 0, up to {}", shown_number(high)),
+                             above_zero_schema(high), read_positive, high);
 }
 
 Type<int> integer(int low, int high) {
-  return scalar_type<int>(
-      range(low, high),
-      [=] {
-        return Json{{"type", "integer"}, {"minimum", low}, {"maximum", high}};
-      },
-      [=](const Value& value, const std::string& path) {
-        return read_int(value, path, low, high);
-      });
+  return scalar_type<int>(range(low, high), integer_schema(low, high), read_int, low, high);
 }
 
-constexpr std::uint64_t kMaxExact = std::uint64_t{1} << 53U;  // of a double
-
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
-  return scalar_type<std::uint64_t>(
-      high < kMaxExact ? range(static_cast<double>(low), static_cast<double>(high))
-                       : fmt::format("{} to {}", low, high),
-      [=] {
-        // Readers of schemas take whole numbers as signed ones.
-        constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
-        return Json{{"type", "integer"},
-                    {"minimum", low},
-                    {"maximum", high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high)}};
-      },
-      [=](const Value& value, const std::string& path) {
-        return read_count(value, path, low, high);
-      });
+  constexpr std::uint64_t kMaxExact = std::uint64_t{1} << 53U;  // of a double
+  return scalar_type<std::uint64_t>(high < kMaxExact
+                                        ? range(static_cast<double>(low), static_cast<double>(high))
+                                        : fmt::format("{} to {}", low, high),
+                                    count_schema(low, high), read_count, low, high);
 }
 
 Type<bool> yes_or_no() {
-  return scalar_type<bool>(
-      "`true`, `false`",
-      [] {
-        return Json{{"type", "boolean"}};
-      },
-      read_bool);
+  return scalar_type<bool>("`true`, `false`", schema(R"({"type": "boolean"})"), read_bool);
 }
 
 Type<Eigen::Vector2d> point() {
-  return plain_type<Eigen::Vector2d>(
-      "`[x, y]`", [] { return numbers_schema(2); }, read_point,
-      [](const Eigen::Vector2d& point) {
-        return Yaml::list({Yaml::number(point.x()), Yaml::number(point.y())});
+  return own_type<Eigen::Vector2d>(
+      "`[x, y]`", coordinates_schema(2),
+      [](const Value& value, const std::string& path, const Scene&) {
+        return read_point(value, path);
+      },
+      [](const Eigen::Vector2d& point, const Scene&) {
+        return numbers_text({point.x(), point.y()});
       });
 }
 
 Type<ColorRange> color_range() {
-  return plain_type<ColorRange>(
-      "`[low, high]`", [] { return numbers_schema(2); },
-      [](const Value& value, const std::string& path) {
-        constexpr double kMost = 1e9;
-        const std::vector<Value>& ends = read_list(value, path, 2, 2);
-        const ColorRange range = {read_number(ends[0], path, 0, kMost),
-                                  read_number(ends[1], path, 0, kMost)};
-        if (range.low >= range.high) {
-          fail(value.location,
-               fmt::format("{}: expected [low, high] with low < high, found [{}, {}]", path,
-                           range.low, range.high));
-        }
-        return range;
-      },
-      [](const ColorRange& range) {
-        return Yaml::list({Yaml::number(range.low), Yaml::number(range.high)});
-      });
+  return own_type<ColorRange>("`[low, high]`", coordinates_schema(2), read_color_range,
+                              [](const ColorRange& range, const Scene&) {
+                                return numbers_text({range.low, range.high});
+                              });
 }
 
 Type<lattice::Rectangle> rectangle() {
-  return plain_type<lattice::Rectangle>(
-      "`[left, bottom, right, top]`", [] { return numbers_schema(4); }, read_rectangle,
-      [](const lattice::Rectangle& edges) {
-        return Yaml::list({Yaml::number(edges.left), Yaml::number(edges.bottom),
-                           Yaml::number(edges.right), Yaml::number(edges.top)});
+  return own_type<lattice::Rectangle>(
+      "`[left, bottom, right, top]`", coordinates_schema(4),
+      [](const Value& value, const std::string& path, const Scene&) {
+        return read_rectangle(value, path);
+      },
+      [](const lattice::Rectangle& edges, const Scene&) {
+        return numbers_text({edges.left, edges.bottom, edges.right, edges.top});
       });
 }
 
 Type<lattice::Rectangle> region() {
-  Type<lattice::Rectangle> type = rectangle();
-  type.read = [](const Value& value, const std::string& path, const Scene& scene) {
-    const lattice::Rectangle region = read_rectangle(value, path);
-    require_site(region, value, path, scene.box);
-    return region;
-  };
-  return type;
+  return rectangle().checked(
+      [](const lattice::Rectangle& region, const Value& value, const std::string& path,
+         const Scene& scene) { require_site(region, value, path, scene.box); });
 }
 
 Type<std::string> file_path_type() {
-  return {
-      .allowed = "a path",
-      .schema =
-          [] {
-            return Json{{"type", "string"}, {"minLength", 1}, {"maxLength", kMaxPathLength}};
-          },
-      .read = read_path,
-      .text = [](const std::string& file, const Scene& /*scene*/) { return quoted_text(file); }};
+  return own_type<std::string>(
+      "a path",
+      with(with(schema(R"({"type": "string"})"), "minLength", 1), "maxLength", kMaxPathLength),
+      read_path, [](const std::string& file, const Scene&) { return quoted_text(file); });
 }
 
 Type<std::string> name_type() {
-  return plain_type<std::string>(
-      "a name",
-      [] {
-        return Json{{"type", {"string", "number", "boolean"}}, {"pattern", kNamePattern}};
-      },
-      [](const Value& value, const std::string& path) {
-        const std::string& name = read_text(value, path);
-        check_name(name, value.location, path);
-        return name;
-      },
-      [](const std::string& name) { return name_text(name); });
+  return own_type<std::string>(
+      "a name", scalar_schema(kNamePattern), read_name,
+      [](const std::string& name, const Scene&) { return name_text(name); });
+}
+
+Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
+  return by_species<std::size_t>(high);
+}
+
+Type<std::vector<std::uint32_t>> weights_type() {
+  auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
+  type.schema = with(type.schema, "minProperties", 1);
+  return type.checked([](const std::vector<std::uint32_t>& weights, const Value& value,
+                         const std::string& path, const Scene& /*scene*/) {
+    if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
+      fail(value.location, fmt::format("{}: expected a weight above 0", path));
+    }
+  });
 }
 
 Type<std::vector<std::size_t>> references(
-    const std::string& kind,
-    const std::function<std::vector<std::string_view>(const Scene&)>& names) {
-  return {
-      .allowed = fmt::format("names of {}s", kind),
-      .schema =
-          [=] {
-            return Json{{"type", "array"},
-                        {"items", name_type().schema()},
-                        {"uniqueItems", true},
-                        {"maxItems", kMaxItems}};
-          },
-      .read =
-          [=](const Value& value, const std::string& path, const Scene& scene) {
-            std::vector<std::size_t> places;
-            for (const Value& item : read_list(value, path, 0, kMaxItems)) {
-              places.push_back(
-                  read_reference(read_text(item, path), item.location, path, kind, names(scene)));
-              if (std::find(places.begin(), places.end() - 1, places.back()) != places.end() - 1) {
-                fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
-              }
-            }
-            return places;
-          },
-      .text =
-          [=](const std::vector<std::size_t>& places, const Scene& scene) {
-            std::vector<Yaml> items;
-            for (const std::size_t place : places) {
-              items.push_back(name_text(names(scene)[place]));
-            }
-            return Yaml::list(std::move(items));
-          }};
+    const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene)) {
+  return own_type<std::vector<std::size_t>>(
+      fmt::format("names of {}s", kind),
+      with(unique(array_schema(name_type().schema)), "maxItems", kMaxItems),
+      [=](const Value& value, const std::string& path, const Scene& scene) {
+        std::vector<std::size_t> places;
+        for (const Value& item : read_list(value, path, 0, kMaxItems)) {
+          places.push_back(
+              read_reference(read_text(item, path), item.location, path, kind, names(scene)));
+          if (std::find(places.begin(), places.end() - 1, places.back()) != places.end() - 1) {
+            fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
+          }
+        }
+        return places;
+      },
+      [=](const std::vector<std::size_t>& places, const Scene& scene) {
+        std::vector<Yaml> items;
+        for (const std::size_t place : places) {
+          items.push_back(name_text(names(scene)[place]));
+        }
+        return Yaml::list(std::move(items));
+      });
 }
 
 }  // namespace clca::scene

@@ -1,7 +1,7 @@
 #pragma once
 // A tree of values as YAML text.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

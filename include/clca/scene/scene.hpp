@@ -70,7 +70,7 @@ using ShapeSpec = std::variant<HexagonSpec, DiscSpec, SitesSpec, PolygonSpec, Ro
 struct Species {
   std::string name;
   ShapeSpec shape_spec;
-  lattice::Shape shape;
+  lattice::Shape shape = lattice::Shape::hexagon(0);
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
   std::optional<Color> color;           ///< none: from the default palette
 

@@ -1,0 +1,157 @@
+#include "scene/schema.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scene/key.hpp"
+#include "scene/limits.hpp"
+
+namespace clca::scene {
+
+namespace {
+
+/// The schema, or an empty one, with a further member.
+Schema extended(const Schema& schema, const std::string& name, const Schema& value) {
+  return [=] {
+    Json result = schema ? schema() : Json();
+    result[name] = value();
+    return result;
+  };
+}
+
+Schema extended(const Schema& schema, const std::string& name, const Json& value) {
+  return extended(schema, name, Schema([=] { return value; }));
+}
+
+Schema of_type(const std::string& type) {
+  return extended({}, "type", Json(type));
+}
+
+Schema list_of_schemas(const std::vector<Schema>& schemas) {
+  return [=] {
+    Json result = Json::array();
+    for (const Schema& schema : schemas) {
+      result.push_back(schema());
+    }
+    return result;
+  };
+}
+
+Schema sized(const Schema& array, std::size_t least, std::size_t most) {
+  return with(with(array, "minItems", least), "maxItems", most);
+}
+
+}  // namespace
+
+Schema schema(std::string_view text) {
+  return [text = std::string(text)] { return Json::parse(text); };
+}
+
+Schema with(const Schema& schema, const std::string& name, std::uint64_t number) {
+  return extended(schema, name, Json(number));
+}
+
+Schema number_schema(double low, double high) {
+  return extended(extended(of_type("number"), "minimum", Json(low)), "maximum", Json(high));
+}
+
+Schema above_zero_schema(double high) {
+  return extended(with(of_type("number"), "exclusiveMinimum", 0), "maximum", Json(high));
+}
+
+Schema integer_schema(std::int64_t low, std::int64_t high) {
+  return extended(extended(of_type("integer"), "minimum", Json(low)), "maximum", Json(high));
+}
+
+Schema count_schema(std::uint64_t low, std::uint64_t high) {
+  // Readers of schemas take whole numbers as signed ones.
+  constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
+  return extended(with(of_type("integer"), "minimum", low), "maximum",
+                  high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high));
+}
+
+Schema text_schema(const std::string& pattern) {
+  return extended(of_type("string"), "pattern", Json(pattern));
+}
+
+Schema scalar_schema(const std::string& pattern) {
+  const Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
+  return pattern.empty() ? any : extended(any, "pattern", Json(pattern));
+}
+
+Schema word_schema(const std::string& word) {
+  return extended({}, "const", Json(word));
+}
+
+Schema choice_schema(const std::vector<std::string_view>& words) {
+  return extended({}, "enum", Json(words));
+}
+
+Schema any_of(const std::vector<Schema>& schemas) {
+  return extended({}, "anyOf", list_of_schemas(schemas));
+}
+
+Schema array_schema(const Schema& item) {
+  return extended(of_type("array"), "items", item);
+}
+
+Schema array_schema(const Schema& item, std::size_t least, std::size_t most) {
+  return sized(array_schema(item), least, most);
+}
+
+Schema tuple_schema(const std::vector<Schema>& items) {
+  return sized(array_schema(list_of_schemas(items)), items.size(), items.size());
+}
+
+Schema unique(const Schema& array) {
+  return extended(array, "uniqueItems", Json(true));
+}
+
+Schema object_schema(const Schema& value, const std::string& pattern) {
+  const Schema object = of_type("object");
+  return extended(pattern.empty()
+                      ? object
+                      : extended(object, "propertyNames", extended({}, "pattern", Json(pattern))),
+                  "additionalProperties", value);
+}
+
+Schema named_schema(const Schema& value, std::size_t least) {
+  const Schema object =
+      with(object_schema(value, std::string(kNamePattern)), "maxProperties", kMaxItems);
+  return least > 0 ? with(object, "minProperties", least) : object;
+}
+
+Schema map_schema(const Descriptions& keys, const std::string& conditions) {
+  return [=] {
+    Json result;
+    result["type"] = "object";
+    Json& properties = result["properties"] = Json::object();
+    std::vector<std::string> required;
+    for (const KeyDescription& key : *keys) {
+      Json property;
+      const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
+      property["description"] =
+          meaning(key) +
+          (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
+      property.update(key.schema());
+      if (key.default_value) {
+        property["default"] = to_json(*key.default_value);
+      }
+      if (key.required) {
+        required.push_back(key.name);
+      }
+      properties[key.name] = property;
+    }
+    if (!required.empty()) {
+      result["required"] = required;
+    }
+    result["additionalProperties"] = false;
+    if (!conditions.empty()) {
+      result.update(Json::parse(conditions));
+    }
+    return result;
+  };
+}
+
+}  // namespace clca::scene

@@ -1,0 +1,53 @@
+#pragma once
+// Parts of the JSON Schema.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/yaml_text.hpp"
+
+namespace clca::scene {
+
+/// Built on demand: only `clca explain` needs it.
+using Schema = std::function<Json()>;
+
+struct KeyDescription;
+/// Shared, since types and keys are copied into each other.
+using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
+
+/// As the JSON text says.
+Schema schema(std::string_view text);
+/// The schema with a further member.
+Schema with(const Schema& schema, const std::string& name, std::uint64_t number);
+
+Schema number_schema(double low, double high);
+Schema above_zero_schema(double high);
+Schema integer_schema(std::int64_t low, std::int64_t high);
+Schema count_schema(std::uint64_t low, std::uint64_t high);
+/// Text that matches the pattern.
+Schema text_schema(const std::string& pattern);
+/// The same for text that need not be in quotes.
+Schema scalar_schema(const std::string& pattern = {});
+Schema word_schema(const std::string& word);
+/// One of the words.
+Schema choice_schema(const std::vector<std::string_view>& words);
+
+Schema any_of(const std::vector<Schema>& schemas);
+Schema array_schema(const Schema& item);
+Schema array_schema(const Schema& item, std::size_t least, std::size_t most);
+/// An array with an item of each schema.
+Schema tuple_schema(const std::vector<Schema>& items);
+/// An array without equal items.
+Schema unique(const Schema& array);
+/// An object whose names match the pattern, unless it is empty.
+Schema object_schema(const Schema& value, const std::string& pattern = {});
+/// An object of at least so many things by the names that the scene gives them.
+Schema named_schema(const Schema& value, std::size_t least = 0);
+/// A map with these keys. `conditions`: further members, as JSON.
+Schema map_schema(const Descriptions& keys, const std::string& conditions);
+
+}  // namespace clca::scene
