@@ -41,9 +41,9 @@ struct KeyDescription {
 
 /// Operations on a list, an optional or a variant. The values of a variant are those of one type.
 struct Container {
-  const void* (*at)(const void* container, std::size_t index);  ///< null after the last
+  const void* (*at)(const void* container, std::size_t index) = nullptr;  ///< null after the last
   /// A default value. Null if the container takes none.
-  void* (*append)(void* container);
+  void* (*append)(void* container) = nullptr;
   void (*clear)(void* container) = nullptr;  ///< of an optional
 };
 

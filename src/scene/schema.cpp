@@ -76,8 +76,11 @@ Schema text_schema(const std::string& pattern) {
 }
 
 Schema scalar_schema(const std::string& pattern) {
-  const Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
-  return pattern.empty() ? any : extended(any, "pattern", Json(pattern));
+  Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
+  if (!pattern.empty()) {
+    any = extended(any, "pattern", Json(pattern));
+  }
+  return any;
 }
 
 Schema word_schema(const std::string& word) {
