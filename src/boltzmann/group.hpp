@@ -20,13 +20,11 @@ struct GroupKey {
 };
 
 /// Candidate pairs (i, j) of M particles come at the rate M s_max, s_max being the largest speed: i
-/// is any particle, accepted with s_i
-/// s_max, j any other. They collide with probability |v_i - v_j|
-/// (s_i + s_j) <= 1, so every pair collides at the rate |v_i - v_j|
-/// (M - 1).
-/// The clock adds the mean waiting time per candidate: random waiting times would only add noise.
-/// Candidates are decided in batches. If two of a batch share a particle, or a speed exceeds s_max,
-/// the batch is decided one by one.
+/// is any particle, accepted with s_i / s_max, j any other. They collide with probability |v_i -
+/// v_j| / (s_i + s_j) <= 1, so every pair collides at the rate |v_i - v_j| / (M - 1). The clock
+/// adds the mean waiting time per candidate: random waiting times would only add noise. Candidates
+/// are decided in batches. If two of a batch share a particle, or a speed exceeds s_max, the batch
+/// is decided one by one.
 class Group {
  public:
   /// Allocates at least two particles, to be set one by one.

@@ -141,8 +141,7 @@ std::array<Components, 3> star(const Components& first, const Components& other)
 }
 
 // `count` unit vectors with sum 0: opposite pairs and, if `count` is odd, three that sum to 0. Uses
-// the first (count + 1)
-// 2 directions.
+// the first (count + 1) / 2 directions.
 TripleList balanced(const TripleList& directions, std::uint64_t count) {
   TripleList result;
   result.reserve(count);

@@ -19,8 +19,7 @@ namespace {
 constexpr Eigen::Index kGroupSize = 8192;
 constexpr double kCollisionsPerStep = 4;  // of a particle
 // Under shear: splitting a step of x relaxation times of the stress (1.25 collisions each) makes
-// the viscosity too large by x^2
-// 12.
+// the viscosity too large by x^2 / 12.
 constexpr double kCollisionsPerShearedStep = 0.2;
 constexpr double kShearPerStep = 0.05;
 

@@ -56,8 +56,7 @@ Sums sums(const Motions& motions) {
   return all;
 }
 
-/// numerator
-/// denominator - 1, or 0 if the denominator is 0.
+/// numerator / denominator - 1, or 0 if the denominator is 0.
 double excess(double numerator, double denominator) {
   return denominator > 0 ? numerator / denominator - 1 : 0;
 }

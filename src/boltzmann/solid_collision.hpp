@@ -1,7 +1,6 @@
 #pragma once
 // The law of boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface velocities w
-// = a omega: mu = 1/2, K = 7, a^2
-// I = 5/2. One pair, or many in Eigen arrays.
+// = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. One pair, or many in Eigen arrays.
 
 #include <Eigen/Core>
 #include <algorithm>

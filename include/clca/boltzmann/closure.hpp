@@ -1,7 +1,6 @@
 #pragma once
 // Closed forms to compare the simulation with. Units as in gas.hpp; A = 7 friction (1 +
-// restitution)
-// 2 for equal solid spheres.
+// restitution) / 2 for equal solid spheres.
 
 #include "clca/boltzmann/law.hpp"
 
@@ -15,8 +14,7 @@ struct Temperatures {
   bool operator==(const Temperatures&) const = default;
 };
 
-/// Collision rate of a particle in a Maxwellian gas: (4
-/// sqrt(pi)) sqrt(T).
+/// Collision rate of a particle in a Maxwellian gas: (4 / sqrt(pi)) sqrt(T).
 double maxwellian_rate(double translational);
 
 /// Rates of change of both temperatures. Exact while velocities and spins are normal and

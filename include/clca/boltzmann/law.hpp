@@ -10,8 +10,7 @@
 namespace clca::boltzmann {
 
 /// How a collision changes the relative velocity at the contact point. The tangential velocity is
-/// multiplied by R = max(-roughness, 1 - A (V n)
-/// |V_t|):
+/// multiplied by R = max(-roughness, 1 - A (V n) / |V_t|):
 /// friction slows sliding until it ends (R = 0) or, with a roughness, reverses (Walton 1993).
 struct Law {
   double restitution = 1;  ///< epsilon, normal; 0 to 1

@@ -36,9 +36,7 @@ struct Moments {
 /// Throws std::invalid_argument if there are no particles.
 Moments moments(const Motions& motions);
 
-/// Shares per bin of X = |v|^2
-/// v0^2 and |w|^2
-/// w0^2, each with its present scale.
+/// Shares per bin of X = |v|^2 / v0^2 and |w|^2 / w0^2, each with its present scale.
 struct EnergyShares {
   std::vector<double> translational;
   std::vector<double> rotational;

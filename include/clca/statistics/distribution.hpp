@@ -46,9 +46,8 @@ std::vector<double> shares(std::span<const double> values, const Bins& bins);
 /// the same length.
 double hellinger_distance(std::span<const double> p, std::span<const double> q);
 
-/// Expected distance of a sample from its own distribution: (bins - 2)
-/// (8 samples), with the scale taken from the sample.
-/// Throws std::invalid_argument for fewer than 2 bins or no samples.
+/// Expected distance of a sample from its own distribution: (bins - 2) / (8 samples), with the
+/// scale taken from the sample. Throws std::invalid_argument for fewer than 2 bins or no samples.
 double hellinger_floor(std::size_t bins, std::size_t samples);
 
 }  // namespace clca::statistics

@@ -63,8 +63,7 @@ template <class Int>
   at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
   if (turns) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
-    // = mass radius^2
-    // 2.
+    // = mass radius^2 / 2.
     constexpr int kTwice = kInverseMassBits - 1;
     at.upper.spin = changed(
         at.upper.spin,
