@@ -18,7 +18,7 @@ struct FrictionMeans {
 };
 
 /// V n and |V_t| are independent, Rayleigh distributed with 2 T and s^2 = 2 (T + W), and
-/// B = min(c, A (V n) / |V_t|) with c = 1 + beta. There are T and friction.
+/// B = min(c, A (V n) / |V_t|) with c = 1 + beta. Precondition: T and friction are positive.
 FrictionMeans friction_means(const Law& law, const Temperatures& temperatures) {
   const double cap = 1 + law.roughness;
   const double square = 2 * (temperatures.translational + temperatures.rotational);

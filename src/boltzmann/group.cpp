@@ -108,7 +108,7 @@ bool Group::share_particles() {
 
 bool Group::collide_at_once(const Law& law) {
   const std::size_t chunks = (pairs_.count + kLanes - 1) / kLanes;
-  for (std::size_t i = 0; i < chunks * kLanes; ++i) {  // what is over repeats the last
+  for (std::size_t i = 0; i < chunks * kLanes; ++i) {  // filled up with the last pair
     const std::size_t pair = pairs_.numbers[std::min(i, pairs_.count - 1)];
     load(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[pair]);
   }

@@ -48,7 +48,7 @@ void LatticeRule::shift(std::uint64_t seed, const ShiftKey& key) {
 double LatticeRule::coordinate(std::uint64_t point, int dimension) const {
   const auto at = static_cast<std::size_t>(dimension);
   const std::uint64_t multiple = residues_[point] * kGenerator[at];
-  // Modulo 1 is modulo 2^64 here; a lattice of one point has no bits to move.
+  // Fractions of 1 are in units of 2^-64. A shift by all 64 bits (one point) would be undefined.
   const std::uint64_t unshifted =
       bits_ == 0 ? 0 : multiple << static_cast<unsigned>(kWordBits - bits_);
   return open_unit(unshifted + shift_[at]);

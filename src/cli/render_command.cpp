@@ -226,7 +226,7 @@ void add_choice_options(Command& command, RenderOptions& options) {
       .type("STEP")
       .values(whole_number());
   add_frames_option(command, options, "--every", "every", "STEPS",
-                    "Steps from picture to picture, at least, in a stage [as the scene says]");
+                    "Fewest steps between two pictures of a stage [as the scene says]");
 }
 
 void add_space_time_options(Command& command, RenderOptions& options) {

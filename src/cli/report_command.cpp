@@ -40,7 +40,7 @@ void add_report_command(CommandLine& command_line) {
   command.option("-o,--output", &options->file, "Page to write [DIR/report.html]");
   command
       .option("--max-frames", &options->max_frames,
-              "Most pictures to step through [as many as keep the page below 20 MB]")
+              "Number of pictures in the page, at most [as many as keep the page below 20 MB]")
       .values(whole_number(0, 100'000));
   command.action([options] {
     write_report(*options);

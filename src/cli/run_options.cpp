@@ -58,7 +58,7 @@ void add_run_options(Command& command, RunCommonOptions& options) {
       .values(time_span());
   command
       .choice("--engine", &options.reference, {{"fast", false}, {"reference", true}},
-              "fast, or reference: steps as the model is defined, for checks")
+              "fast, or reference: the rule as documented, one thread, slow; for checks")
       .type("NAME")
       .show_default("fast");
   const Option quiet = command.flag("--quiet", &options.quiet, "Print warnings and errors only");

@@ -29,7 +29,7 @@ class GasCheck {
 
   void operator()(const GasCourse& course) const {
     require_of_run(course.wall_seconds >= 0 && std::isfinite(course.wall_seconds),
-                   "its time is none");
+                   "its time is not a number of 0 or more");
     require_of_run(course.cases.size() <= scene_.restitutions.size() &&
                        course.cases_ended <= course.cases.size(),
                    "its restitutions are others");

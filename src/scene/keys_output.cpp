@@ -73,7 +73,7 @@ Type<Frames> frames_type() {
             key("range", &Frames::range, color_range(),
                 "values at the ends of the colour bar of `displacement` (lattice spacings) or "
                 "`force` (overlapped sites, or with `model: contact` grain weights); a mark at an "
-                "end says that values lie beyond")
+                "end says that there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
             key("layers", &Frames::layers, integer(1, kMaxLayers),
                 "number of layers for `stage_layer`"),

@@ -233,7 +233,7 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
   require(all_below(rows.kind, fixed.kinds.size()), context, "a kind that the scene does not have");
   require(all_below(rows.move, grains::kRest + 1), context, "a move that is none");
   require(all_below(rows.push_direction, lattice::kDirectionCount), context,
-          "a direction that is none");
+          "a number that is no direction");
   require(all_inside(fixed.lattice, rows.site), context, "a particle outside the box");
   for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
     require_in_frame(ascend(rows.id, frames.particles.rows_of(frame), frames.entered[frame]),

@@ -18,7 +18,7 @@ inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
 // Bounds far above any useful run, so that no product overflows.
 inline constexpr std::int32_t kMaxVelocity = 16 * kSpacing;  ///< velocities and spins
 inline constexpr std::int32_t kMaxRemainder =
-    8 * kSpacing;  ///< remainders: a step makes six moves at most
+    8 * kSpacing;  ///< remainders; a step leaves at most 2 spacings along any direction
 inline constexpr std::int32_t kMaxImpulse = 1 << 29;  ///< impulses
 
 /// Cartesian, in 2^-23 lattice spacings.

@@ -23,7 +23,7 @@ double smallest_diameter(const grains::State& state);
 /// of both sides; negative if it receded on both.
 struct Runout {
   double front = 0;       ///< of the outermost site
-  double percent_99 = 0;  ///< of the position that 99 % of the sites do not pass on that side
+  double percent_99 = 0;  ///< of the 99th percentile of the sites on that side
 };
 
 /// None for an empty box.

@@ -384,7 +384,7 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
       {[](GasCourse& all) { all.cases.emplace_back(); }, "restitutions are others"},
       {[](GasCourse& all) { all.cases.front().restitution = 0.3; }, "restitutions are others"},
       {[](GasCourse& all) { all.cases_ended = 3; }, "restitutions are others"},
-      {[&](GasCourse& all) { all.wall_seconds = nan; }, "its time is none"},
+      {[&](GasCourse& all) { all.wall_seconds = nan; }, "its time is not a number of 0 or more"},
       {[](GasCourse& all) { all.cases.front().members.pop_back(); }, "ensemble is another"},
       {[](GasCourse& all) { ended(all).observations.push_back({}); }, "more observations"},
       {[](GasCourse& all) { ended(all).observations.pop_back(); }, "a gas is missing"},

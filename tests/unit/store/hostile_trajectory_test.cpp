@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"wall_back", [](TrajectoryPart& part) { part.rows.wall_offset[7] = kLeast; },
                 "frame of step 130: a wall where it cannot come"},
         Hostile{"push_direction", [](TrajectoryPart& part) { part.rows.push_direction[0] = 6; },
-                "a direction that is none"},
+                "a number that is no direction"},
         Hostile{"pushed", [](TrajectoryPart& part) { part.rows.pushed.back() = 4'000'000'000; },
                 "frame of step 130: a push that cannot be"},
         Hostile{"pusher_wall", [](TrajectoryPart& part) { part.rows.pusher.back() = kLeast; },
