@@ -9,7 +9,6 @@
 #include "clca/reflection/hash.hpp"
 #include "contact/engine/engine.hpp"
 #include "contact/rule/acceleration.hpp"
-#include "contact/rule/sleep.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/walls.hpp"
 #include "grains/internal/filling.hpp"
@@ -34,7 +33,6 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
                .turning = {.turns = parameters.rolling != Rolling::none,
                            .resists_rolling = parameters.rolling == Rolling::resistance,
                            .rolling_friction = friction(parameters.rolling_friction)},
-               .sleeping = parameters.sleeping,
                .bodies = Bodies(state.grains.kinds, parameters.rolling)};
   for (std::size_t wall = 0; wall < options.wall_friction.size(); ++wall) {
     if (options.wall_friction[wall]) {
@@ -47,12 +45,6 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
 State valid(State state, const Parameters& parameters, const Options& options) {
   if (state.grains.step == 0 && state.wall_remainders.empty()) {
     state.wall_remainders.resize(state.grains.walls.size());
-  }
-  if (parameters.sleeping) {
-    state.sleep.rests.resize(state.grains.particles.size());
-  } else {
-    wake_all(state);
-    state.sleep = {};
   }
   check_valid(state);
   const bool walls_sane =
@@ -155,12 +147,7 @@ void check_valid(const State& state) {
     }
   }
   std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
-  if (!state.sleep.rests.empty() && state.sleep.rests.size() != grains) {
-    fail("there is not one count of rests for each grain");
-  }
-  std::vector<Contact> contacts = state.contacts;
-  contacts.insert(contacts.end(), state.sleep.contacts.begin(), state.sleep.contacts.end());
-  for (const Contact& contact : contacts) {
+  for (const Contact& contact : state.contacts) {
     const bool with_grain = grains::is_particle(contact.other);
     const bool there =
         contact.upper < grains &&
@@ -270,7 +257,6 @@ class ContactModel::Impl {
   auto change(Change change) {
     return whole([&] {
       state();
-      wake_all(state_);
       auto result = change(state_.grains, occupancy_);
       add_motions();
       if (engine_) {
@@ -292,7 +278,6 @@ class ContactModel::Impl {
     }
     moving.travel.active = active;
     state_.quiet_steps = 0;
-    wake();
   }
   void set_source(std::size_t source, bool open) { state_.grains.sources.at(source).open = open; }
   void set_vessel(const Vessel& vessel) {
@@ -300,7 +285,6 @@ class ContactModel::Impl {
     state_.changed = state_.changed || down(vessel) != down(state_.vessel);
     state_.vessel = vessel;
     state_.quiet_steps = 0;
-    wake();
   }
   void mark_origins() {
     grains::State& grains = state_.grains;
@@ -309,17 +293,6 @@ class ContactModel::Impl {
   }
 
  private:
-  /// Marks the state as changed from outside.
-  void wake() {
-    if (rule_.sleeping) {
-      state();
-      wake_all(state_);
-      if (engine_) {
-        engine_->reload();
-      }
-    }
-  }
-
   /// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
   /// vertically.
   void scatter(std::size_t first) {
@@ -336,9 +309,6 @@ class ContactModel::Impl {
   void add_motions() {
     state_.velocities.resize(state_.grains.particles.size());
     state_.remainders.resize(state_.grains.particles.size());
-    if (rule_.sleeping) {
-      state_.sleep.rests.resize(state_.grains.particles.size());
-    }
   }
 
   /// Grains that moved, without duplicates.

@@ -295,14 +295,12 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
   }
   const ContactTransfer transfer(there->grains, ids, state.grains);
   std::set<std::pair<std::uint32_t, grains::Owner>> known;
-  for (const auto* contacts : {&there->contacts, &there->sleep.contacts}) {
-    for (const contact::Contact& one : *contacts) {
-      auto taken = transfer.contact(one);
-      if (taken && known.emplace(taken->upper, taken->other).second) {
-        auto& [normal, shear, rolling] = taken->impulse;
-        taken->impulse = {impulse(normal), impulse(shear), impulse(rolling)};
-        state.contacts.push_back(*taken);
-      }
+  for (const contact::Contact& one : there->contacts) {
+    auto taken = transfer.contact(one);
+    if (taken && known.emplace(taken->upper, taken->other).second) {
+      auto& [normal, shear, rolling] = taken->impulse;
+      taken->impulse = {impulse(normal), impulse(shear), impulse(rolling)};
+      state.contacts.push_back(*taken);
     }
   }
 }

@@ -15,15 +15,6 @@ namespace clca::scene {
 
 namespace {
 
-/// The value at a path of keys; null if there is none.
-const Value* value_at(const Value& root, std::initializer_list<std::string_view> keys) {
-  const Value* value = &root;
-  for (const std::string_view key : keys) {
-    value = value == nullptr ? nullptr : value->find(key);
-  }
-  return value;
-}
-
 [[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
                              std::string_view what) {
   fail(location, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "
@@ -117,35 +108,6 @@ void check_time_step(const Scene& scene, const Value& root) {
              contact::kMinGravity, contact::kMaxGravity));
   }
   check_vessels(scene, *root.find("stages"));
-}
-
-void check_sleeping(const Scene& scene, const Value& root) {
-  if (!scene.contact.sleeping) {
-    return;
-  }
-  const auto refuse = [](const Value& value, std::string_view path) {
-    fail(value.location, fmt::format("{}: forces are not known where grains sleep; remove it, or "
-                                     "'contact.sleeping: true'",
-                                     path));
-  };
-  if (const Value* measures = root.find("measure");
-      measures != nullptr && std::find(scene.measures.begin(), scene.measures.end(),
-                                       Measure::force) != scene.measures.end()) {
-    refuse(*measures, "measure: force");
-  }
-  const Output& output = scene.output;
-  if (output.frames && output.frames->overlay == Overlay::forces) {
-    refuse(*value_at(root, {"output", "frames", "overlay"}), "output.frames.overlay: forces");
-  }
-  if (output.frames && output.frames->color_by == ColorBy::force) {
-    refuse(*value_at(root, {"output", "frames", "color_by"}), "output.frames.color_by: force");
-  }
-  if (output.contacts) {
-    refuse(*value_at(root, {"output", "contacts"}), "output.contacts");
-  }
-  if (output.trajectory && output.trajectory->contacts) {
-    refuse(*value_at(root, {"output", "trajectory", "contacts"}), "output.trajectory.contacts");
-  }
 }
 
 }  // namespace clca::scene

@@ -102,9 +102,7 @@ Type<contact::Parameters> contact_type() {
             key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
                 "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
             key("fall_height", &P::fall_height, fall_height(),
-                "height of that fall in lattice spacings; `auto`: from the fills"),
-            key("sleeping", &P::sleeping, yes_or_no(),
-                "whether steps leave out particles that have come to rest")});
+                "height of that fall in lattice spacings; `auto`: from the fills")});
   return type_of<P>({.keys = keys});
 }
 

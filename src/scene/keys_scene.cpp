@@ -57,11 +57,6 @@ Keys<AScene> first_keys() {
 }
 
 Keys<Scene> scene_keys() {
-  const auto erase_force = [](const KeyedMap& /*fields*/, Scene& scene, const Scene& /*same*/) {
-    if (scene.contact.sleeping) {
-      std::erase(scene.measures, Measure::force);
-    }
-  };
   Keys<Scene> keys = first_keys<Scene>();
   keys.add(
       {key("model", &Scene::model, choice(kModelNames),
@@ -98,8 +93,7 @@ Keys<Scene> scene_keys() {
                 "what happens, one after the other: [stages](#stages)"),
        key("measure", &Scene::measures, measures_type(),
            "what is measured at the end of each stage: [measures](#measures)")
-           .defaults_to("all")
-           .after(erase_force),
+           .defaults_to("all"),
        key("output", &Scene::output, output_type(),
            "pictures, tables, trajectory and checkpoints: [output](#output)")
            .defaults_to("see there")});

@@ -17,11 +17,6 @@ void check_stage(const KeyedMap& fields, Stage& stage, const Scene& scene) {
     fail(fields.at("fill").find("method")->location,
          fmt::format("{}.method: deposition needs rules.gravity: down", fields.path("fill")));
   }
-  if (stage.contact && scene.contact.sleeping) {
-    fail(fields.at("contact").location,
-         fmt::format("{}: grains that sleep would not feel it; leave out 'contact.sleeping: true'",
-                     fields.path("contact")));
-  }
   check_until(fields, stage, scene);
 }
 

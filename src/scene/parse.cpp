@@ -46,7 +46,6 @@ Scene read_scene(const Value& root, const std::string& file) {
   check_time_step(scene, root);
   count_steps(scene, *root.find("stages"));
   check_use(scene, root);
-  check_sleeping(scene, root);
   return scene;
 }
 

@@ -61,8 +61,6 @@ void check_history(const Scene& scene, const Value& list);
 void check_model(const Scene& scene, const Value& root);
 /// Contact model: resolution, fall height (which may depend on stages) and vessels.
 void check_time_step(const Scene& scene, const Value& root);
-/// Forces between sleeping grains are not updated, so a scene must not request them.
-void check_sleeping(const Scene& scene, const Value& root);
 /// Checks the scene as a whole: every species, source and motion is used, and there are particles.
 void check_use(const Scene& scene, const Value& root);
 

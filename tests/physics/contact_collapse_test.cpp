@@ -107,16 +107,5 @@ TEST(ContactCollapse, WithFreeRollingHardlyASlopeIsLeft) {
   expect_within("moved_share", result.moved, 0.86, 1);
 }
 
-// What sleep leaves out changes the collapse by no more than other seeds would: two standard errors
-// of the difference are 1.2 degrees and 0.11 L0 (12 seeds each: 23.0 and 23.2 degrees, 1.98 and
-// 1.94 L0). The windows are twice that.
-TEST(ContactCollapse, IsTheSameWhereGrainsSleep) {
-  const Collapse awake = collapse({"contact.rolling=resistance"});
-  const Collapse asleep = collapse({"contact.rolling=resistance", "contact.sleeping=true"});
-  EXPECT_EQ(asleep.settled, kSeeds);
-  expect_within("slope_difference", asleep.slope - awake.slope, -2.4, 2.4);
-  expect_within("runout_difference", asleep.runout - awake.runout, -0.22, 0.22);
-}
-
 }  // namespace
 }  // namespace clca::contact_collapse_test

@@ -67,7 +67,6 @@ inline contact::Parameters any_contact_parameters(bool hexagons) {
   parameters.sweeps = 2 * within(1, 5);
   parameters.resolution = within(10, 101) / 100.0;
   parameters.fall_height = *rc::gen::element(2.0, 10.0, 40.0, 200.0, 1000.0);
-  parameters.sleeping = *rc::gen::arbitrary<bool>();
   return parameters;
 }
 

@@ -31,7 +31,7 @@ struct Force {
   }
 };
 
-/// Forces of all contacts except those in State::sleep, in their order. `gravity` in lattice
+/// Forces of all contacts, in their order. `gravity` in lattice
 /// spacings per step squared. In a periodic box points are near the upper grain.
 std::vector<Force> forces(const State& state, double gravity);
 

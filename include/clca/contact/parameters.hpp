@@ -19,7 +19,6 @@ struct Parameters {
   double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
   /// Fall height in lattice spacings; 0: estimated from the fills.
   double fall_height = 0;
-  bool sleeping = false;  ///< whether steps leave out grains that have come to rest
 
   bool operator==(const Parameters&) const = default;
 };

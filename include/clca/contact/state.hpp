@@ -98,21 +98,6 @@ struct Contact {
   }
 };
 
-/// Sleeping grains, which steps skip (rule/sleep.hpp). Empty if sleeping is off.
-struct Sleep {
-  static constexpr bool kHashedOnlyIfSet = true;
-
-  /// By id: consecutive checks at rest, at most kAsleep; or kDisturbed.
-  std::vector<std::uint8_t> rests = {};
-  std::vector<Contact> contacts = {};  ///< of sleepers with each other, with walls and sides
-
-  bool operator==(const Sleep&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("rests", &Sleep::rests), field("contacts", &Sleep::contacts));
-  }
-};
-
 struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
@@ -120,23 +105,21 @@ struct State {
   /// By wall: how far its motion is ahead of the wall, in 2^-20 lattice spacings along its
   /// direction.
   std::vector<std::int64_t> wall_remainders = {};
-  /// Contacts of the last step, in sweep order; sleeping ones are in `sleep`.
+  /// Contacts of the last step, in sweep order.
   std::vector<Contact> contacts = {};
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
   std::uint64_t quiet_steps = 0;  ///< in a row: without a move, and with hardly any velocity
   Vessel vessel = {};
-  Sleep sleep = {};
 
   bool operator==(const State&) const = default;
   static constexpr auto fields() {
     using reflection::field;
-    return std::make_tuple(field("grains", &State::grains), field("velocities", &State::velocities),
-                           field("remainders", &State::remainders),
-                           field("wall_remainders", &State::wall_remainders),
-                           field("contacts", &State::contacts), field("changed", &State::changed),
-                           field("quiet_steps", &State::quiet_steps),
-                           field("vessel", &State::vessel), field("sleep", &State::sleep));
+    return std::make_tuple(
+        field("grains", &State::grains), field("velocities", &State::velocities),
+        field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
+        field("contacts", &State::contacts), field("changed", &State::changed),
+        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
   }
 };
 

@@ -49,11 +49,6 @@ void hash(random::WordHash& words, const T& values) {
 
 template <Listed T>
 void hash(random::WordHash& words, const T& value) {
-  if constexpr (requires { T::kHashedOnlyIfSet; }) {
-    if (value == T()) {
-      return;
-    }
-  }
   std::apply([&](const auto&... one) { (hash(words, value.*(one.member)), ...); }, T::fields());
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/rule/sleep.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::contact {
@@ -39,7 +38,6 @@ ContactFinder::ContactFinder(const State& state, const grains::OccupancyTable& o
                              const grains::FootprintTable& footprints, const Rule& rule,
                              const parallel::Threads& threads)
     : state_(state.grains),
-      sleep_(state.sleep),
       occupancy_(occupancy),
       footprints_(footprints),
       rule_(rule),
@@ -85,7 +83,7 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   moved_.resize(state_.particles.size());
   ids_.clear();
   for (const std::uint32_t id : moved) {
-    if (!is_asleep(sleep_, id) && std::exchange(moved_[id], 1) == 0) {
+    if (std::exchange(moved_[id], 1) == 0) {
       ids_.push_back(id);
     }
   }
@@ -304,7 +302,7 @@ LaneContent ContactFinder::content(const Touch& touch) const {
           .normal = touch.normal,
           .impulse = {},
           .friction = rule_.friction_with(touch.other),
-          .pair = coefficients(state_, sleep_, rule_.bodies, touch.upper, touch.other)};
+          .pair = rule_.bodies.pair(state_, touch.upper, touch.other)};
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_t part) {

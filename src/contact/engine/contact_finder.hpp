@@ -63,7 +63,6 @@ class ContactFinder {
   void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
-  const Sleep& sleep_;
   const grains::OccupancyTable& occupancy_;
   const grains::FootprintTable& footprints_;
   const Rule& rule_;

@@ -7,7 +7,6 @@
 
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/remainders.hpp"
-#include "contact/rule/sleep.hpp"
 
 namespace clca::contact {
 
@@ -75,21 +74,11 @@ void Engine::step() {
 }
 
 void Engine::update_contacts() {
-  if (rule_.sleeping && sorts_contacts(state_)) {
-    write_back();
-    check_sleep(state_, rule_);
-    load_bodies();
-    finder_.load(state_.contacts, slots_);
-  }
   if (const lattice::Direction down = contact::down(state_.vessel); down != finder_.down()) {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
   const std::size_t first_new = finder_.update(changed_, slots_);
-  for (const Slot& slot : slots_.all().subspan(first_new)) {
-    disturb(state_.sleep, static_cast<grains::Owner>(slot.upper));
-    disturb(state_.sleep, slot.other);
-  }
   clock_.end(&Profile::contacts);
   new_lanes_.clear();
   if (sorts_contacts(state_)) {
@@ -129,7 +118,7 @@ void Engine::accelerate_all() {
                   [&, particles = std::span(state_.grains.particles), motions = grain_bodies()](
                       std::size_t /*part*/, std::size_t first, std::size_t last) {
                     for (std::size_t id = first; id < last; ++id) {
-                      if (particles[id].present && !is_asleep(state_.sleep, id)) {
+                      if (particles[id].present) {
                         accelerate(motions[id].velocity, particles[id].site(), by);
                       }
                     }
@@ -184,7 +173,7 @@ void Engine::advance_and_move() {
                     near.resize(last - first);
                     std::size_t count = 0;
                     for (std::size_t id = first; id < last; ++id) {
-                      if (!particles[id].present || is_asleep(state_.sleep, id)) {
+                      if (!particles[id].present) {
                         continue;
                       }
                       at_rest =
@@ -211,21 +200,7 @@ void Engine::advance_and_move() {
   }
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
-  if (rule_.sleeping) {
-    disturb_sleepers();
-  }
   end_step(state_, walls, quiet && moved_.empty());
-}
-
-/// Those that touch a grain that has moved.
-void Engine::disturb_sleepers() {
-  for (const std::uint32_t id : moved_) {
-    state_.sleep.rests[id] = 0;
-    slots_.for_each(id, [&](std::int32_t at) {
-      disturb(state_.sleep, static_cast<grains::Owner>(slots_.at(at).upper));
-      disturb(state_.sleep, slots_.at(at).other);
-    });
-  }
 }
 
 void Engine::write_back() {

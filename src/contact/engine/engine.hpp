@@ -44,7 +44,6 @@ class Engine {
   std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
   void load_bodies();
   void update_contacts();
-  void disturb_sleepers();
   void set_walls();
   void bounce_new();
   void accelerate_all();

@@ -65,20 +65,11 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
 
 Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_(kinds.size()) {
   const double unit = mass_unit(kinds);
-  for (const Fixed fixed : {Fixed::none, Fixed::upper, Fixed::other}) {
-    for (const grains::Kind& kind : kinds) {
-      Disc upper = disc(kind, unit);
-      upper.inverse_mass *= fixed == Fixed::upper ? 0 : 1;
-      for (const grains::Kind& kind_of_other : kinds) {
-        Disc other = disc(kind_of_other, unit);
-        other.inverse_mass *= fixed == Fixed::other ? 0 : 1;
-        pairs_.push_back(make_pair(upper, other, rolling));
-      }
-      pairs_.push_back(make_pair(disc(kind, unit), Disc(), rolling));
-    }
-  }
   for (const grains::Kind& kind : kinds) {
-    masses_.push_back(fixed(1 / disc(kind, unit).inverse_mass, kMassBits));
+    for (const grains::Kind& other : kinds) {
+      pairs_.push_back(make_pair(disc(kind, unit), disc(other, unit), rolling));
+    }
+    pairs_.push_back(make_pair(disc(kind, unit), Disc(), rolling));
   }
 }
 

@@ -32,23 +32,21 @@ class Bodies {
  public:
   Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling);
 
-  /// The grain of a pair with infinite mass (asleep).
-  enum class Fixed : std::uint8_t { none, upper, other };
-
   /// `other` is none for a wall.
-  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other,
-                   Fixed fixed = Fixed::none) const {
-    const std::size_t among = static_cast<std::size_t>(fixed) * kinds_ + kind;
-    return pairs_[among * (kinds_ + 1) + (other ? *other : kinds_)];
+  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
+    return pairs_[kind * (kinds_ + 1) + (other ? *other : kinds_)];
   }
-  /// Mass of a kind, in 2^-16 of the unit.
-  std::int32_t mass(std::uint16_t kind) const { return masses_[kind]; }
+  /// Of a contact between a grain and another body.
+  const Pair& pair(const grains::State& grains, std::uint32_t upper, grains::Owner other) const {
+    const auto kind = [&](std::size_t id) { return grains.particles[id].kind; };
+    return grains::is_particle(other) ? pair(kind(upper), kind(static_cast<std::size_t>(other)))
+                                      : pair(kind(upper), std::nullopt);
+  }
 
  private:
   std::size_t kinds_;
-  // By `Fixed`, kind and other kind; the last other kind is a wall.
+  // By kind and other kind; the last other kind is a wall.
   std::vector<Pair> pairs_;
-  std::vector<std::int32_t> masses_;  // by kind
 };
 
 /// Contact normal of two grains, towards the first, with the second at `apart`; none if they do not

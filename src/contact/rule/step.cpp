@@ -6,7 +6,6 @@
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
-#include "contact/rule/sleep.hpp"
 #include "contact/rule/touching.hpp"
 
 namespace clca::contact {
@@ -38,8 +37,7 @@ class Contacts {
         .other = other_velocity,
         .normal_x = contact.normal.x,
         .normal_y = contact.normal.y,
-        .pair =
-            coefficients(state_.grains, state_.sleep, rule_.bodies, contact.upper, contact.other)};
+        .pair = rule_.bodies.pair(state_.grains, contact.upper, contact.other)};
     visit(touching);
     upper_velocity = touching.upper;
     other_velocity = touching.other;
@@ -80,19 +78,42 @@ void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
   }
 }
 
-/// Marks sleeping grains that touch something that moved or appeared.
-void disturb_sleepers(State& state, const std::vector<ActiveContact>& contacts) {
-  const auto has_moved = [&](grains::Owner body) {
-    return grains::is_particle(body) &&
-           state.grains.particles[static_cast<std::size_t>(body)].previous != grains::kRest;
-  };
-  for (const ActiveContact& active : contacts) {
-    const auto upper = static_cast<grains::Owner>(active.contact.upper);
-    if (active.is_new || has_moved(upper) || has_moved(active.contact.other)) {
-      disturb(state.sleep, upper);
-      disturb(state.sleep, active.contact.other);
+void accelerate_all(State& state, const Rule& rule) {
+  const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+      accelerate(state.velocities[id], grain.site(), by);
     }
   }
+}
+
+void apply_all(Contacts& all, const std::vector<ActiveContact>& contacts, const Rule& rule) {
+  for (const ActiveContact& active : contacts) {
+    all.at(active, [&](ContactState<std::int32_t>& touching) {
+      apply(touching, active.contact.impulse, rule.turning.turns);
+    });
+  }
+}
+
+/// Returns whether all grains are at rest.
+bool advance_all(State& state, const Rule& rule) {
+  std::vector<bool> touching(state.velocities.size(), false);
+  for (const Contact& contact : state.contacts) {
+    touching[contact.upper] = true;
+    if (grains::is_particle(contact.other)) {
+      touching[static_cast<std::size_t>(contact.other)] = true;
+    }
+  }
+  bool at_rest = true;
+  for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
+    state.grains.particles[id].previous = grains::kRest;
+    if (state.grains.particles[id].present) {
+      at_rest =
+          advance(state.remainders[id], state.velocities[id], touching[id], slow_speed(rule)) &&
+          at_rest;
+    }
+  }
+  return at_rest;
 }
 
 }  // namespace
@@ -101,63 +122,43 @@ std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& 
                                           const grains::FootprintTable& footprints,
                                           const grains::WallEdges& edges, const Rule& rule,
                                           NormalTable& normals) {
-  if (rule.sleeping && sorts_contacts(state)) {
-    check_sleep(state, rule);
-  }
   const lattice::Direction down = contact::down(state.vessel);
-  std::vector<Touch> touches = contact::touches(state.grains, occupancy, footprints, down, normals);
-  std::erase_if(touches, [&](const Touch& touch) {
-    return both_asleep(state.sleep, touch.upper, touch.other);
-  });
-  std::vector<ActiveContact> contacts =
-      next_contacts(state.grains, state.contacts, touches, down, sorts_contacts(state));
-  state.changed = false;
 
+  // 1. Who touches whom; the contacts in order.
+  std::vector<ActiveContact> contacts = next_contacts(
+      state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
+      down, sorts_contacts(state));
+  state.changed = false;
   Contacts all(state, rule);
+
+  // 2. New contacts bounce.
   const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
-  const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
-  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (const grains::Particle& grain = state.grains.particles[id];
-        grain.present && !is_asleep(state.sleep, id)) {
-      accelerate(state.velocities[id], grain.site(), by);
-    }
-  }
-  for (const ActiveContact& active : contacts) {
-    all.at(active, [&](ContactState<std::int32_t>& touching) {
-      apply(touching, active.contact.impulse, rule.turning.turns);
-    });
-  }
+
+  // 3. Gravity and the vessel.
+  accelerate_all(state, rule);
+
+  // 4. The impulses of the last step, once more.
+  apply_all(all, contacts, rule);
+
+  // 5. Sweeps over the contacts change the impulses and the velocities.
   sweep(all, contacts, bounce, rule);
   state.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
                  [](const ActiveContact& active) { return active.contact; });
 
-  std::vector<bool> touching(state.velocities.size(), false);
-  for (const Contact& contact : state.contacts) {
-    touching[contact.upper] = true;
-    if (grains::is_particle(contact.other)) {
-      touching[static_cast<std::size_t>(contact.other)] = true;
-    }
-  }
-  const std::int32_t slow = slow_speed(rule);
-  bool quiet = true;
-  for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
-    state.grains.particles[id].previous = grains::kRest;
-    if (state.grains.particles[id].present && !is_asleep(state.sleep, id)) {
-      quiet = advance(state.remainders[id], state.velocities[id], touching[id], slow) && quiet;
-    }
-  }
+  // 6. Remainders of grains, 7. and of walls.
+  const bool at_rest = advance_all(state, rule);
   std::vector<WallMove> walls = advance_walls(state);
+
+  // 8. Grains and walls whose remainder is large enough move by a site, if there is room.
   SiteMoves moves(state, occupancy, footprints, edges);
   move_all(moves, state, down, walls);
+
+  // 9. Remainders of grains that were held up are cut.
   std::for_each(state.remainders.begin(), state.remainders.end(), cut);
-  if (rule.sleeping) {
-    for (const std::uint32_t id : moves.moved()) {
-      state.sleep.rests[id] = 0;
-    }
-    disturb_sleepers(state, contacts);
-  }
-  end_step(state, walls, quiet && moves.moved().empty());
+
+  // 10. Walls and vessel end the step.
+  end_step(state, walls, at_rest && moves.moved().empty());
   return moves.moved();
 }
 

@@ -23,7 +23,6 @@ struct Rule {
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
   RotationParameters turning = {};
-  bool sleeping = false;
   Bodies bodies;
 
   std::int32_t friction_with(grains::Owner other) const {

@@ -79,13 +79,6 @@ void end_step(State& state, std::span<const WallMove> walls, bool quiet) {
   ++state.grains.step;
 }
 
-bool walls_move(const State& state) {
-  return std::any_of(state.grains.walls.begin(), state.grains.walls.end(),
-                     [](const grains::Wall& wall) {
-                       return in_motion(wall) && !is_over(*wall.motion, wall.travel);
-                     });
-}
-
 bool walls_rest(const State& state) {
   for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
     const grains::Wall& one = state.grains.walls[wall];

@@ -35,9 +35,6 @@ std::vector<WallMove> advance_walls(State& state);
 /// the rest limit.
 void end_step(State& state, std::span<const WallMove> walls, bool quiet);
 
-/// Whether a wall has not finished its motion, even if blocked.
-bool walls_move(const State& state);
-
 /// Whether no wall will move while no grain does: each has finished or has been blocked for the
 /// settling time, so that its push no longer grows.
 bool walls_rest(const State& state);

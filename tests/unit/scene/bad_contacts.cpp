@@ -13,12 +13,6 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "scene.yaml:10:34: error: unknown key 'resolution' in stages.first.contact (allowed: "
      "friction, "
      "wall_friction, rolling_friction, restitution); did you mean 'restitution'?"},
-    {"friction of a stage that sleepers would not feel",
-     "contact: {sleeping: true}\nstages: [{name: first, contact: {friction: 0}}]",
-     "scene.yaml:10:33: error: stages.first.contact: grains that sleep would not feel it; leave "
-     "out "
-     "'contact.sleeping: true'",
-     Judge::parser},
     {"a misspelt model", "model: contct",
      "scene.yaml:6:8: error: model: expected one of automaton, contact, found 'contct'; did you "
      "mean 'contact'?"},
@@ -39,8 +33,8 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "scene.yaml:13:10: error: contact: expected a map, found 'default'"},
     {"a misspelt key", "contact: {frictoin: 0.2}",
      "scene.yaml:13:11: error: unknown key 'frictoin' in contact (allowed: friction, "
-     "wall_friction, rolling, rolling_friction, restitution, sweeps, resolution, fall_height, "
-     "sleeping); did you mean 'friction'?"},
+     "wall_friction, rolling, rolling_friction, restitution, sweeps, resolution, fall_height); did "
+     "you mean 'friction'?"},
     {"a negative friction", "contact: {friction: -0.1}",
      "scene.yaml:13:21: error: contact.friction: expected a number from 0 to 1000000000, found "
      "'-0.1'"},

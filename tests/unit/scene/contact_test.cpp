@@ -35,8 +35,7 @@ std::string refusal(std::string_view part, const std::vector<Override>& override
 constexpr std::string_view kEverything =
     "species: {bar: {shape: {rod: {radius: 0, length: 3}}}}\n"
     "contact: {friction: 1e9, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
-    " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5,"
-    " sleeping: true}\n"
+    " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5}\n"
     "walls: {left: {box: [0, 0, 1, 50], friction: 0.25}, right: {box: [50, 0, 51, 50]}}\n"
     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {bar: 5}}, sources: [spout]}]\n"
     "output: {contacts: none}\n";
@@ -67,8 +66,7 @@ TEST(ParseContact, ReadsEveryKey) {
                                        .restitution = 0.99,
                                        .sweeps = 64,
                                        .resolution = 0.5,
-                                       .fall_height = 1e5,
-                                       .sleeping = true}));
+                                       .fall_height = 1e5}));
   EXPECT_EQ(scene.walls[0].friction, 0.25);
   EXPECT_FALSE(scene.walls[1].friction.has_value());
 }
@@ -161,7 +159,6 @@ TEST(ParseContact, ToYamlShowsEveryDefaultAndNoRules) {
                               "  sweeps: 2\n"
                               "  resolution: 0.4\n"
                               "  fall_height: auto\n"
-                              "  sleeping: false\n"
                               "\n"
                               "walls:\n"
                               "  left: {box: [0, 0, 1, 50]}\n"));
@@ -176,41 +173,9 @@ TEST(ParseContact, ScenesDifferWhenAPartOfTheModelDiffers) {
        {"model: automaton", "contact: {friction: 0.5}", "contact: {wall_friction: 0.5}",
         "contact: {rolling: free}", "contact: {rolling_friction: 0.4}", "contact: {restitution: 0}",
         "contact: {sweeps: 4}", "contact: {resolution: 1}", "contact: {fall_height: 50}",
-        "contact: {sleeping: true}",
         "walls: {left: {box: [0, 0, 1, 50], friction: 0.4}, right: {box: [50, 0, 51, 50]}}"}) {
     EXPECT_NE(contact_with(part), scene) << part;
   }
-}
-
-TEST(ParseContact, LeavesOutForcesWhereGrainsSleep) {
-  const auto measures = [](bool sleeping) {
-    std::string text = testing::contact_with(sleeping ? "contact: {sleeping: true}" : "");
-    const std::size_t key = text.find("\nmeasure:");
-    text.erase(key, text.find('\n', key + 1) - key);  // what counts is the default
-    return parse(text, "scene.yaml", {}).measures;
-  };
-  EXPECT_THAT(measures(false), ::testing::Contains(Measure::force));
-  EXPECT_THAT(measures(true), Not(::testing::Contains(Measure::force)));
-}
-
-TEST(ParseContact, RefusesForcesWhereGrainsSleep) {
-  const auto message = [](std::string_view key, std::string_view path) {
-    return "--set " + std::string(key) + ": error: " + std::string(path) +
-           ": forces are not known where grains sleep; remove it, or 'contact.sleeping: true'";
-  };
-  const auto refused = [](const std::string& key) {
-    return refusal("contact: {sleeping: true}", {"output.frames={}", "output.trajectory={}", key});
-  };
-  EXPECT_EQ(refused("measure=[moved, force]"), message("measure=[moved, force]", "measure: force"));
-  for (const std::string_view frames : {"overlay: forces", "color_by: force"}) {
-    const std::string key(frames.substr(0, frames.find(':')));
-    const std::string setting =
-        "output.frames." + key + "=" + std::string(frames.substr(frames.find(' ') + 1));
-    EXPECT_EQ(refused(setting), message(setting, "output.frames." + std::string(frames)));
-  }
-  EXPECT_EQ(refused("output.contacts={}"), message("output.contacts={}", "output.contacts"));
-  EXPECT_EQ(refused("output.trajectory.contacts=true"),
-            message("output.trajectory.contacts=true", "output.trajectory.contacts"));
 }
 
 TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {

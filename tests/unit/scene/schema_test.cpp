@@ -152,8 +152,7 @@ TEST(Schema, AcceptsEveryKeyOfTheContactModel) {
       "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 5}},"
       " sources: [spout], until: {time: 2}}]\n"
       "contact: {friction: 0.2, wall_friction: 0.3, rolling: none, rolling_friction: 0.1,"
-      " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90,"
-      " sleeping: true}\n"
+      " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90}\n"
       "walls: {left: {box: [0, 0, 1, 50], friction: 0.1}}");
   EXPECT_EQ(schema_errors(text), "");
   EXPECT_EQ(schema_errors(resolved(parse_any(text, "scene.yaml"))), "");
