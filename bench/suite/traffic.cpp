@@ -41,7 +41,7 @@ std::size_t take(std::vector<bool>& lines) {
 Traffic::Traffic(const State& state)
     : footprints_(state, {}),
       bit_lines_high_(static_cast<std::size_t>(state.lattice.rows()) / kLineRows + 2),
-      owners_(state.lattice.memory_size() / kOwnersInALine + 1),
+      owners_(state.lattice.index_count() / kOwnersInALine + 1),
       bits_((static_cast<std::size_t>(state.lattice.columns()) / kLineColumns + 2) *
             bit_lines_high_),
       particles_(lines_of(state.particles.size() * sizeof(Particle))) {}

@@ -131,7 +131,7 @@ UnitSample normal_sample(const InitialCondition& condition, std::uint64_t seed) 
 }
 
 // Three unit vectors with sum 0 in a random plane, made of two directions.
-std::array<Components, 3> star(const Components& first, const Components& other) {
+std::array<Components, 3> three_in_plane(const Components& first, const Components& other) {
   const Components across = cross(first, other);
   const Components side = scaled(across, std::sqrt(0.75 / squared(across)));
   const Components back = scaled(first, -0.5);
@@ -151,7 +151,7 @@ TripleList balanced(const TripleList& directions, std::uint64_t count) {
     result.push_back(scaled(directions[pair], -1));
   }
   if (count % 2 == 1) {
-    const auto three = star(directions[pairs], directions[pairs + 1]);
+    const auto three = three_in_plane(directions[pairs], directions[pairs + 1]);
     result.insert(result.end(), three.begin(), three.end());
   }
   return result;

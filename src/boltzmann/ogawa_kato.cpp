@@ -81,7 +81,7 @@ std::optional<ParticleIndex> collision_partner(const SynchronousStep& step, cons
 }
 
 template <class Draws>
-void hit(const SynchronousStep& step, const Draws& draws, ParticleIndex particle,
+void collide(const SynchronousStep& step, const Draws& draws, ParticleIndex particle,
          ParticleIndex other, Eigen::Ref<Eigen::Array<double, 6, 1>> motion) {
   const Vector3<double> g =
       difference(velocity(step.before, particle), velocity(step.before, other));
@@ -115,7 +115,7 @@ std::uint64_t take(const SynchronousStep& step, const Draws& draws, int partners
       const auto other = collision_partner(
           step, draws, particle, partner_speeds[static_cast<std::size_t>(omp_get_thread_num())]);
       if (other) {
-        hit(step, draws, particle, *other, after.col(column));
+        collide(step, draws, particle, *other, after.col(column));
         ++changed;
       }
     });

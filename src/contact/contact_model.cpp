@@ -22,9 +22,9 @@ namespace clca::contact {
 namespace {
 
 Rule make_rule(const State& state, const Parameters& parameters, const Options& options) {
-  const auto friction = [](double value) { return fixed(value, kRatioBits); };
-  Rule rule = {.gravity = fixed(gravity(parameters), kFractionBits),
-               .restitution = fixed(parameters.restitution, kRatioBits),
+  const auto friction = [](double value) { return to_fixed_point(value, kRatioBits); };
+  Rule rule = {.gravity = to_fixed_point(gravity(parameters), kFractionBits),
+               .restitution = to_fixed_point(parameters.restitution, kRatioBits),
                .sweeps = parameters.sweeps,
                .friction = friction(parameters.friction),
                .side_friction = friction(parameters.wall_friction),
@@ -92,7 +92,7 @@ double gravity(const Parameters& parameters) {
   if (!(parameters.fall_height > 0 && value <= kMaxGravity && value >= kMinGravity)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
-  return fixed(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
+  return to_fixed_point(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
 }
 
 Energy energy(const State& state, double gravity) {

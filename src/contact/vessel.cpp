@@ -87,7 +87,7 @@ Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool s
   check(cycles_per_step > 0 && cycles_per_step <= kMaxCyclesPerStep,
         "a vessel is shaken too fast or not at all");
   Vessel result = at_rest(vessel);
-  result.strength = fixed(gamma, kRatioBits);
+  result.strength = to_fixed_point(gamma, kRatioBits);
   result.sideways = sideways;
   result.phase_step = static_cast<std::uint64_t>(rounded(cycles_per_step, kTurnBits));
   check(result.phase_step > 0, "a vessel is shaken too slowly");
@@ -112,7 +112,7 @@ void check_valid(const Vessel& vessel) {
   };
   const bool sane = size(vessel.turn) <= kMaxTurnsPerStep &&
                     size(vessel.phase_step) <= kMaxCyclesPerStep && vessel.strength >= 0 &&
-                    vessel.strength <= fixed(kMaxShakeGamma, kRatioBits) &&
+                    vessel.strength <= to_fixed_point(kMaxShakeGamma, kRatioBits) &&
                     in_range(vessel.centre_x) && in_range(vessel.centre_y);
   check(sane, "the motion of the vessel is out of range");
 }

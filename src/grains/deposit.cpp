@@ -77,11 +77,11 @@ class CoinFlips {
   CoinFlips(std::uint64_t seed, std::uint32_t id) : seed_(seed), id_(id) {}
 
   bool heads() {
-    if (left_ == 0) {
+    if (bits_left_ == 0) {
       bits_ = random::draw(seed_, drawn_++, id_, random::Purpose::deposit_coin);
-      left_ = std::numeric_limits<std::uint64_t>::digits;
+      bits_left_ = std::numeric_limits<std::uint64_t>::digits;
     }
-    --left_;
+    --bits_left_;
     const bool result = (bits_ & 1U) != 0;
     bits_ >>= 1U;
     return result;
@@ -92,7 +92,7 @@ class CoinFlips {
   std::uint32_t id_;
   std::uint64_t drawn_ = 0;
   std::uint64_t bits_ = 0;
-  int left_ = 0;
+  int bits_left_ = 0;
 };
 
 /// Where particles may come to rest.
@@ -189,7 +189,7 @@ class Deposit {
     return row;
   }
 
-  std::size_t surface_place(int column) const {
+  std::size_t surface_column(int column) const {
     return static_cast<std::size_t>(state_.lattice.wrapped(column));
   }
 
@@ -200,7 +200,7 @@ class Deposit {
     int lowest = rows.low;
     for (const ColumnEnds& ends : room.ends_by_column) {
       const int bottom = (lattice::Site{column, 0} + ends.bottom).row;
-      lowest = std::max(lowest, surface_[surface_place(column + ends.bottom.x)] - bottom);
+      lowest = std::max(lowest, surface_[surface_column(column + ends.bottom.x)] - bottom);
     }
     return lowest <= rows.high ? std::optional(lowest) : std::nullopt;
   }
@@ -249,7 +249,7 @@ class Deposit {
 
   void raise_surface(const Particle& particle) {
     for (const ColumnEnds& ends : rooms_[particle.kind].ends_by_column) {
-      int& surface = surface_[surface_place(particle.column + ends.top.x)];
+      int& surface = surface_[surface_column(particle.column + ends.top.x)];
       const int raised = std::max(surface, (particle.site() + ends.top).row + 1);
       heights_ += raised - surface;  // a particle covers columns of the region only
       surface = raised;

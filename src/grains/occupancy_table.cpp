@@ -71,8 +71,8 @@ bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) 
 
 OccupancyTable::OccupancyTable(const State& state)
     : taken_(state.lattice),
-      inverted_owners_(state.lattice.memory_size()),
-      second_owners_(may_overlap(state) ? state.lattice.memory_size() : 0, kFree) {
+      inverted_owners_(state.lattice.index_count()),
+      second_owners_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {

@@ -21,7 +21,7 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
 
 constexpr double kMaxCoordinate = 1e8;
 
-void check_near(const Eigen::Vector2d& point) {
+void check_coordinates(const Eigen::Vector2d& point) {
   if (!(std::abs(point.x()) < kMaxCoordinate && std::abs(point.y()) < kMaxCoordinate)) {
     throw std::invalid_argument("a point is too far from the lattice");
   }
@@ -92,7 +92,7 @@ void add_column(const SweptRegion& swept_region, const Segment& segment, int col
 }  // namespace
 
 Site nearest_site(const Eigen::Vector2d& point) {
-  check_near(point);
+  check_coordinates(point);
   const int left = static_cast<int>(std::floor(point.x() / kColumnPitch));
   Site best;
   double least = INFINITY;
@@ -148,8 +148,8 @@ std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
 }
 
 std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment) {
-  check_near(segment.from);
-  check_near(segment.to);
+  check_coordinates(segment.from);
+  check_coordinates(segment.to);
   if (!(segment.thickness >= 0 && segment.thickness < kMaxCoordinate)) {
     throw std::invalid_argument("the thickness of a wall must not be negative");
   }

@@ -11,7 +11,7 @@ using grains::State;
 /// Share of the sites of each cell taken by particles; wall sites count as sites.
 std::vector<double> packing_of(const State& state, const Grid& grid) {
   const lattice::Lattice& lattice = state.lattice;
-  std::vector<bool> taken(lattice.memory_size(), false);  // a site may have two owners
+  std::vector<bool> taken(lattice.index_count(), false);  // a site may have two owners
   for_each_site(state, [&](lattice::Site site) { taken[lattice.index(site)] = true; });
   std::vector<double> filled(grid.size(), 0.0);
   std::vector<double> all(grid.size(), 0.0);

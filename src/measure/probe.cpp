@@ -8,11 +8,11 @@ namespace clca::measure {
 std::vector<double> fillings(const grains::State& state,
                              std::span<const lattice::Rectangle> regions) {
   const lattice::Lattice& lattice = state.lattice;
-  std::vector<bool> wall(lattice.memory_size(), false);
+  std::vector<bool> wall(lattice.index_count(), false);
   for (const lattice::Site site : wall_sites(state)) {
     wall[lattice.index(site)] = true;
   }
-  std::vector<bool> covered(lattice.memory_size(), false);  // a site may have two owners
+  std::vector<bool> covered(lattice.index_count(), false);  // a site may have two owners
   for_each_site(state, [&](lattice::Site site) { covered[lattice.index(site)] = true; });
   std::vector<double> shares;
   for (const lattice::Rectangle& region : regions) {

@@ -133,7 +133,7 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
 class FreeSites {
  public:
   explicit FreeSites(const grains::State& state)
-      : lattice_(state.lattice), taken_(state.lattice.memory_size(), false) {
+      : lattice_(state.lattice), taken_(state.lattice.index_count(), false) {
     for (const grains::Wall& wall : state.walls) {
       if (wall.present) {
         for (const lattice::Site site : grains::sites_now(lattice_, wall)) {

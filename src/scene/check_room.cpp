@@ -61,7 +61,7 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
 /// by an earlier stage may be anywhere.
 std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& lattice,
                                    std::size_t stage, const std::vector<bool>& there) {
-  std::vector<bool> covered(lattice.memory_size(), false);
+  std::vector<bool> covered(lattice.index_count(), false);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     const bool moved = std::any_of(
         scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),

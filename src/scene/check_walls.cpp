@@ -85,7 +85,7 @@ std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<b
 
 /// One bit per site index.
 std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
-  std::vector<bool> way(lattice.memory_size(), false);
+  std::vector<bool> way(lattice.index_count(), false);
   bool empty = true;
   any_swept_site(lattice, wall, [&](lattice::Site site) {
     way[lattice.index(site)] = true;

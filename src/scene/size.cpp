@@ -232,7 +232,7 @@ Size size_of(const Scene& scene) {
   }
   const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
-  const auto places = static_cast<double>(lattice.memory_size());
+  const auto places = static_cast<double>(lattice.index_count());
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == grains::Passive::overlap;
   });

@@ -32,7 +32,7 @@ Eigen::Vector2d point_at(const std::vector<double>& points, std::size_t row) {
 std::size_t max_particles(const grains::State& fixed, double bytes) {
   constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 1;
   const double places =
-      grains::OccupancyTable::bytes_for(static_cast<double>(fixed.lattice.memory_size()), true);
+      grains::OccupancyTable::bytes_for(static_cast<double>(fixed.lattice.index_count()), true);
   constexpr double kMaxIds = std::numeric_limits<grains::Owner>::max();
   return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMaxIds));
 }

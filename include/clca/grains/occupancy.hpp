@@ -23,7 +23,7 @@ class Occupancy {
   // NOLINTNEXTLINE(google-explicit-constructor): a table is read like any occupancy
   Occupancy(const OccupancyTable& table);
 
-  /// Number of indices, as lattice::Lattice::memory_size.
+  /// Number of indices, as lattice::Lattice::index_count.
   std::size_t places() const { return inverted_owners_.size(); }
   /// The first owner: walls come before particles, lower ids before higher ones.
   Owner owner(std::size_t index) const { return ~inverted_owners_[index]; }

@@ -81,7 +81,7 @@ class Lattice {
   int rows() const { return rows_; }
   bool periodic() const { return periodic_; }
   /// Number of indices, border included.
-  std::size_t memory_size() const {
+  std::size_t index_count() const {
     return (static_cast<std::size_t>(columns_) + 3) / 2 * 2 * column_size_;
   }
 

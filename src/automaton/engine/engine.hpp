@@ -96,7 +96,7 @@ class Engine {
   void examine_awake_of(StripWorker& worker, StripWorker& owner);
   bool awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id, lattice::Site at) const;
   void examine(StripWorker& worker, const AwakeParticle& particle);
-  grains::Move provisional_by_parts(const AwakeParticle& particle) const;
+  grains::Move provisional_by_windows(const AwakeParticle& particle) const;
   AwakeParticle particle_after(const MoveProposal& before) const;
 
   // Particles that overlap, see overlap_step.cpp.

@@ -89,7 +89,7 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
           .previous = before.move};
 }
 
-grains::Move Engine::provisional_by_parts(const AwakeParticle& particle) const {
+grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
   const grains::Footprint& footprint = world_.footprints.of(particle.kind, particle.site.column);
   return decisions_.active().provisional(
@@ -121,7 +121,7 @@ grains::Move Engine::provisional_by_parts(const AwakeParticle& particle) const {
         particle.id, particle.previous, world_.state.step,
         [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
   } else {
-    move = provisional_by_parts(particle);
+    move = provisional_by_windows(particle);
   }
   if (move == grains::kRest) {
     world_.state.particles[particle.id].previous = grains::kRest;

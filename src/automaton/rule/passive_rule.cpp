@@ -14,7 +14,7 @@ using lattice::Direction;
 constexpr int kPerGrownDepth = 1000;
 constexpr int kRelaxed = 500;
 constexpr int kRelaxedOnOthers = 2000;
-constexpr int kPerVote = 60;
+constexpr int kPerPushAlong = 60;
 constexpr int kKeepsOn = 20;
 constexpr int kAlongGravity = 10;
 constexpr int kBesideGravity = 5;
@@ -29,8 +29,8 @@ int radius_of(const lattice::Shape& shape) {
   return radius;
 }
 
-/// Overlapped sites that a particle bears: 30 % of its sites, at least 2.
-int bearable(const lattice::Shape& shape) {
+/// Sites that a particle may share with others: 30 % of its sites, at least 2.
+int limit(const lattice::Shape& shape) {
   return std::max(2, static_cast<int>((6 * shape.size() + 10) / 20));
 }
 
@@ -79,25 +79,25 @@ std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direc
     return std::nullopt;
   }
   Judgement judgement{.changes = overlap_changes(world_, id, direction), .score = 0};
-  const std::optional<Relief> relief = relief_of(id, direction, judgement.changes);
-  if (!relief || !spares_walls(id, direction, judgement.changes)) {
+  const std::optional<Following> following = following_of(id, direction, judgement.changes);
+  if (!following || !keeps_off_walls(id, direction, judgement.changes)) {
     return std::nullopt;
   }
   const std::optional<int> grown = grown_depth(judgement.changes);
-  if (!grown || (*grown > 0 && relief->turns > 1) || !bears(id, judgement.changes)) {
+  if (!grown || (*grown > 0 && following->turns > 1) || !is_within_limits(id, judgement.changes)) {
     return std::nullopt;
   }
   const grains::State& state = world_.state;
   const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
-  const int price = relief->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
-  judgement.score = kPerGrownDepth * *grown + price - kPerVote * relief->votes -
+  const int price = following->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
+  judgement.score = kPerGrownDepth * *grown + price - kPerPushAlong * following->pushes_along -
                     (keeps_on ? kKeepsOn : 0) - gravity_bonus(world_.rules, direction);
   return judgement;
 }
 
-std::optional<PassiveRule::Relief> PassiveRule::relief_of(
+std::optional<PassiveRule::Following> PassiveRule::following_of(
     std::uint32_t id, Direction direction, const std::vector<OverlapChange>& changes) const {
-  Relief relief;
+  Following following;
   bool all_shrink = true;
   bool any_shrinks = false;
   for (const grains::Push& push : PushList::onto(world_.state, id)) {
@@ -108,11 +108,11 @@ std::optional<PassiveRule::Relief> PassiveRule::relief_of(
     const bool shrinks = change->after() < change->before();
     all_shrink = all_shrink && shrinks;
     any_shrinks = any_shrinks || shrinks;
-    relief.turns = std::max(relief.turns, lattice::turns_between(push.direction, direction));
-    relief.votes += push.direction == direction ? 1 : 0;
+    following.turns = std::max(following.turns, lattice::turns_between(push.direction, direction));
+    following.pushes_along += push.direction == direction ? 1 : 0;
   }
-  relief.strict = relief.turns <= 1 && all_shrink;
-  return any_shrinks ? std::optional(relief) : std::nullopt;
+  following.strict = following.turns <= 1 && all_shrink;
+  return any_shrinks ? std::optional(following) : std::nullopt;
 }
 
 bool PassiveRule::follows_pushes(std::uint32_t id, Direction direction) const {
@@ -151,8 +151,8 @@ bool PassiveRule::has_room(std::uint32_t id, Direction direction) const {
   return room;
 }
 
-bool PassiveRule::spares_walls(std::uint32_t id, Direction direction,
-                               const std::vector<OverlapChange>& changes) const {
+bool PassiveRule::keeps_off_walls(std::uint32_t id, Direction direction,
+                                  const std::vector<OverlapChange>& changes) const {
   const grains::Particle there = moved(world_.state.particles[id], direction);
   int before = 0;
   int after = 0;
@@ -172,7 +172,8 @@ bool PassiveRule::spares_walls(std::uint32_t id, Direction direction,
   return after <= before;
 }
 
-bool PassiveRule::bears(std::uint32_t id, const std::vector<OverlapChange>& changes) const {
+bool PassiveRule::is_within_limits(std::uint32_t id,
+                                   const std::vector<OverlapChange>& changes) const {
   bool grows = false;
   int own = 0;
   for (const OverlapChange& change : changes) {
@@ -183,11 +184,11 @@ bool PassiveRule::bears(std::uint32_t id, const std::vector<OverlapChange>& chan
     grows = grows || change.grows();
     if (change.grows() && shared_sites(world_, static_cast<std::uint32_t>(change.owner)) +
                                   change.sites_after - change.sites_before >
-                              bearable(shape_of(change.owner))) {
+                              limit(shape_of(change.owner))) {
       return false;
     }
   }
-  return !grows || own <= bearable(shape_of(static_cast<grains::Owner>(id)));
+  return !grows || own <= limit(shape_of(static_cast<grains::Owner>(id)));
 }
 
 // Of several pushes the move carries on the one it follows best; of equal ones the heaviest.

@@ -24,11 +24,11 @@ class PassiveRule {
   bool move(std::uint32_t id, lattice::Direction direction);
 
  private:
-  /// How a direction gets the particle out of what pushes it.
-  struct Relief {
-    int turns = 0;        // by 60 degrees, from the push that is followed least
-    int votes = 0;        // pushes exactly that way
-    bool strict = false;  // within 60 degrees of all pushes, and each of their overlaps shrinks
+  /// How a direction follows the pushes: strictly, or else relaxed.
+  struct Following {
+    int turns = 0;         // by 60 degrees, from the push that is followed least
+    int pushes_along = 0;  // pushes exactly in the direction
+    bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
   };
   /// What a direction is worth: the least score is the best.
   struct Judgement {
@@ -37,18 +37,20 @@ class PassiveRule {
   };
 
   std::optional<Judgement> judge(std::uint32_t id, lattice::Direction direction);
-  /// None: it does not help, or makes something worse.
-  std::optional<Relief> relief_of(std::uint32_t id, lattice::Direction direction,
-                                  const std::vector<OverlapChange>& changes) const;
+  /// None: neither strict nor relaxed.
+  std::optional<Following> following_of(std::uint32_t id, lattice::Direction direction,
+                                        const std::vector<OverlapChange>& changes) const;
   /// Whether the direction is within 120 degrees of all pushes.
   bool follows_pushes(std::uint32_t id, lattice::Direction direction) const;
   bool has_room(std::uint32_t id, lattice::Direction direction) const;
-  bool spares_walls(std::uint32_t id, lattice::Direction direction,
-                    const std::vector<OverlapChange>& changes) const;
+  /// Whether the move gets onto no further wall, and shares no more sites with walls than now.
+  bool keeps_off_walls(std::uint32_t id, lattice::Direction direction,
+                       const std::vector<OverlapChange>& changes) const;
   /// Depths that grow, each weighed with the size of the other. None: one would be too deep.
   std::optional<int> grown_depth(const std::vector<OverlapChange>& changes) const;
-  /// Whether the particle and those into which it would get further bear so many overlapped sites.
-  bool bears(std::uint32_t id, const std::vector<OverlapChange>& changes) const;
+  /// Whether the particle, and each of those into which it would get further, shares no more sites
+  /// than its limit.
+  bool is_within_limits(std::uint32_t id, const std::vector<OverlapChange>& changes) const;
   const lattice::Shape& shape_of(grains::Owner owner) const {
     return world_.state.shape(world_.state.particles[static_cast<std::size_t>(owner)]);
   }

@@ -105,19 +105,19 @@ struct EightLanes {
     const __m256i second = rows(1);
     const __m256i third = rows(2);
     const __m256i fourth = rows(3);
-    const __m256i xy_before = _mm256_unpacklo_epi32(first, second);
-    const __m256i xy_behind = _mm256_unpacklo_epi32(third, fourth);
-    return {{_mm256_unpacklo_epi64(xy_before, xy_behind)},
-            {_mm256_unpackhi_epi64(xy_before, xy_behind)},
+    const __m256i xy_low = _mm256_unpacklo_epi32(first, second);
+    const __m256i xy_high = _mm256_unpacklo_epi32(third, fourth);
+    return {{_mm256_unpacklo_epi64(xy_low, xy_high)},
+            {_mm256_unpackhi_epi64(xy_low, xy_high)},
             {_mm256_unpacklo_epi64(_mm256_unpackhi_epi32(first, second),
                                    _mm256_unpackhi_epi32(third, fourth))}};
   }
   static void set_velocities(Body* bodies, const std::int32_t* at, const Velocity<Int>& velocity) {
     const __m256i zero = _mm256_setzero_si256();
-    const __m256i xy_before = _mm256_unpacklo_epi32(velocity.x.values, velocity.y.values);
-    const __m256i xy_behind = _mm256_unpackhi_epi32(velocity.x.values, velocity.y.values);
-    const __m256i spin_before = _mm256_unpacklo_epi32(velocity.spin.values, zero);
-    const __m256i spin_behind = _mm256_unpackhi_epi32(velocity.spin.values, zero);
+    const __m256i xy_low = _mm256_unpacklo_epi32(velocity.x.values, velocity.y.values);
+    const __m256i xy_high = _mm256_unpackhi_epi32(velocity.x.values, velocity.y.values);
+    const __m256i spin_low = _mm256_unpacklo_epi32(velocity.spin.values, zero);
+    const __m256i spin_high = _mm256_unpackhi_epi32(velocity.spin.values, zero);
     const auto set = [&](std::size_t lane, __m256i rows) {
       const auto place = [&](std::size_t one) {
         return reinterpret_cast<__m128i*>(&bodies[at[one]]);
@@ -125,10 +125,10 @@ struct EightLanes {
       _mm_store_si128(place(lane), _mm256_castsi256_si128(rows));
       _mm_store_si128(place(lane + 4), _mm256_extracti128_si256(rows, 1));
     };
-    set(0, _mm256_unpacklo_epi64(xy_before, spin_before));
-    set(1, _mm256_unpackhi_epi64(xy_before, spin_before));
-    set(2, _mm256_unpacklo_epi64(xy_behind, spin_behind));
-    set(3, _mm256_unpackhi_epi64(xy_behind, spin_behind));
+    set(0, _mm256_unpacklo_epi64(xy_low, spin_low));
+    set(1, _mm256_unpackhi_epi64(xy_low, spin_low));
+    set(2, _mm256_unpacklo_epi64(xy_high, spin_high));
+    set(3, _mm256_unpackhi_epi64(xy_high, spin_high));
   }
 };
 

@@ -45,7 +45,7 @@ void Batches::clear(std::size_t grains) {
 
 void Batches::begin_group(bool after) {
   first_not_full_ = batches_.size();
-  first_fixed_ += fixed_bodies_;
+  first_fixed_ += fixed_body_count_;
   if (after) {
     rounds_.emplace_back();
   }
@@ -53,12 +53,12 @@ void Batches::begin_group(bool after) {
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
-  std::uint32_t& next_of_upper = next_batch_[content.upper];
+  std::uint32_t& batch_after_upper = next_batch_[content.upper];
   std::uint32_t unused = 0;
-  std::uint32_t& next_of_other = grains::is_particle(content.other)
+  std::uint32_t& batch_after_other = grains::is_particle(content.other)
                                      ? next_batch_[static_cast<std::size_t>(content.other)]
                                      : unused;
-  auto at = std::max<std::size_t>({next_of_upper, next_of_other, first_not_full_});
+  auto at = std::max<std::size_t>({batch_after_upper, batch_after_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
   }
@@ -74,7 +74,7 @@ std::int32_t Batches::add(const LaneContent& content) {
   while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
     ++first_not_full_;
   }
-  next_of_upper = next_of_other = static_cast<std::uint32_t>(at + 1);
+  batch_after_upper = batch_after_other = static_cast<std::uint32_t>(at + 1);
   set(lane, content);
   return lane;
 }
@@ -85,7 +85,7 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
   batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.upper);
   batch.other[i] = grains::is_particle(content.other)
                        ? first_grain_ + content.other
-                       : batch.other[i] / fixed_bodies_ * fixed_bodies_ + fixed_body(content.other);
+                       : batch.other[i] / fixed_body_count_ * fixed_body_count_ + fixed_body(content.other);
   for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 

@@ -31,13 +31,13 @@ class Batches {
  public:
   /// `groups`: how many there may be. Each has its own copies of the bodies that are not grains.
   Batches(std::size_t walls, std::size_t groups)
-      : fixed_bodies_(kFirstWallBody + static_cast<std::int32_t>(walls)),
-        first_grain_(fixed_bodies_ * static_cast<std::int32_t>(groups)) {}
+      : fixed_body_count_(kFirstWallBody + static_cast<std::int32_t>(walls)),
+        first_grain_(fixed_body_count_ * static_cast<std::int32_t>(groups)) {}
 
   /// The body of the grain with id 0.
   std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
   /// How many bodies of a group are not grains. Those of all groups come before the grains.
-  std::size_t fixed_bodies() const { return static_cast<std::size_t>(fixed_bodies_); }
+  std::size_t fixed_body_count() const { return static_cast<std::size_t>(fixed_body_count_); }
 
   /// Forgets all contacts and groups.
   void clear(std::size_t grains);
@@ -74,7 +74,7 @@ class Batches {
     return batches_[static_cast<std::size_t>(lane) / kLanes];
   }
 
-  std::int32_t fixed_bodies_;
+  std::int32_t fixed_body_count_;
   std::int32_t first_grain_;
   std::int32_t first_fixed_ = 0;  // of the group
   std::vector<std::vector<Group>> rounds_ = {{Group()}};

@@ -98,7 +98,7 @@ void Engine::update_contacts() {
 void Engine::set_walls() {
   for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
     for (std::size_t at = kFirstWallBody + wall; at < first_grain_;
-         at += slots_.batches().fixed_bodies()) {
+         at += slots_.batches().fixed_body_count()) {
       bodies_[at].velocity = wall_velocity(state_, wall);
     }
   }

@@ -27,17 +27,17 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
   const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
   const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
   const auto rolling_mass = [&](const Disc& disc) {
-    return fixed(inertia * inverse_radius * disc.inverse_radius, kMassBits);
+    return to_fixed_point(inertia * inverse_radius * disc.inverse_radius, kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
-    return fixed(disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
+    return to_fixed_point(disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
   };
   // At the rim a disc yields to a force twice as much by turning as by moving.
   const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
-  return {.mass = fixed(mass, kMassBits),
-          .shear_mass = fixed(shear_mass, kMassBits),
-          .upper_inverse_mass = fixed(upper.inverse_mass, kInverseMassBits),
-          .other_inverse_mass = fixed(other.inverse_mass, kInverseMassBits),
+  return {.mass = to_fixed_point(mass, kMassBits),
+          .shear_mass = to_fixed_point(shear_mass, kMassBits),
+          .upper_inverse_mass = to_fixed_point(upper.inverse_mass, kInverseMassBits),
+          .other_inverse_mass = to_fixed_point(other.inverse_mass, kInverseMassBits),
           .upper_rolling_mass = rolling_mass(upper),
           .other_rolling_mass = rolling_mass(other),
           .upper_turning = turning(upper),

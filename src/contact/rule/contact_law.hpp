@@ -64,15 +64,15 @@ template <class Int>
   if (turns) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
     // = mass radius^2 / 2.
-    constexpr int kTwice = kInverseMassBits - 1;
+    constexpr int kHalvedMassBits = kInverseMassBits - 1;
     at.upper.spin = changed(
         at.upper.spin,
         product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass),
-        kTwice);
+        kHalvedMassBits);
     at.other.spin = changed(
         at.other.spin,
         product(-by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass),
-        kTwice);
+        kHalvedMassBits);
   }
 }
 

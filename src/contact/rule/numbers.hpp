@@ -44,7 +44,7 @@ inline std::int32_t clamped(std::int64_t value, std::int32_t low, std::int32_t h
 }
 
 /// A number in units of 2^-bits, at most 2^30 of them.
-inline std::int32_t fixed(double value, int bits) {
+inline std::int32_t to_fixed_point(double value, int bits) {
   return static_cast<std::int32_t>(std::llround(std::min(std::ldexp(value, bits), 0x1p30)));
 }
 

@@ -39,7 +39,7 @@ class Bitboard {
         height_((static_cast<std::size_t>(lattice.rows() + 2) + 4 * kSide) / kSide * kSide),
         words_(checked(height_ / kSide * blocks_beside(lattice))) {}
 
-  /// Bytes for a lattice with this memory_size().
+  /// Bytes for a lattice with this index_count().
   static double bytes_for(double places) { return places / 8; }
 
   /// The window whose lower left site this is.

@@ -16,7 +16,7 @@ inline Number length(double spacings) {
   return static_cast<Number>(std::lround(spacings * kSpacing));
 }
 inline Number ratio(double value) {
-  return fixed(value, kRatioBits);
+  return to_fixed_point(value, kRatioBits);
 }
 
 /// Velocities at random, components up to `most`.

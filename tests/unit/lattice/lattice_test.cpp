@@ -58,7 +58,7 @@ TEST(Lattice, MemoryPlacesAndSitesCorrespondOneToOne) {
   for (int column = -1; column <= 5; ++column) {
     for (int row = -1; row <= 7; ++row) {
       const std::size_t place = lattice.index({column, row});
-      EXPECT_LT(place, lattice.memory_size());
+      EXPECT_LT(place, lattice.index_count());
       EXPECT_EQ(lattice.site(place), (Site{column, row}));
       places.insert(place);
     }
