@@ -82,7 +82,7 @@ std::optional<ParticleIndex> collision_partner(const SynchronousStep& step, cons
 
 template <class Draws>
 void collide(const SynchronousStep& step, const Draws& draws, ParticleIndex particle,
-         ParticleIndex other, Eigen::Ref<Eigen::Array<double, 6, 1>> motion) {
+             ParticleIndex other, Eigen::Ref<Eigen::Array<double, 6, 1>> motion) {
   const Vector3<double> g =
       difference(velocity(step.before, particle), velocity(step.before, other));
   const Vector3<double> w1 = spin(step.before, particle);

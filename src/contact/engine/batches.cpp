@@ -56,8 +56,8 @@ std::int32_t Batches::add(const LaneContent& content) {
   std::uint32_t& batch_after_upper = next_batch_[content.upper];
   std::uint32_t unused = 0;
   std::uint32_t& batch_after_other = grains::is_particle(content.other)
-                                     ? next_batch_[static_cast<std::size_t>(content.other)]
-                                     : unused;
+                                         ? next_batch_[static_cast<std::size_t>(content.other)]
+                                         : unused;
   auto at = std::max<std::size_t>({batch_after_upper, batch_after_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
@@ -83,9 +83,10 @@ void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
   batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.upper);
-  batch.other[i] = grains::is_particle(content.other)
-                       ? first_grain_ + content.other
-                       : batch.other[i] / fixed_body_count_ * fixed_body_count_ + fixed_body(content.other);
+  batch.other[i] =
+      grains::is_particle(content.other)
+          ? first_grain_ + content.other
+          : batch.other[i] / fixed_body_count_ * fixed_body_count_ + fixed_body(content.other);
   for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 

@@ -30,7 +30,8 @@ Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
     return to_fixed_point(inertia * inverse_radius * disc.inverse_radius, kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
-    return to_fixed_point(disc.inverse_mass * disc.inverse_radius / inverse_radius, kInverseMassBits);
+    return to_fixed_point(disc.inverse_mass * disc.inverse_radius / inverse_radius,
+                          kInverseMassBits);
   };
   // At the rim a disc yields to a force twice as much by turning as by moving.
   const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
