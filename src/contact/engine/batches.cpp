@@ -9,11 +9,11 @@ namespace {
 /// Calls `visit` with each list of a batch and the number of the content that goes there.
 template <class ABatch, class Content, class Visit>
 void for_each_number(ABatch& batch, Content& content, Visit visit) {
-  visit(batch.normal_x, content.normal.x);
-  visit(batch.normal_y, content.normal.y);
-  visit(batch.impulse.normal, content.impulse.normal);
-  visit(batch.impulse.shear, content.impulse.shear);
-  visit(batch.impulse.rolling, content.impulse.rolling);
+  visit(batch.normal_x, content.contact.normal.x);
+  visit(batch.normal_y, content.contact.normal.y);
+  visit(batch.impulse.normal, content.contact.impulse.normal);
+  visit(batch.impulse.shear, content.contact.impulse.shear);
+  visit(batch.impulse.rolling, content.contact.impulse.rolling);
   visit(batch.friction, content.friction);
   visit(batch.pair.mass, content.pair.mass);
   visit(batch.pair.shear_mass, content.pair.shear_mass);
@@ -53,11 +53,12 @@ void Batches::begin_group(bool after) {
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
-  std::uint32_t& batch_after_upper = next_batch_[content.upper];
+  std::uint32_t& batch_after_upper = next_batch_[content.contact.upper];
   std::uint32_t unused = 0;
-  std::uint32_t& batch_after_other = grains::is_particle(content.other)
-                                         ? next_batch_[static_cast<std::size_t>(content.other)]
-                                         : unused;
+  std::uint32_t& batch_after_other =
+      grains::is_particle(content.contact.other)
+          ? next_batch_[static_cast<std::size_t>(content.contact.other)]
+          : unused;
   auto at = std::max<std::size_t>({batch_after_upper, batch_after_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
@@ -82,11 +83,11 @@ std::int32_t Batches::add(const LaneContent& content) {
 void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
-  batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.upper);
-  batch.other[i] =
-      grains::is_particle(content.other)
-          ? first_grain_ + content.other
-          : batch.other[i] / fixed_body_count_ * fixed_body_count_ + fixed_body(content.other);
+  batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.contact.upper);
+  batch.other[i] = grains::is_particle(content.contact.other)
+                       ? first_grain_ + content.contact.other
+                       : batch.other[i] / fixed_body_count_ * fixed_body_count_ +
+                             fixed_body(content.contact.other);
   for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 

@@ -8,12 +8,9 @@
 
 namespace clca::contact {
 
-/// What a lane holds of a contact that has not just begun.
+/// What a lane holds of a contact.
 struct LaneContent {
-  std::uint32_t upper = 0;
-  grains::Owner other = 0;
-  UnitVector normal = {};
-  Impulse<std::int32_t> impulse = {};
+  Contact contact = {};
   std::int32_t friction = 0;
   Pair pair = {};
 };

@@ -70,12 +70,10 @@ std::size_t ContactFinder::max_groups(const lattice::Lattice& lattice,
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
   slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
-    LaneContent loaded =
-        content({.upper = contact.upper, .other = contact.other, .normal = contact.normal});
-    loaded.impulse = contact.impulse;
-    slots.add(loaded, grains::is_particle(contact.other)
-                          ? apart(contact.upper, static_cast<std::uint32_t>(contact.other))
-                          : lattice::Axial());
+    slots.add(content(contact),
+              grains::is_particle(contact.other)
+                  ? apart(contact.upper, static_cast<std::uint32_t>(contact.other))
+                  : lattice::Axial());
   }
 }
 
@@ -107,16 +105,16 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactS
   changed_.for_each([&](std::int32_t at) { change_contact(at, slots); });
   at_walls_.for_each([&](std::uint32_t id) { check_walls(id, slots); });
   std::sort(found_.begin(), found_.end(),
-            [](const Found& one, const Found& other) { return one.key < other.key; });
+            [](const auto& one, const auto& other) { return one.first < other.first; });
   const std::size_t first = slots.all().size();
-  for (const Found& one : found_) {
-    slots.add(content(one.touch), one.touch.apart);
+  for (const auto& [key, touch] : found_) {
+    slots.add(content(touch.contact), touch.apart);
   }
   return first;
 }
 
 void ContactFinder::add_found(const Touch& touch) {
-  found_.push_back({touch.key(state_, down_), touch});
+  found_.emplace_back(touch.key(state_, down_), touch);
 }
 
 /// Several threads call this, so it changes nothing but normals. Contacts that end, and those whose
@@ -135,10 +133,10 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, std::s
       changed_.of(part).push_back(at);
     } else if (with_grain) {  // else see check_walls
       const Touch now = touch(slot.upper, other, part);
-      if (now.normal == UnitVector() || now.upper != slot.upper) {
+      if (now.contact.normal == UnitVector() || now.contact.upper != slot.upper) {
         changed_.of(part).push_back(at);
       } else {
-        slots.set_apart(at, now.apart, now.normal);
+        slots.set_apart(at, now.apart, now.contact.normal);
       }
     }
   });
@@ -170,7 +168,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots, std
         std::find(partners.begin(), partners.end(), owner) == partners.end()) {
       partners.push_back(owner);
       const Touch found = touch(id, other, part);
-      if (found.normal != UnitVector()) {
+      if (found.contact.normal != UnitVector()) {
         touches_.of(part).push_back(found);
       }
     }
@@ -186,15 +184,13 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
   const auto other = static_cast<std::uint32_t>(slot.other);
   const bool present =
       state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
-  const Touch now = present ? touch(slot.upper, other, 0) : Touch();
-  if (now.normal == UnitVector()) {
+  Touch now = present ? touch(slot.upper, other, 0) : Touch();
+  if (now.contact.normal == UnitVector()) {
     slots.remove(at);
     return;
   }
-  LaneContent changed = content(now);
-  changed.impulse = slots.content(at).impulse;
-  changed.impulse.rolling *= -1;
-  slots.set(at, changed, now.apart);
+  now.contact.impulse = turned_over(slots.content(at).contact.impulse);
+  slots.set(at, content(now.contact), now.apart);
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
@@ -204,14 +200,14 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
     if (!is_wall_or_side(slot.other)) {
       return;
     }
-    const auto touch = std::find_if(walls.begin(), walls.end(),
-                                    [&](const Touch& one) { return one.other == slot.other; });
+    const auto touch = std::find_if(walls.begin(), walls.end(), [&](const Touch& one) {
+      return one.contact.other == slot.other;
+    });
     if (touch == walls.end()) {
       slots.remove(at);
     } else {
-      LaneContent changed = content(*touch);
-      changed.impulse = slots.content(at).impulse;
-      slots.set(at, changed, {});
+      touch->contact.impulse = slots.content(at).contact.impulse;
+      slots.set(at, content(touch->contact), {});
       walls.erase(touch);
     }
   });
@@ -296,13 +292,10 @@ bool ContactFinder::may_share_grains(int strip, int other) const {
   return between < reach || (lattice.periodic() && around < reach);
 }
 
-LaneContent ContactFinder::content(const Touch& touch) const {
-  return {.upper = touch.upper,
-          .other = touch.other,
-          .normal = touch.normal,
-          .impulse = {},
-          .friction = rule_.friction_with(touch.other),
-          .pair = rule_.bodies.pair(state_, touch.upper, touch.other)};
+LaneContent ContactFinder::content(const Contact& contact) const {
+  return {.contact = contact,
+          .friction = rule_.friction_with(contact.other),
+          .pair = rule_.bodies.pair(state_, contact.upper, contact.other)};
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_t part) {
@@ -310,11 +303,11 @@ Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second, std::size_
   const std::uint32_t upper = in_order ? first : second;
   const std::uint32_t lower = in_order ? second : first;
   const lattice::Axial apart = this->apart(upper, lower);
-  return {.upper = upper,
-          .other = static_cast<grains::Owner>(lower),
-          .apart = apart,
-          .normal = normals_[part].normal(state_.particles[upper].kind,
-                                          state_.particles[lower].kind, apart)};
+  return {.contact = {.upper = upper,
+                      .other = static_cast<grains::Owner>(lower),
+                      .normal = normals_[part].normal(state_.particles[upper].kind,
+                                                      state_.particles[lower].kind, apart)},
+          .apart = apart};
 }
 
 lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {

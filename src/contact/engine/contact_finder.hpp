@@ -42,11 +42,6 @@ class ContactFinder {
   void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& lanes);
 
  private:
-  struct Found {
-    Touch::Key key;
-    Touch touch;
-  };
-
   /// Of two grains that have both moved one is checked for both.
   bool checked_with(std::uint32_t partner, std::uint32_t id) const {
     return moved_[partner] != 0 && partner < id;
@@ -56,7 +51,7 @@ class ContactFinder {
   void add_found(const Touch& touch);
   void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
-  LaneContent content(const Touch& touch) const;
+  LaneContent content(const Contact& contact) const;
   Touch touch(std::uint32_t first, std::uint32_t second, std::size_t part);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
   bool may_share_grains(int strip, int other) const;
@@ -77,7 +72,7 @@ class ContactFinder {
   parallel::PartLists<std::int32_t> changed_;        // slots that end, or whose upper grain changes
   parallel::PartLists<std::uint32_t> at_walls_;      // grains
   parallel::PartLists<grains::Owner> partners_;      // of the grain that is looked at
-  std::vector<Found> found_;
+  std::vector<std::pair<Touch::Key, Touch>> found_;  // that are new, with their order
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
   std::vector<std::uint8_t> listed_;                            // by id: whether it is in order_
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one

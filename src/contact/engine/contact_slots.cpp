@@ -12,8 +12,8 @@ void ContactSlots::clear(std::size_t grains) {
 
 void ContactSlots::add(const LaneContent& content, lattice::Axial apart) {
   const auto at = static_cast<std::int32_t>(slots_.size());
-  Slot slot = {.upper = content.upper,
-               .other = content.other,
+  Slot slot = {.upper = content.contact.upper,
+               .other = content.contact.other,
                .lane = batches_.add(content),
                .apart = apart};
   slot.next_upper = std::exchange(first_[slot.upper], at);
@@ -34,11 +34,11 @@ void ContactSlots::remove(std::int32_t at) {
 
 void ContactSlots::set(std::int32_t at, const LaneContent& content, lattice::Axial apart) {
   Slot& slot = slots_[static_cast<std::size_t>(at)];
-  if (slot.upper != content.upper) {
+  if (slot.upper != content.contact.upper) {
     std::swap(slot.next_upper, slot.next_other);
   }
-  slot.upper = content.upper;
-  slot.other = content.other;
+  slot.upper = content.contact.upper;
+  slot.other = content.contact.other;
   slot.apart = apart;
   batches_.set(slot.lane, content);
 }
@@ -46,8 +46,8 @@ void ContactSlots::set(std::int32_t at, const LaneContent& content, lattice::Axi
 LaneContent ContactSlots::content(std::int32_t at) const {
   const Slot& slot = this->at(at);
   LaneContent result = batches_.content(slot.lane);
-  result.upper = slot.upper;
-  result.other = slot.other;
+  result.contact.upper = slot.upper;
+  result.contact.other = slot.other;
   return result;
 }
 

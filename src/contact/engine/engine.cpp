@@ -209,11 +209,7 @@ void Engine::write_back() {
   state_.contacts.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     if (slots_.at(at).lane >= 0) {
-      const LaneContent content = slots_.content(at);
-      state_.contacts.push_back({.upper = content.upper,
-                                 .other = content.other,
-                                 .normal = content.normal,
-                                 .impulse = content.impulse});
+      state_.contacts.push_back(slots_.content(at).contact);
     }
   }
 }

@@ -8,17 +8,10 @@
 
 namespace clca::contact {
 
-/// A contact in a step: its stored impulse and its present normal.
-struct ActiveContact {
-  Contact contact;
-  bool is_new = false;
-};
-
 /// The contacts of `before` that still touch, in order, followed by new ones.
 /// With `sorted` all are sorted anew. A pair keeps its impulses if upper and lower body swap.
-std::vector<ActiveContact> next_contacts(const grains::State& state,
-                                         const std::vector<Contact>& before,
-                                         const std::vector<Touch>& now, lattice::Direction down,
-                                         bool sorted);
+std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
+                                 const std::vector<Touch>& now, lattice::Direction down,
+                                 bool sorted);
 
 }  // namespace clca::contact

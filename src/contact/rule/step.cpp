@@ -22,8 +22,8 @@ class Contacts {
   }
 
   template <class Visit>
-  void at(const ActiveContact& active, Visit visit) {
-    const Contact& contact = active.contact;
+  void at(const Touch& touch, Visit visit) {
+    const Contact& contact = touch.contact;
     const bool on_wall = !grains::is_particle(contact.other);
     const auto other = static_cast<std::size_t>(contact.other);
     Velocity<std::int32_t> side;
@@ -50,7 +50,7 @@ class Contacts {
 };
 
 /// Target separation velocities of contacts: only new contacts bounce.
-std::vector<std::int32_t> bounces(Contacts& all, const std::vector<ActiveContact>& contacts,
+std::vector<std::int32_t> bounces(Contacts& all, const std::vector<Touch>& contacts,
                                   std::int32_t restitution) {
   std::vector<std::int32_t> result(contacts.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -64,8 +64,8 @@ std::vector<std::int32_t> bounces(Contacts& all, const std::vector<ActiveContact
 }
 
 /// Sweeps alternate forwards and backwards.
-void sweep(Contacts& all, std::vector<ActiveContact>& contacts,
-           const std::vector<std::int32_t>& bounce, const Rule& rule) {
+void sweep(Contacts& all, std::vector<Touch>& contacts, const std::vector<std::int32_t>& bounce,
+           const Rule& rule) {
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
@@ -87,10 +87,10 @@ void accelerate_all(State& state, const Rule& rule) {
   }
 }
 
-void apply_all(Contacts& all, const std::vector<ActiveContact>& contacts, const Rule& rule) {
-  for (const ActiveContact& active : contacts) {
-    all.at(active, [&](ContactState<std::int32_t>& touching) {
-      apply(touching, active.contact.impulse, rule.turning.turns);
+void apply_all(Contacts& all, const std::vector<Touch>& contacts, const Rule& rule) {
+  for (const Touch& touch : contacts) {
+    all.at(touch, [&](ContactState<std::int32_t>& touching) {
+      apply(touching, touch.contact.impulse, rule.turning.turns);
     });
   }
 }
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& 
   const lattice::Direction down = contact::down(state.vessel);
 
   // 1. Who touches whom; the contacts in order.
-  std::vector<ActiveContact> contacts = next_contacts(
+  std::vector<Touch> contacts = next_contacts(
       state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
       down, sorts_contacts(state));
   state.changed = false;
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& 
   sweep(all, contacts, bounce, rule);
   state.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
-                 [](const ActiveContact& active) { return active.contact; });
+                 [](const Touch& touch) { return touch.contact; });
 
   // 6. Remainders of grains, 7. and of walls.
   const bool at_rest = advance_all(state, rule);

@@ -66,7 +66,8 @@ std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupa
   std::vector<Touch> result;
   for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
     if (const Axial blocked = sum(directions); !grains::is_particle(owner) && blocked != Axial()) {
-      result.push_back({.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)});
+      result.push_back(
+          {.contact = {.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)}});
     }
   }
   return result;
@@ -90,7 +91,8 @@ std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTa
         const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
         const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
         if (normal != UnitVector()) {
-          result.push_back({.upper = id, .other = owner, .apart = apart, .normal = normal});
+          result.push_back(
+              {.contact = {.upper = id, .other = owner, .normal = normal}, .apart = apart});
         }
       }
     }

@@ -12,28 +12,33 @@
 
 namespace clca::contact {
 
-/// A touching pair: a grain and another body.
+/// A contact in a step.
 struct Touch {
-  std::uint32_t upper = 0;
-  grains::Owner other = 0;
+  Contact contact = {};       ///< with its present normal, and the impulses of the last step
   lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
-  UnitVector normal = {};     ///< towards the upper grain
+  bool is_new = true;         ///< not there in the last step
 
-  /// Sweep order: from the top down, at equal height from the left.
+  /// Order of new contacts: from the top down, at equal height from the left.
   using Key = std::tuple<int, int, lattice::Axial, grains::Owner>;
   Key key(const grains::State& state, lattice::Direction down) const {
-    const grains::Particle& grain = state.particles[upper];
+    const grains::Particle& grain = state.particles[contact.upper];
     const int column = state.lattice.wrapped(grain.column);
-    return {place_along(down, {column, grain.row}), column, apart, other};
+    return {place_along(down, {column, grain.row}), column, apart, contact.other};
   }
 };
 
-/// All touching pairs, sorted by upper grain, then by `other`.
+/// The impulses if the other grain is the upper one: those along normal and tangent stay.
+inline Impulse<std::int32_t> turned_over(Impulse<std::int32_t> impulse) {
+  impulse.rolling *= -1;
+  return impulse;
+}
+
+/// All contacts as if they were new, sorted by upper grain, then by `other`.
 std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                            const grains::FootprintTable& footprints, lattice::Direction down,
                            NormalTable& normals);
 
-/// The walls and sides that a grain touches.
+/// The same with the walls and sides that a grain touches.
 std::vector<Touch> wall_touches(const grains::State& state, const grains::OccupancyTable& occupancy,
                                 const grains::FootprintTable& footprints, std::uint32_t id);
 

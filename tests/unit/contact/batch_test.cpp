@@ -110,7 +110,7 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
 
 LaneContent between(std::uint32_t upper, grains::Owner other) {
   static const Pair kPair = pair_of(1, 1, Rolling::none);
-  return {.upper = upper, .other = other, .impulse = {}, .pair = kPair};
+  return {.contact = {.upper = upper, .other = other}, .pair = kPair};
 }
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
@@ -168,11 +168,11 @@ TEST(Batches, HaveNothingInALaneThatIsEmptied) {
   Batches batches(0, 1);
   batches.clear(3);
   LaneContent content = between(0, 1);
-  content.impulse = {100, 20, 3};
-  content.normal = {0, 1 << kUnitBits};
+  content.contact.impulse = {100, 20, 3};
+  content.contact.normal = {0, 1 << kUnitBits};
   const std::int32_t lane = batches.add(content);
-  EXPECT_EQ(batches.content(lane).impulse, content.impulse);
-  EXPECT_EQ(batches.content(lane).normal, content.normal);
+  EXPECT_EQ(batches.content(lane).contact.impulse, content.contact.impulse);
+  EXPECT_EQ(batches.content(lane).contact.normal, content.contact.normal);
   batches.remove(lane);
   std::vector<Body> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};

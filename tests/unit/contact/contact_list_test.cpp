@@ -35,9 +35,9 @@ std::vector<Touch> touches_of(const grains::State& state) {
 
 using Bodies2 = std::pair<std::uint32_t, grains::Owner>;
 
-std::vector<Bodies2> pairs(const std::vector<ActiveContact>& contacts) {
+std::vector<Bodies2> pairs(const std::vector<Touch>& contacts) {
   std::vector<Bodies2> result;
-  for (const ActiveContact& one : contacts) {
+  for (const Touch& one : contacts) {
     result.emplace_back(one.contact.upper, one.contact.other);
   }
   return result;
@@ -48,12 +48,12 @@ TEST(Touches, NameTheUpperGrainTheFloorAndTheSides) {
   const grains::State state = hexagons({{1, 1}, {1, 4}, {20, 20}});
   const std::vector<Touch> found = touches_of(state);
   ASSERT_EQ(found.size(), 4U);
-  EXPECT_EQ((Bodies2{found[0].upper, found[0].other}), (Bodies2{0, kFloor}));
-  EXPECT_EQ(found[0].normal, (UnitVector{0, 1 << kUnitBits}));
-  EXPECT_EQ((Bodies2{found[1].upper, found[1].other}), (Bodies2{0, kLeftSide}));
-  EXPECT_EQ(found[1].normal, (UnitVector{1 << kUnitBits, 0}));
-  EXPECT_EQ((Bodies2{found[2].upper, found[2].other}), (Bodies2{1, kLeftSide}));
-  EXPECT_EQ((Bodies2{found[3].upper, found[3].other}), (Bodies2{1, 0}));
+  EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}), (Bodies2{0, kFloor}));
+  EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
+  EXPECT_EQ((Bodies2{found[1].contact.upper, found[1].contact.other}), (Bodies2{0, kLeftSide}));
+  EXPECT_EQ(found[1].contact.normal, (UnitVector{1 << kUnitBits, 0}));
+  EXPECT_EQ((Bodies2{found[2].contact.upper, found[2].contact.other}), (Bodies2{1, kLeftSide}));
+  EXPECT_EQ((Bodies2{found[3].contact.upper, found[3].contact.other}), (Bodies2{1, 0}));
   EXPECT_EQ(found[3].apart, (lattice::Axial{0, -3}));
 }
 
@@ -63,10 +63,11 @@ TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
   state.walls = {{.sites = {{10, 10}}}, {.sites = {{17, 18}}}};
   const std::vector<Touch> found = touches_of(state);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ((Bodies2{found[0].upper, found[0].other}), (Bodies2{1, grains::wall_code(1)}));
-  EXPECT_EQ(found[0].normal, (UnitVector{0, 1 << kUnitBits}));
+  EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}),
+            (Bodies2{1, grains::wall_code(1)}));
+  EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
   // The grain in column 17 is half a site higher.
-  EXPECT_EQ((Bodies2{found[1].upper, found[1].other}), (Bodies2{1, 0}));
+  EXPECT_EQ((Bodies2{found[1].contact.upper, found[1].contact.other}), (Bodies2{1, 0}));
   EXPECT_EQ(found[1].apart.x, 3);
 }
 
