@@ -30,9 +30,9 @@ Rule make_rule(const State& state, const Parameters& parameters, const Options& 
                .side_friction = friction(parameters.wall_friction),
                .wall_friction = std::vector<std::int32_t>(state.grains.walls.size(),
                                                           friction(parameters.wall_friction)),
-               .turning = {.turns = parameters.rolling != Rolling::none,
-                           .resists_rolling = parameters.rolling == Rolling::resistance,
-                           .rolling_friction = friction(parameters.rolling_friction)},
+               .law = {.turns = parameters.rolling != Rolling::none,
+                       .resists_rolling = parameters.rolling == Rolling::resistance,
+                       .rolling_friction = friction(parameters.rolling_friction)},
                .bodies = Bodies(state.grains.kinds, parameters.rolling)};
   for (std::size_t wall = 0; wall < options.wall_friction.size(); ++wall) {
     if (options.wall_friction[wall]) {

@@ -42,7 +42,7 @@ struct BatchFunctions {
   /// Gives the bodies the impulses that the contacts remember.
   void (*apply)(Batch* batches, std::size_t count, Body* bodies, bool turns);
   /// Solves all contacts, forwards or backwards.
-  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const RotationParameters& turning,
+  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const LawConstants& law,
                 bool backwards);
 };
 /// One contact after the other.

@@ -21,14 +21,14 @@ class BatchKernel {
     }
   }
 
-  static void sweep(Batch* batches, std::size_t count, Body* bodies,
-                    const RotationParameters& turning, bool backwards) {
+  static void sweep(Batch* batches, std::size_t count, Body* bodies, const LawConstants& law,
+                    bool backwards) {
     for (std::size_t i = 0; i < count; ++i) {
       Batch& batch = batches[backwards ? count - 1 - i : i];
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
         BatchKernel kernel(batch, lane, bodies);
         solve(kernel.impulse_, kernel.touching_, kernel.load(batch.bounce),
-              kernel.load(batch.friction), turning);
+              kernel.load(batch.friction), law);
         kernel.store_velocities(batch);
         kernel.store(kernel.impulse_.normal, batch.impulse.normal);
         kernel.store(kernel.impulse_.shear, batch.impulse.shear);

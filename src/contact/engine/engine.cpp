@@ -143,13 +143,13 @@ void Engine::in_rounds(bool backwards, Work work) {
 
 void Engine::sweep_contacts() {
   in_rounds(false, [&](Batch* batches, std::size_t count) {
-    batch_.apply(batches, count, bodies_.data(), rule_.turning.turns);
+    batch_.apply(batches, count, bodies_.data(), rule_.law.turns);
   });
   clock_.end(&Profile::warm_start);
   for (int i = 0; i < rule_.sweeps; ++i) {
     const bool backwards = i % 2 != 0;
     in_rounds(backwards, [&](Batch* batches, std::size_t count) {
-      batch_.sweep(batches, count, bodies_.data(), rule_.turning, backwards);
+      batch_.sweep(batches, count, bodies_.data(), rule_.law, backwards);
     });
   }
   for (const std::int32_t lane : new_lanes_) {

@@ -8,8 +8,8 @@
 
 namespace clca::contact {
 
-/// Parameters of rotation. Coefficients in 2^-16.
-struct RotationParameters {
+/// Constants of the law, the same for all contacts. Coefficients in 2^-16.
+struct LawConstants {
   bool turns = false;  ///< otherwise grains keep their orientation
   bool resists_rolling = false;
   std::int32_t rolling_friction = 0;
@@ -80,7 +80,7 @@ template <class Int>
 /// nor roll, within the limits of friction. `friction` in 2^-16.
 template <class Int>
 [[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactState<Int>& at, Int bounce,
-                                         Int friction, const RotationParameters& turning) {
+                                         Int friction, const LawConstants& law) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
@@ -94,16 +94,16 @@ template <class Int>
               kMaxImpulse);
   impulse.shear = bound(before.shear - change(product(slip_velocity(at), at.pair.shear_mass)),
                         product(impulse.normal, friction));
-  if (turning.resists_rolling) {
+  if (law.resists_rolling) {
     impulse.rolling =
         bound(before.rolling - change(product(at.upper.spin, at.pair.upper_rolling_mass) -
                                       product(at.other.spin, at.pair.other_rolling_mass)),
-              product(impulse.normal, all(turning.rolling_friction, Int())));
+              product(impulse.normal, all(law.rolling_friction, Int())));
   }
   apply(at,
         Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
                      impulse.rolling - before.rolling},
-        turning.turns);
+        law.turns);
 }
 
 /// Separation velocity after a collision with the velocity `closing`.

@@ -71,8 +71,7 @@ void sweep(Contacts& all, std::vector<Touch>& contacts, const std::vector<std::i
       const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
       Contact& contact = contacts[at].contact;
       all.at(contacts[at], [&](ContactState<std::int32_t>& touching) {
-        solve(contact.impulse, touching, bounce[at], rule.friction_with(contact.other),
-              rule.turning);
+        solve(contact.impulse, touching, bounce[at], rule.friction_with(contact.other), rule.law);
       });
     }
   }
@@ -90,7 +89,7 @@ void accelerate_all(State& state, const Rule& rule) {
 void apply_all(Contacts& all, const std::vector<Touch>& contacts, const Rule& rule) {
   for (const Touch& touch : contacts) {
     all.at(touch, [&](ContactState<std::int32_t>& touching) {
-      apply(touching, touch.contact.impulse, rule.turning.turns);
+      apply(touching, touch.contact.impulse, rule.law.turns);
     });
   }
 }

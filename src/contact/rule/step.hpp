@@ -22,7 +22,7 @@ struct Rule {
   std::int32_t friction = 0;                     ///< between grains
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
-  RotationParameters turning = {};
+  LawConstants law = {};
   Bodies bodies;
 
   std::int32_t friction_with(grains::Owner other) const {

@@ -92,14 +92,14 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
         any_workload(random, extreme ? kMaxVelocity : kSpacing, extreme ? kMaxImpulse : kSpacing);
     Workload other = one;
     const bool turns = random() % 2 == 0;
-    const RotationParameters turning = {.turns = turns,
-                                        .resists_rolling = turns && random() % 2 == 0,
-                                        .rolling_friction = ratio(0.5)};
+    const LawConstants law = {.turns = turns,
+                              .resists_rolling = turns && random() % 2 == 0,
+                              .rolling_friction = ratio(0.5)};
     for (const auto& [functions, load] :
          {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
       functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), turns);
       for (const bool backwards : {false, true}) {
-        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), turning,
+        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), law,
                         backwards);
       }
     }

@@ -25,10 +25,10 @@ Pairing upright(int radius, std::optional<int> other, Rolling rolling) {
           .pair = pair_of(radius, other, rolling)};
 }
 
-Impulse<Number> solved(Pairing& at, double friction, const RotationParameters& turning = {},
+Impulse<Number> solved(Pairing& at, double friction, const LawConstants& law = {},
                        Number bounce = 0) {
   Impulse<Number> impulse;
-  solve(impulse, at, bounce, ratio(friction), turning);
+  solve(impulse, at, bounce, ratio(friction), law);
   return impulse;
 }
 
@@ -251,12 +251,12 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
     }
     Impulse<Number> impulse = {std::max(0, extreme(kMaxImpulse)), extreme(kMaxImpulse),
                                extreme(kMaxImpulse)};
-    const RotationParameters turning = {.turns = true,
-                                        .resists_rolling = true,
-                                        .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
+    const LawConstants law = {.turns = true,
+                              .resists_rolling = true,
+                              .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
     const Number closing = -separation_velocity(at);
     apply(at, impulse, true);
-    solve(impulse, at, bounce(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0), turning);
+    solve(impulse, at, bounce(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0), law);
     EXPECT_TRUE(within(at.upper) && within(at.other));
     EXPECT_GE(impulse.normal, 0);
     EXPECT_LE(std::max({impulse.normal, std::abs(impulse.shear), std::abs(impulse.rolling)}),
