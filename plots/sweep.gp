@@ -6,11 +6,13 @@
 unset datafile columnheaders  # arrays have none
 of_line(g, i, y) = of_lines[i] == g ? y : NaN
 if (has_words) {
-  # Words stand side by side.
+  # Words stand side by side. In a label % begins a format, and %% is a sign.
+  label(word) = strstrt(word, '%') == 0 ? word : \
+      word[1:strstrt(word, '%')] . '%' . label(word[strstrt(word, '%') + 1:*])
   set xrange [0.5:|words| + 0.5]
-  set xtics ()
+  set xtics () noenhanced
   do for [i = 1:|words|] {
-    set xtics add (words[i] i)
+    set xtics add (label(words[i]) i)
   }
 } else {
   set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05

@@ -21,9 +21,10 @@ namespace clca::contact {
 
 namespace {
 
-Rule make_rule(const State& state, const Parameters& parameters, const Options& options) {
+Rule make_rule(const State& state, const Parameters& parameters, double gravity,
+               const Options& options) {
   const auto friction = [](double value) { return to_fixed_point(value, kRatioBits); };
-  Rule rule = {.gravity = to_fixed_point(gravity(parameters), kFractionBits),
+  Rule rule = {.gravity = to_fixed_point(gravity, kFractionBits),
                .restitution = to_fixed_point(parameters.restitution, kRatioBits),
                .sweeps = parameters.sweeps,
                .friction = friction(parameters.friction),
@@ -85,7 +86,18 @@ Energy energy_of(const State& state, std::size_t id, double gravity) {
           .potential = -mass * gravity_direction(state.vessel).dot(place)};
 }
 
+double gravity_in(const lattice::Lattice& box, Parameters parameters) {
+  if (parameters.fall_height == 0) {
+    parameters.fall_height = default_fall_height(box.size().y());
+  }
+  return gravity(parameters);
+}
+
 }  // namespace
+
+double default_fall_height(double box_height) {
+  return std::max(kMinFallHeight, box_height);
+}
 
 double gravity(const Parameters& parameters) {
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
@@ -186,8 +198,8 @@ class ContactModel::Impl {
         occupancy_(state_.grains),
         footprints_(state_.grains, {}),
         edges_(state_.grains),
-        gravity_(gravity(parameters)),
-        rule_(make_rule(state_, parameters, options)),
+        gravity_(gravity_in(state_.grains.lattice, parameters)),
+        rule_(make_rule(state_, parameters, gravity_, options)),
         normals_(state_.grains.kinds) {
     if (!options.reference) {
       engine_.emplace(
@@ -207,6 +219,7 @@ class ContactModel::Impl {
   const grains::State& grains() const { return state_.grains; }
   const grains::OccupancyTable& occupancy() const { return occupancy_; }
   const Vessel& vessel() const { return state_.vessel; }
+  double gravity() const { return gravity_; }
 
   template <class Change>
   auto whole(Change change) {
@@ -394,6 +407,9 @@ grains::Occupancy ContactModel::occupancy() const {
 }
 const Vessel& ContactModel::vessel() const {
   return impl_->vessel();
+}
+double ContactModel::gravity() const {
+  return impl_->gravity();
 }
 StepReport ContactModel::step() {
   return impl_->step();

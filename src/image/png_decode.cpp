@@ -1,6 +1,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <csetjmp>
 #include <cstring>
 #include <stdexcept>
@@ -16,12 +17,15 @@ namespace {
 
 constexpr png_uint_32 kMaxSide = 1U << 20U;
 constexpr std::size_t kMaxTextBytes = 1U << 22U;
-constexpr png_uint_32 kMaxChunks = 1000;
+constexpr png_uint_32 kMaxTexts = 16;
+constexpr std::array<png_byte, 15> kTextChunks = {'t', 'E',  'X', 't', '\0', 'z', 'T', 'X',
+                                                  't', '\0', 'i', 'T', 'X',  't', '\0'};
 constexpr std::size_t kMaxInflationRatio = 1040;  // times; deflate packs 1032 times at best
 
 /// All memory that libpng reads or writes; resized only outside of its calls.
 struct ReadJob {
   std::span<const std::uint8_t> bytes;
+  bool with_text = true;
   std::size_t place = 0;
   std::vector<png_byte> rgba;
   std::vector<png_bytep> rows;
@@ -62,7 +66,11 @@ bool read_header(png_structp png, png_infop info, ReadJob& job) {
   }
   png_set_user_limits(png, kMaxSide, kMaxSide);
   png_set_chunk_malloc_max(png, std::min(kMaxTextBytes, kMaxInflationRatio * job.bytes.size()));
-  png_set_chunk_cache_max(png, kMaxChunks);
+  png_set_chunk_cache_max(png, kMaxTexts);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // such as profiles
+  if (job.with_text) {
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kTextChunks.data(), 3);
+  }
   png_set_read_fn(png, &job, take);
   png_read_info(png, info);
   return true;
@@ -171,10 +179,13 @@ std::optional<PixelBox> png_size(std::span<const std::uint8_t> bytes) {
   return size;
 }
 
-DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
+namespace {
+
+DecodedPng decoded(std::span<const std::uint8_t> bytes, std::size_t max_pixels, bool with_text) {
   require_honest_chunks(bytes);
   ReadJob job;
   job.bytes = bytes;
+  job.with_text = with_text;
   const Reader reader(job);
   const auto require = [&](bool done) {
     if (!done) {
@@ -185,6 +196,16 @@ DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixel
   reserve(reader.png, reader.info, max_pixels, job);
   require(read_pixels(reader.png, reader.info, job));
   return {on_white(reader.png, reader.info, job.rgba), text_of(reader.png, reader.info)};
+}
+
+}  // namespace
+
+DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
+  return decoded(bytes, max_pixels, true);
+}
+
+Image decode_pixels(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
+  return decoded(bytes, max_pixels, false).image;
 }
 
 }  // namespace clca::image

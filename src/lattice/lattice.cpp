@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace clca::lattice {
 
@@ -57,6 +58,9 @@ Offset Lattice::offset(Axial vector, bool odd_column) const {
   const auto linear =
       (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) * kRowPitch +
       (columns - 2 * pairs);
+  if (!std::in_range<std::int32_t>(linear)) {
+    throw std::invalid_argument("a vector reaches too far in a lattice with so many rows");
+  }
   return {static_cast<std::int32_t>(linear), columns};
 }
 

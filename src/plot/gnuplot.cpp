@@ -46,13 +46,23 @@ fs::path find_gnuplot() {
   throw PlotError("gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the PATH");
 }
 
+// In single quotes gnuplot takes no apostrophe at the beginning, and in double ones it runs what is
+// in backquotes. A digit after an octal number would belong to it.
 std::string literal(std::string_view text) {
-  std::string result = "'";
-  for (const char letter : text) {
-    const bool is_control = static_cast<unsigned char>(letter) < ' ';
-    result += letter == '\'' ? "''" : std::string(1, is_control ? ' ' : letter);
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  constexpr std::string_view kPlain = " _-.,:/+=()|";
+  constexpr std::string_view kDigits = "0123456789";
+  std::string result = "\"";
+  bool is_plain = true;
+  for (const char byte : text) {
+    const char letter = static_cast<unsigned char>(byte) < ' ' ? ' ' : byte;
+    is_plain = kLetters.find(letter) != std::string_view::npos ||
+               kPlain.find(letter) != std::string_view::npos ||
+               (is_plain && kDigits.find(letter) != std::string_view::npos);
+    result += is_plain ? std::string(1, letter)
+                       : fmt::format("\\{:03o}", static_cast<unsigned char>(letter));
   }
-  return result + '\'';
+  return result + '"';
 }
 
 std::vector<std::uint8_t> gnuplot(const fs::path& program, const fs::path& folder,

@@ -94,10 +94,7 @@ Model::Model(const scene::Scene& scene, ModelState state, const Options& options
     : scene_(scene),
       options_(options),
       rules_(rules_in(scene, {})),
-      model_(make_model(scene, rules_, std::move(state), options)),
-      gravity_(scene.model == scene::Model::contact
-                   ? contact::gravity(scene::contact_parameters(scene))
-                   : 0) {}
+      model_(make_model(scene, rules_, std::move(state), options)) {}
 
 const grains::State& Model::state() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
@@ -122,14 +119,14 @@ void Model::save(reflection::Columns& columns) const {
 
 std::optional<contact::Energy> Model::energy() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact::energy(contact->state(), gravity_);
+    return contact::energy(contact->state(), contact->gravity());
   }
   return std::nullopt;
 }
 
 std::optional<std::vector<contact::Force>> Model::forces() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact::forces(contact->state(), gravity_);
+    return contact::forces(contact->state(), contact->gravity());
   }
   return std::nullopt;
 }

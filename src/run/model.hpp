@@ -87,7 +87,6 @@ class Model {
   Options options_;
   std::variant<automaton::Rules, contact::Parameters> rules_;
   std::variant<automaton::Automaton, contact::ContactModel> model_;
-  double gravity_ = 0;  // of the contact model, lattice spacings per step squared
 };
 
 }  // namespace clca::run

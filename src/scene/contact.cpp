@@ -31,7 +31,6 @@ double area(const Scene& scene, const Fill& fill) {
 }
 
 double estimated_fall(const Scene& scene) {
-  constexpr double kMinFallHeight = 10;
   double filled = 0;
   double width = 0;
   for (const Stage& stage : scene.stages) {
@@ -44,10 +43,10 @@ double estimated_fall(const Scene& scene) {
   const bool endless = std::any_of(scene.sources.begin(), scene.sources.end(),
                                    [](const Source& source) { return !source.count; });
   if (endless || width <= 0 || scene.begin) {
-    return std::max(kMinFallHeight, scene.box.height);
+    return contact::default_fall_height(scene.box.height);
   }
-  return std::clamp(filled / (kPacking * width), kMinFallHeight,
-                    std::max(kMinFallHeight, scene.box.height));
+  return std::clamp(filled / (kPacking * width), contact::kMinFallHeight,
+                    contact::default_fall_height(scene.box.height));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene)
         read_part(entry.value, join_path(path, entry.key), scene);
     colors.push_back(color_type().read(scalar_at(entry.location, entry.key), path, scene));
   }
-  const image::Image image = read_picture(fields.at("file"), fields.path("file"), scene);
+  const image::Image& image = read_picture(fields.at("file"), fields.path("file"), scene);
   for (int y = 0; y < image.height; ++y) {
     std::string& row = picture.rows.emplace_back();
     for (int x = 0; x < image.width; ++x) {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "clca/image/png.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/read.hpp"
+#include "scene/picture_files.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -54,14 +53,13 @@ Key<Picture> file_key() {
 
 }  // namespace
 
-image::Image read_picture(const Value& value, const std::string& path, const Scene& scene) {
+const image::Image& read_picture(const Value& value, const std::string& path, const Scene& scene) {
   const std::string file = file_path_type().read(value, path, scene);
-  try {
-    return image::decode_png(text::read_file(file, kMaxPictureBytes), kMaxPicturePixels).image;
-  } catch (const std::runtime_error& error) {
+  if (!value.picture->problem.empty()) {
     fail(value.location, fmt::format("{}: cannot read {}: {}", path, text::printable(file),
-                                     text::printable(error.what())));
+                                     text::printable(value.picture->problem)));
   }
+  return value.picture->image;
 }
 
 Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "scene/geometry.hpp"
@@ -181,6 +182,12 @@ Key<Species> sizes_key() {
       .defaults_to("this or `shape`");
 }
 
+std::size_t sites_of(const std::vector<Species>& species) {
+  return std::accumulate(
+      species.begin(), species.end(), std::size_t{0},
+      [](std::size_t sum, const Species& one) { return sum + one.shape.size(); });
+}
+
 /// A particle that met itself across a periodic boundary would block itself.
 void check_width(const Species& species, const Box& box, const KeyedMap& fields) {
   if (!box.periodic) {
@@ -222,6 +229,11 @@ Type<std::vector<Species>> species_type() {
       species.shape = build_checked(species.shape_spec);
     } catch (const std::invalid_argument& error) {
       fail(fields.at("shape").location, fmt::format("{}: {}", fields.path("shape"), error.what()));
+    }
+    if (sites_of(scene.species) > kMaxAllSites) {
+      fail(fields.at("shape").location,
+           fmt::format("{}: with this shape all species have more than {} sites",
+                       fields.path("shape"), kMaxAllSites));
     }
     check_width(species, scene.box, fields);
   };

@@ -24,6 +24,7 @@ inline constexpr double kMaxAngle = 360;
 
 inline constexpr std::size_t kMaxPicturePixels = 1'000'000;  ///< of a wall
 inline constexpr double kMaxPictureBytes = 1 << 24;
+inline constexpr double kMaxAllPictureBytes = 4 * kMaxPictureBytes;  ///< of all files of a scene
 
 inline constexpr int kMaxRadius = 100;
 inline constexpr double kMaxDiameter = 100;  ///< of a distribution of sizes
@@ -31,8 +32,9 @@ inline constexpr std::size_t kMaxKinds = 64;
 inline constexpr double kMaxShare = 1e9;
 inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
 inline constexpr int kMaxRodLength = 1000;
-inline constexpr int kMaxSiteCoordinate = 1000;  ///< of a coordinate of a shape
-inline constexpr std::size_t kMaxSites = 100'000;
+inline constexpr int kMaxSiteCoordinate = 1000;         ///< of a coordinate of a shape
+inline constexpr std::size_t kMaxSites = 100'000;       ///< of a shape
+inline constexpr std::size_t kMaxAllSites = 2'000'000;  ///< of the shapes of all species
 inline constexpr std::size_t kMaxCorners = 1000;
 
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();

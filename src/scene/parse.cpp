@@ -13,6 +13,7 @@
 #include "scene/let.hpp"
 #include "scene/limits.hpp"
 #include "scene/override.hpp"
+#include "scene/picture_files.hpp"
 #include "scene/sections.hpp"
 #include "scene/sizes.hpp"
 #include "scene/source_text.hpp"
@@ -99,6 +100,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   if (kind_of(root) == Kind::boltzmann) {
     return read_boltzmann_scene(root, file);
   }
+  read_picture_files(root, std::filesystem::path(file).parent_path().string());
   return read_scene(root, file);
 }
 

@@ -46,6 +46,8 @@ constexpr double kVelocityBytes = 3 * sizeof(std::optional<Eigen::Vector2d>) + 4
 constexpr double kLinePartBytes = 256 * 8 + 2 * 16 * 56;
 // While there are lines: where each particle was at the last row, and its velocity.
 constexpr double kObservedBytes = 2 * 24 + 24 + 16;
+// A site of a kind: in its shape, and from the reference site in columns of both parities.
+constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::Offset);
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
 // picture on its way, of three that wait, and of the walls.
 constexpr double kSampleBytes = 2 * 4 + 5 * 2;
@@ -212,6 +214,27 @@ double force_windows(const Scene& scene) {
   return (at_end ? 1 : 0) + (in_pictures ? 1 : 0) + (in_frames ? 1 : 0);
 }
 
+/// The shapes of all kinds, and where the sites of each lie in memory.
+double kind_bytes(const Scene& scene) {
+  double sum = 0;
+  for (const Species& species : scene.species) {
+    const auto kinds = static_cast<double>(species.orientations.size());
+    sum += static_cast<double>(species.shape.size()) *
+           (sizeof(lattice::Axial) + kinds * kKindSiteBytes);
+  }
+  return sum;
+}
+
+double source_bytes(const Scene& scene, const lattice::Lattice& lattice) {
+  double sum = 0;
+  for (const Source& source : scene.sources) {
+    if (const auto* region = std::get_if<lattice::Rectangle>(&source.place)) {
+      sum += sizeof(lattice::Site) * max_sites(lattice::SweptRegion(lattice), *region);
+    }
+  }
+  return sum;
+}
+
 /// Whether a stage has other rules, for which a second model is made beside the first.
 bool changes_rules(const Scene& scene) {
   return std::any_of(scene.stages.begin(), scene.stages.end(),
@@ -254,6 +277,7 @@ Size size_of(const Scene& scene) {
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }
+  bytes += kind_bytes(scene) + source_bytes(scene, lattice);
   return {.columns = lattice.columns(),
           .rows = lattice.rows(),
           .particles = static_cast<std::uint64_t>(std::min(particles, 1e18)),

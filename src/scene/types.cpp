@@ -36,12 +36,8 @@ std::string range(double low, double high) {
 
 std::string read_path(const Value& value, const std::string& path, const Scene& scene) {
   const std::string& given = read_text(value, path);
-  std::error_code error;
-  std::string file =
-      std::filesystem::absolute(std::filesystem::path(std::string(scene.folder)) / given, error)
-          .lexically_normal()
-          .string();
-  if (given.empty() || error || file.size() > kMaxPathLength || !line_length(file)) {
+  std::string file = file_at(scene.folder, given);
+  if (file.empty()) {
     fail(value.location, fmt::format("{}: expected a path of up to {} bytes of UTF-8, found {}",
                                      path, kMaxPathLength, text::shown(given)));
   }
@@ -170,6 +166,16 @@ Type<lattice::Rectangle> region() {
   return rectangle().checked(
       [](const lattice::Rectangle& region, const Value& value, const std::string& path,
          const Scene& scene) { require_site(region, value, path, scene.box); });
+}
+
+std::string file_at(const std::string& folder, const std::string& path) {
+  std::error_code error;
+  std::string file = std::filesystem::absolute(std::filesystem::path(folder) / path, error)
+                         .lexically_normal()
+                         .string();
+  const bool is_path =
+      !path.empty() && !error && file.size() <= kMaxPathLength && line_length(file);
+  return is_path ? file : std::string();
 }
 
 Type<std::string> file_path_type() {

@@ -33,6 +33,8 @@ Type<lattice::Rectangle> region();
 /// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
 /// scene.
 Type<std::string> file_path_type();
+/// The same for a given folder; empty if it is too long or no text of one line.
+std::string file_at(const std::string& folder, const std::string& path);
 
 /// "#rrggbb"
 Type<Color> color_type();
@@ -49,8 +51,9 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
 Type<std::vector<std::uint32_t>> weights_type();
 
-/// The pixels of a PNG file that the value names. Throws SceneError.
-image::Image read_picture(const Value& value, const std::string& path, const Scene& scene);
+/// The pixels of a PNG file that the value names, as read_picture_files() has read it. Throws
+/// SceneError.
+const image::Image& read_picture(const Value& value, const std::string& path, const Scene& scene);
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
 /// `pattern` in the schema.
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,

@@ -28,6 +28,7 @@ std::string to_string(const TextLocation& location);
 [[noreturn]] void fail(const TextLocation& location, std::string_view message);
 
 struct Entry;
+struct PictureFile;
 
 struct Value {
   enum class Kind { nothing, scalar, list, map };
@@ -35,10 +36,11 @@ struct Value {
   Kind kind = Kind::nothing;
   bool quoted = false;
   TextLocation location;
-  std::string text;            ///< of a scalar
-  std::string expression;      ///< that the text is the value of; empty if it was written so
-  std::vector<Value> items;    ///< of a list
-  std::vector<Entry> entries;  ///< of a map, in the order of the text
+  std::string text;        ///< of a scalar
+  std::string expression;  ///< that the text is the value of; empty if it was written so
+  std::shared_ptr<const PictureFile> picture;  ///< of a scalar that names one
+  std::vector<Value> items;                    ///< of a list
+  std::vector<Entry> entries;                  ///< of a map, in the order of the text
 
   bool is(Kind other) const { return kind == other; }
   /// The value of `key`, null when there is none.

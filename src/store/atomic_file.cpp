@@ -89,11 +89,11 @@ void AtomicFile::finish() {
     flush();
   }
   const int folder = state.folder.number();
-  const bool renamed =
-      state.claim() ? ::renameat(folder, state.temporary.c_str(), folder, state.name.c_str()) == 0
-                    : rename_without_replacing(folder, state.temporary, state.name);
+  const bool renamed = state.list_and_name([&](bool replace) {
+    return replace ? ::renameat(folder, state.temporary.c_str(), folder, state.name.c_str()) == 0
+                   : rename_without_replacing(folder, state.temporary, state.name);
+  });
   if (!renamed && errno == EEXIST) {
-    state.disown();
     refuse_foreign(state.path);
   }
   if (!renamed || !state.file.close()) {

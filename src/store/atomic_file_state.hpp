@@ -6,6 +6,7 @@
 
 #include "clca/store/atomic_file.hpp"
 #include "store/descriptor.hpp"
+#include "store/manifest.hpp"
 
 namespace clca::store {
 
@@ -20,10 +21,8 @@ struct AtomicFile::State {
   std::string name;       ///< in the folder
   std::string temporary;  ///< likewise; empty when there is nothing to remove
   Descriptor file;
-  /// Called right before the file gets its name. Returns whether it may replace an existing file.
-  std::function<bool()> claim;
-  /// Called if the name turned out to be taken by another file.
-  std::function<void()> disown = [] {};
+  /// Lists the file, unless the user has named it, and gives it its name.
+  std::function<bool(const GiveName& give)> list_and_name;
   /// Called once it has its name, if it is not flushed yet; none: it is flushed before.
   std::function<void()> flush_later;
   bool flushed = false;

@@ -112,6 +112,13 @@ class ManifestFile::Locked {
     }
   }
 
+  /// Undoes append().
+  void withdraw() {
+    if (::ftruncate(file_.number(), size_) != 0 || ::fdatasync(file_.number()) != 0) {
+      fail();
+    }
+  }
+
  private:
   /// Opens and locks the manifest. False if another process has replaced it meanwhile.
   bool open_in_place() {
@@ -270,6 +277,23 @@ void ManifestFile::append(std::string_view kind, const std::set<std::string>& na
     lines += line_of(kind, name);
   }
   Locked(*this).append(lines, sync);
+}
+
+bool ManifestFile::add_file(const std::string& name, const GiveName& give) const {
+  Locked locked(*this);
+  locked.append(line_of("file", name), Sync::yes);
+  if (give(false)) {
+    return true;
+  }
+  if (errno != EEXIST) {
+    return false;
+  }
+  locked.withdraw();
+  if (read().files.contains(name)) {
+    return give(true);
+  }
+  errno = EEXIST;
+  return false;
 }
 
 void ManifestFile::put(std::string_view text) const {

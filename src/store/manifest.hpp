@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ struct Manifest {
   bool operator==(const Manifest&) const = default;
 };
 
+/// Gives a file its name; with `replace` also where another has it. On failure sets errno (EEXIST:
+/// the name is taken) and returns false.
+using GiveName = std::function<bool(bool replace)>;
+
 /// Reads and writes the manifest of the open folder `folder`; `path` is used in messages. Other
 /// processes may do so at any time. All functions throw StoreError.
 class ManifestFile {
@@ -31,6 +36,10 @@ class ManifestFile {
   Manifest read() const;
   /// Adds entries and syncs them to disk.
   void add_files(const std::set<std::string>& names) const { append("file", names, Sync::yes); }
+  /// Adds a file and calls `give` before other processes can list files. If the name is taken, the
+  /// entry is withdrawn, and the file replaced if it is listed all the same: another process did
+  /// that. Returns whether the file has its name.
+  bool add_file(const std::string& name, const GiveName& give) const;
   /// Adds an entry without syncing it: what a power failure loses is an empty folder or a temporary
   /// file that stays.
   void add_folder(const std::string& name) const { append("folder", {name}, Sync::no); }

@@ -54,8 +54,8 @@ class OutputFolder::State {
   std::vector<std::string> files(const std::string& prefix);
   void require_free(const std::string& name);
   void plan(const std::set<std::string>& names);
-  /// Lists a file before it gets its name, unless that was planned. Returns whether it is its own.
-  bool claim(const std::string& name);
+  /// Lists a file, unless it is listed, and gives it its name. Replaces only its own.
+  bool list_and_name(const std::string& name, const GiveName& give);
   /// Removes a file from the list.
   void disown(const std::string& name);
   /// The folder of the file `name`, made if needed. Throws StoreError.
@@ -164,16 +164,21 @@ void OutputFolder::State::plan(const std::set<std::string>& names) {
   }
 }
 
-bool OutputFolder::State::claim(const std::string& name) {
+bool OutputFolder::State::list_and_name(const std::string& name, const GiveName& give) {
   const std::lock_guard lock(mutex_);
   if (manifest_.files.contains(name)) {
-    return true;
+    return give(true);
   }
-  if (!planned_.contains(name)) {
-    manifest_file().add_files({name});
+  const bool planned = planned_.contains(name);
+  const bool named = planned ? give(false) : manifest_file().add_file(name, give);
+  if (named) {
+    manifest_.files.insert(name);
+  } else if (planned && errno == EEXIST) {
+    planned_.erase(name);
+    manifest_file().remove_files({name});
+    errno = EEXIST;
   }
-  manifest_.files.insert(name);
-  return false;
+  return named;
 }
 
 void OutputFolder::State::disown(const std::string& name) {
@@ -313,8 +318,9 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
   file->name = folder_and_leaf(whole).second;
   if (replace == Replace::own) {
     require_free(name);
-    file->claim = [state = state_, whole] { return state->claim(whole); };
-    file->disown = [state = state_, whole] { state->disown(whole); };
+    file->list_and_name = [state = state_, whole](const GiveName& give) {
+      return state->list_and_name(whole, give);
+    };
     if (state_->delays_flushing()) {
       file->flush_later = [state = state_, whole] { state->flush_later(whole); };
     }
@@ -322,7 +328,8 @@ AtomicFile OutputFolder::create(const std::string& name, Replace replace) const 
     if (found_in(file->folder.number(), file->name) == Found::other) {
       fail_at("write", file->path, "it is not a regular file");
     }
-    file->claim = [state = state_] { return true; };
+    // The folder is needed until the end, when it removes a manifest that is empty.
+    file->list_and_name = [state = state_](const GiveName& give) { return give(true); };
   }
   state_->mark();
   std::tie(file->file, file->temporary) = locked_temporary_file(file->folder.number(), file->path);
@@ -344,18 +351,18 @@ int OutputFolder::open_to_append(const std::string& name) const {
   const std::string whole = prefix_ + name;
   const Descriptor folder = state_->make_parent(whole);
   require_free(name);
-  const bool known = state_->claim(whole);
   const std::string leaf = folder_and_leaf(whole).second;
-  const bool there = found_in(folder.number(), leaf) != Found::nothing;
-  Descriptor file(::openat(folder.number(), leaf.c_str(),
-                           O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC |
-                               (known && there ? 0 : O_CREAT | O_EXCL),
-                           kReadableByAll));
-  if (!file.is_open() && errno == EEXIST) {
-    state_->disown(whole);
+  Descriptor file;
+  const bool opened = state_->list_and_name(whole, [&](bool replace) {
+    constexpr int kFlags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    file = Descriptor(
+        ::openat(folder.number(), leaf.c_str(), kFlags | (replace ? 0 : O_EXCL), kReadableByAll));
+    return file.is_open();
+  });
+  if (!opened && errno == EEXIST) {
     refuse_foreign(path(name));
   }
-  if (!file.is_open()) {
+  if (!opened) {
     fail_at("write", path(name), std::strerror(errno));
   }
   return file.release();
@@ -418,10 +425,11 @@ void OutputFolder::rename(const std::string& from, const std::string& to) const 
       found_in(folder.number(), folder_and_leaf(prefix_ + from).second) == Found::nothing) {
     return;
   }
-  state_->claim(prefix_ + to);
-  if (::renameat(folder.number(), folder_and_leaf(prefix_ + from).second.c_str(), target.number(),
-                 folder_and_leaf(prefix_ + to).second.c_str()) != 0 &&
-      errno != ENOENT) {
+  const bool renamed = state_->list_and_name(prefix_ + to, [&](bool /*replace*/) {
+    return ::renameat(folder.number(), folder_and_leaf(prefix_ + from).second.c_str(),
+                      target.number(), folder_and_leaf(prefix_ + to).second.c_str()) == 0;
+  });
+  if (!renamed && errno != ENOENT) {
     fail_at("write", path(to), std::strerror(errno));
   }
 }

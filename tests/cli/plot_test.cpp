@@ -54,6 +54,10 @@ class PlotCommandTest : public ::testing::Test {
   std::vector<std::uint8_t> bytes(const fs::path& file) const {
     return testing::bytes_of(folder_.path() / file);
   }
+  std::string text(const fs::path& file) const {
+    const auto content = bytes(file);
+    return {content.begin(), content.end()};
+  }
   void expect_picture(const fs::path& file, int width, int height) const {
     const image::Image image = image::decode_png(bytes(file)).image;
     EXPECT_EQ(image.width, width);
@@ -130,8 +134,7 @@ TEST_F(PlotCommandTest, DrawsVectorsOfTheSameSize) {
     const auto result = plot(
         {"gas", "--only", "collisions", "--format", format, "--width", "480", "--height", "300"});
     EXPECT_EQ(result.out, fmt::format("gas/plots/collisions.{}\n", format));
-    const auto content = bytes(fmt::format("gas/plots/collisions.{}", format));
-    return std::string(content.begin(), content.end());
+    return text(fmt::format("gas/plots/collisions.{}", format));
   };
   EXPECT_THAT(file_of("svg"), AllOf(HasSubstr("viewBox=\"0 0 480 300\""), HasSubstr("</svg>")));
   EXPECT_THAT(file_of("pdf"), AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 360 225 ]")));
@@ -167,6 +170,29 @@ TEST_F(PlotCommandTest, NamesOfFoldersAndScenesMayHoldAnySign) {
   expect_picture(odd + "/out/collisions.png", 960, 600);
   EXPECT_FALSE(fs::exists(folder_.path() / "bad"));
   EXPECT_FALSE(fs::exists(folder_.path() / odd / "bad"));
+}
+
+TEST_F(PlotCommandTest, TextThatBeginsWithAnApostropheStandsInTheFigureAsItIs) {
+  write_gas(folder_.path() / "'gas", "'Fast' 2_1 heap");
+  EXPECT_EQ(plot({"'gas", "--only", "collisions", "--format", "svg"}).err, "");
+  EXPECT_THAT(text("'gas/plots/collisions.svg"), HasSubstr("<text>'Fast' 2_1 heap</text>"));
+}
+
+TEST_F(PlotCommandTest, ValuesOfASweepStandUnderTheAxisAsTheyAre) {
+  fs::create_directories(folder_.path() / "'sweep");
+  store::write_whole(folder_.path() / "'sweep/sweep.json", "{}");
+  store::write_whole(
+      folder_.path() / "'sweep/measures.csv",
+      "title,rules.ties,stage,measure,mean,standard_deviation,standard_error,runs,min,max,low,"
+      "high\n'Fast' 5% {x}_1,'a,flow,slope,40,1,1,4,39,41,39,41\n"
+      "'2nd,b,flow,slope,41,1,1,4,39,41,40,42\n'2nd,'a,flow,slope,42,1,1,4,39,41,41,43\n");
+  const auto result = plot({"'sweep", "--format", "svg"});
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, "'sweep/plots/sweep-flow-slope.svg\n");
+  const std::string figure = text("'sweep/plots/sweep-flow-slope.svg");
+  for (const char* words : {"'Fast' 5% {x}_1", "'2nd", "'sweep, flow", "rules.ties='a"}) {
+    EXPECT_THAT(figure, HasSubstr(std::string("<text>") + words + "</text>"));
+  }
 }
 
 TEST_F(PlotCommandTest, WithoutGnuplotItSaysWhatToInstall) {

@@ -1,11 +1,17 @@
 // Any bytes behind a right checksum header, read as a checkpoint: refused, or the same once written
-// and read again, and within the limit of memory.
+// and read again, and within the limit of memory. The same bytes also say which numbers of a right
+// checkpoint are changed: it is refused, or a run goes on with it.
 
+#include <array>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
+#include "choices.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "memory_meter.hpp"
+#include "run/stage.hpp"
 #include "store/checksum_header.hpp"
 #include "target.hpp"
 
@@ -29,6 +35,78 @@ std::optional<store::Checkpoint> read(const std::vector<std::uint8_t>& file, dou
   }
 }
 
+/// Grains of which many sleep, or the same with sleeping switched off.
+const scene::Scene& contact_scene(bool sleeping) {
+  const auto parsed = [](const std::string& set) {
+    return scene::parse(R"(clca: 1
+model: contact
+box: {width: 16, height: 20}
+species: {grain: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
+walls: {post: {box: [6, 0, 7, 4]}}
+outlets: {below: {region: [10, 0, 16, 4]}}
+sources: {spout: {region: [2, 15, 12, 18], species: {grain: 1}, rate: 0.05, count: 3}}
+contact: {fall_height: 10, sleeping: true}
+stages:
+  - {name: fall, fill: {region: [0, 0, 12, 14], counts: {grain: 9, large: 2}}, sources: [spout], until: {steps: 400}}
+)",
+                        "small.yaml", {set});
+  };
+  static const std::array<scene::Scene, 2> kScenes = {parsed("contact.sleeping=false"),
+                                                      parsed("contact.sleeping=true")};
+  return kScenes.at(sleeping ? 1 : 0);
+}
+
+reflection::Columns saved_columns() {
+  const scene::Scene& scene = contact_scene(true);
+  run::Model model(scene, run::first_state(scene), {});
+  run::prepare_stage(model, scene, scene.stages.front());
+  for (std::uint64_t step = 0; step < *scene::steps_of(scene.stages.front().until); ++step) {
+    model.step();
+  }
+  reflection::Columns columns;
+  model.save(columns);
+  fuzz::require(
+      !std::get<std::vector<std::uint32_t>>(columns.at("state/sleep/contacts/upper")).empty(),
+      "nothing sleeps");
+  return columns;
+}
+
+void change(reflection::Columns& columns, fuzz::Choices& choices) {
+  constexpr std::uint32_t kMaxLength = 200;
+  for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
+    const auto which = choices.up_to(static_cast<std::uint32_t>(columns.size() - 1));
+    const auto column = std::next(columns.begin(), static_cast<std::ptrdiff_t>(which));
+    std::visit(
+        [&]<class T>(std::vector<T>& values) {
+          const std::size_t how = choices.up_to(3);
+          if (how == 0) {
+            values.resize(choices.up_to(kMaxLength));
+          } else if (!values.empty()) {
+            T& value = values[choices.up_to(0xFF) % values.size()];
+            value = how == 1   ? values[choices.up_to(0xFF) % values.size()]
+                    : how == 2 ? static_cast<T>(choices.up_to(0xFF))
+                               : choices.any<T>();
+          }
+        },
+        column->second);
+  }
+}
+
+void go_on(std::span<const std::uint8_t> bytes) {
+  static const reflection::Columns kSaved = saved_columns();
+  fuzz::Choices choices(bytes);
+  const scene::Scene& scene = contact_scene(!choices.yes());
+  reflection::Columns columns = kSaved;
+  change(columns, choices);
+  try {
+    run::Model(scene, run::saved_state(scene, columns, kLimit), {}).step();
+  } catch (const std::invalid_argument&) {
+    fuzz::require(!bytes.empty(), "a run does not go on");
+  } catch (const reflection::Mismatch&) {
+    fuzz::require(!bytes.empty(), "a run does not go on");
+  }
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -40,5 +118,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::require(read_again && store::checkpoint_bytes(*read_again) == again,
                   "read again as something else");
   }
+  go_on({data, size});
   return 0;
 }

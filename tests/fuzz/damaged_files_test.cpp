@@ -184,7 +184,7 @@ class DamagedCheckpoint : public ::testing::Test {
  protected:
   fs::path saved() const { return folder_.path() / "saved"; }
 
-  /// Goes on with damaged copies of what is in `saved`, if it can; each stops at once.
+  /// Goes on with damaged copies of what is in `saved`, if it can; each stops after some steps.
   void try_all(const char* kind) const {
     const Bytes file = testing::bytes_of(saved() / "checkpoint.clca");
     const Bytes content = content_of(file);
@@ -203,8 +203,11 @@ class DamagedCheckpoint : public ::testing::Test {
         bytes = store::checkpoint_bytes(changed);
       }
       store::write_whole(broken / "checkpoint.clca", bytes);
-      const std::atomic<int> stop = 2;
-      run::resume(run::load_run(broken, kLimit), {.threads = 1, .stop = &stop});
+      std::atomic<int> stop = 0;
+      int looks = 0;
+      const auto look = [&](const auto& /*at*/) { stop = ++looks < 3 ? 0 : 2; };
+      run::resume(run::load_run(broken, kLimit), {.threads = 1, .stop = &stop},
+                  {.progress = look, .gas_progress = look, .progress_interval = {}});
     });
     expect_memory_below(4 * kLimit);
   }
@@ -235,9 +238,7 @@ output: {frames: {every: 5, width: 96, height: 64}, series: {every: 1}, trajecto
   try_all("checkpoints of an automaton");
 }
 
-TEST_F(DamagedCheckpoint, OfTheContactModelIsGoneOnWithOrRefused) {
-  std::atomic<int> stop = 0;
-  run::run(scene::parse(R"(clca: 1
+constexpr const char* kContactScene = R"(clca: 1
 model: contact
 box: {width: 16, height: 20}
 species: {grain: {shape: {hexagon: 1}}, large: {shape: {hexagon: 2}}}
@@ -250,12 +251,17 @@ stages:
   - {name: packing, fill: {region: [0, 4, 16, 14], counts: {grain: 7, large: 2}}, until: {steps: 40}}
   - {name: flow, remove: [gate], sources: [spout], until: {steps: 1000000}}
 output: {frames: {every: 50, width: 96, height: 64}, series: {every: 1}, trajectory: {every: 4}}
-)",
-                        "small.yaml"),
-           {.folder = saved(), .stop = &stop},
-           {.progress = [&](const run::Progress& at) { stop = at.step >= 150 ? 2 : 0; },
-            .progress_interval = {}});
-  try_all("checkpoints of the contact model");
+)";
+
+TEST_F(DamagedCheckpoint, OfTheContactModelIsGoneOnWithOrRefused) {
+  for (const char* sleeping : {"contact.sleeping=false", "contact.sleeping=true"}) {
+    std::atomic<int> stop = 0;
+    run::run(scene::parse(kContactScene, "small.yaml", {sleeping}),
+             {.folder = saved(), .stop = &stop, .overwrite = true},
+             {.progress = [&](const run::Progress& at) { stop = at.step >= 400 ? 2 : 0; },
+              .progress_interval = {}});
+    try_all(sleeping);
+  }
 }
 
 TEST_F(DamagedCheckpoint, OfAGasIsGoneOnWithOrRefused) {

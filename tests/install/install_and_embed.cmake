@@ -27,8 +27,13 @@ run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${example_build} -G ${GENERATOR} -DCMAKE_B
     ${disabled})
 run(${CMAKE_COMMAND} --build ${example_build})
 
-execute_process(COMMAND ${example_build}/embed OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
-message("${said}")
-if(NOT said MATCHES "^200 particles settled after [1-9][0-9]* steps, state hash [0-9a-f]+\n$")
-  message(FATAL_ERROR "the example says something else than expected")
-endif()
+function(expect_output program pattern)
+  execute_process(COMMAND ${example_build}/${program} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  message("${said}")
+  if(NOT said MATCHES "^${pattern}\n$")
+    message(FATAL_ERROR "${program} says something else than expected")
+  endif()
+endfunction()
+
+expect_output(embed "200 particles settled after [1-9][0-9]* steps, state hash [0-9a-f]+")
+expect_output(embed_contact "60 grains at rest after [1-9][0-9]* steps, [1-9][0-9]* contacts, [1-9][0-9]* % of the energy lost")

@@ -46,6 +46,10 @@ struct Options {
 inline constexpr double kMinGravity = 0x1p-20;
 inline constexpr double kMaxGravity = 0.25;
 
+/// Fall height that stands for 0 in a box of this height: the same, but at least kMinFallHeight.
+inline constexpr double kMinFallHeight = 10;  // lattice spacings
+double default_fall_height(double box_height);
+
 /// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
 /// unless resolution and fall height are positive and give a value within these bounds.
 double gravity(const Parameters& parameters);
@@ -85,6 +89,8 @@ class ContactModel {
   const grains::State& grains() const;
   grains::Occupancy occupancy() const;
   const Vessel& vessel() const;
+  /// In lattice spacings per step squared.
+  double gravity() const;
 
   /// One step: sources, contacts, impulses, moves of grains and walls, outlets. New grains are at
   /// rest, within half a spacing of their site sideways.

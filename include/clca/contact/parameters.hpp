@@ -17,7 +17,8 @@ struct Parameters {
   double restitution = 0.4;  ///< in [0, 1)
   int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
   double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
-  /// Fall height in lattice spacings; 0: estimated from the fills.
+  /// Fall height in lattice spacings. 0: estimated, of a scene from its fills
+  /// (scene::contact_parameters), else from the height of the box (default_fall_height).
   double fall_height = 0;
 
   bool operator==(const Parameters&) const = default;

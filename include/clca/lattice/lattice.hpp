@@ -122,7 +122,8 @@ class Lattice {
   /// How many box widths a point lies to the right of a periodic box; 0 if the box is not periodic.
   int image(double x) const;
 
-  /// Offset of `vector` from a site in an odd or even column.
+  /// Offset of `vector` from a site in an odd or even column. Throws std::invalid_argument if the
+  /// indices are 2^31 or more apart.
   Offset offset(Axial vector, bool odd_column) const;
 
   /// Index of the site at `offset` from the site with index `base` in the (wrapped) `column`.

@@ -116,6 +116,18 @@ TEST(TheContactModel, RefusesTwoContactsOfTheSameTwo) {
             "two bodies have two contacts");
 }
 
+TEST(TheContactModel, ChecksWhatSleepsBeforeItUsesIt) {
+  for (const bool sleeping : {false, true}) {
+    Parameters parameters = kParameters;
+    parameters.sleeping = sleeping;
+    State state = good_state();
+    state.sleep = {.rests = {9, 9}, .contacts = {{.upper = 1'000'000'000, .other = 0}}};
+    EXPECT_EQ(refusal(state, parameters), "a contact is not one of two bodies");
+    state.sleep = {.rests = {9}, .contacts = {{.upper = 1, .other = grains::wall_code(0)}}};
+    EXPECT_EQ(refusal(state, parameters), "there is not one count of rests for each grain");
+  }
+}
+
 TEST(TheContactModel, RefusesParametersOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const char* reason = "a parameter of the contact model is out of range";
@@ -130,7 +142,7 @@ TEST(TheContactModel, RefusesParametersOutOfRange) {
   EXPECT_EQ(with([](Parameters& all) { all.rolling_friction = -1; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.restitution = 1; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.sweeps = 0; }), reason);
-  EXPECT_EQ(with([](Parameters& all) { all.fall_height = 0; }),
+  EXPECT_EQ(with([](Parameters& all) { all.fall_height = -1; }),
             "resolution and fall height do not give a time step");
   EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {nan}}), reason);
   EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {-1.0}}), reason);
@@ -161,6 +173,12 @@ TEST(Gravity, IsThatOfAFallThatEndsWithTheResolutionAsStepsHaveIt) {
   EXPECT_THROW(gravity({.resolution = 0.4, .fall_height = -5}), std::invalid_argument);
   EXPECT_THROW(gravity({.resolution = std::numeric_limits<double>::quiet_NaN(), .fall_height = 5}),
                std::invalid_argument);
+}
+
+TEST(Gravity, OfDefaultParametersIsThatOfAFallFromTheTopOfTheBox) {
+  EXPECT_EQ(ContactModel(good_state(), {}).gravity(), gravity({.fall_height = 40.5}));
+  EXPECT_EQ(ContactModel({.grains = empty_state(40, 4)}, {}).gravity(),
+            gravity({.fall_height = 10}));
 }
 
 TEST(Energy, IsThatOfDiscsAtTheirHeights) {

@@ -42,6 +42,19 @@ TEST(Png, BringsBackPixelsAndText) {
   EXPECT_EQ(decoded.text, text);
 }
 
+TEST(Png, GivesPixelsAloneAndAFewTextsOnly) {
+  PngText text;
+  for (char name = 'a'; name <= 'z'; ++name) {
+    text[std::string(1, name)] = "text";
+  }
+  const Image image = colorful(61, 47);
+  const Bytes bytes = encode_png(image, text);
+  EXPECT_EQ(decode_pixels(bytes), image);
+  EXPECT_EQ(decode_png(bytes).image, image);
+  EXPECT_GE(decode_png(bytes).text.size(), 10U);
+  EXPECT_LE(decode_png(bytes).text.size(), 16U);
+}
+
 TEST(Png, TellsTheSizeOfAPictureAndOfNothingElse) {
   const Bytes bytes = encode_png(colorful(61, 47), {});
   EXPECT_EQ(png_size(bytes), (PixelBox{0, 0, 61, 47}));

@@ -83,22 +83,24 @@ TEST_F(FiguresTest, FilesComeInTheOrderOfStagesOrTimes) {
   for (const char* file : {"p-flow.csv", "p-packing.csv", "p-a b'.csv"}) {
     write(file, "x\n1\n");
   }
-  EXPECT_THAT(found().at(0).setting, HasSubstr("array files[2] = ['p-packing.csv', 'p-flow.csv'];"
-                                               "array labels[2] = ['packing', 'flow'];"));
+  EXPECT_THAT(found().at(0).setting,
+              HasSubstr("array files[2] = [\"p-packing.csv\", \"p-flow.csv\"];"
+                        "array labels[2] = [\"packing\", \"flow\"];"));
   write_template("h", "# needs: h-*.csv: x\n");
   for (const char* file : {"h-10.csv", "h-0.5.csv", "h-5.csv"}) {
     write(file, "x\n1\n");
   }
   write("h-3.csv", "x\n0\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("labels[3] = ['0.5', '5', '10'];"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("labels[3] = [\"0.5\", \"5\", \"10\"];"));
 }
 
 TEST_F(FiguresTest, GroupsAreTheValuesOfAColumnAsTheyCome) {
   write_template("g", "# needs: series.csv: x\n# groups: stage\n");
   write("series.csv", "stage,x\nb,1\nb,2\na,1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("groups[2] = ['b', 'a'];group_column = 'stage';"));
+  EXPECT_THAT(found().at(0).setting,
+              HasSubstr("groups[2] = [\"b\", \"a\"];group_column = \"stage\";"));
   write("series.csv", "x\n1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("groups[1] = [''];"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("groups[1] = [\"\"];"));
   write("series.csv", "stage,x\n../../a,1\n");
   EXPECT_THAT([&] { found(); }, ThrowsMessage<text::InputError>(
                                     HasSubstr("series.csv: line 2: column 'stage' holds no name")));
@@ -112,7 +114,7 @@ TEST_F(FiguresTest, ThereMayBeOneForEachGroupOrFile) {
   EXPECT_THAT(names(), ElementsAre("f-packing", "f-flow", "g-0.2", "g-1"));
   EXPECT_THAT(names({"g"}), ElementsAre("g-0.2", "g-1"));
   EXPECT_THAT(names({"g-1", "f-flow"}), ElementsAre("f-flow", "g-1"));
-  EXPECT_THAT(found({"g-1"}).at(0).setting, HasSubstr("groups[1] = ['1'];"));
+  EXPECT_THAT(found({"g-1"}).at(0).setting, HasSubstr("groups[1] = [\"1\"];"));
 }
 
 TEST_F(FiguresTest, TemplatesLearnOfColumnsAndMeasuresThatAreThere) {
@@ -122,7 +124,7 @@ TEST_F(FiguresTest, TemplatesLearnOfColumnsAndMeasuresThatAreThere) {
   write("series.csv", "x,x_se,y\n1,2,0\n");
   write("more.csv", "z\n1\n");
   const std::string setting = found().at(0).setting;
-  EXPECT_THAT(setting, HasSubstr("known_columns = '|more.csv:z|series.csv:x|series.csv:x_se|';"));
+  EXPECT_THAT(setting, HasSubstr("known_columns = \"|more.csv:z|series.csv:x|series.csv:x_se|\";"));
   EXPECT_THAT(setting, HasSubstr("chance = 2.5"));
   EXPECT_THAT(setting, HasSubstr("none = NaN;"));
 }
@@ -133,8 +135,9 @@ TEST_F(FiguresTest, AColumnMayBeAPrefixOrHaveToChange) {
   write("series.csv",
         "x,n,travel.lid,travel.no sign,travel.rest,travel.gate\n1,5,1,1,0,2\n2,5,1,1,0,2\n");
   EXPECT_THAT(names(), ElementsAre("a"));
-  EXPECT_THAT(found().at(0).setting, HasSubstr("array columns[2] = ['travel.lid', 'travel.gate'];"
-                                               "array column_labels[2] = ['lid', 'gate'];"));
+  EXPECT_THAT(found().at(0).setting,
+              HasSubstr("array columns[2] = [\"travel.lid\", \"travel.gate\"];"
+                        "array column_labels[2] = [\"lid\", \"gate\"];"));
   write("series.csv", "x,n\n1,5\n2,0\n");
   EXPECT_THAT(names(), ElementsAre("b"));
 }
@@ -162,13 +165,13 @@ TEST_F(FiguresTest, UnreadableTablesLeaveTheOtherFigures) {
 TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {
   write_template("t", "# needs: series.csv: x\n");
   write("series.csv", "x\n1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = 'step';time_title = 'step';"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";time_title = \"step\";"));
   store::RunSummary summary;
   summary.scene = "small";
   summary.units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
   write("run.json", store::to_json(summary));
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = 'time';time_title = 'time, s';"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"time\";time_title = \"time, s\";"));
 }
 
 TEST_F(FiguresTest, TablesThatNoTemplateNamesAreNotRead) {
@@ -225,7 +228,7 @@ TEST_F(SweepFiguresTest, ThereIsOneForEachStageAndMeasureWithAMean) {
             "0.9,flow,slope,30,1,0.25,4,29,31,29.75,30.25\n0,end,slope,50,,,1,50,50,,\n");
   EXPECT_THAT(names(), ElementsAre("sweep-flow-slope", "sweep-end-slope"));
   const std::string setting = found().front().setting;
-  EXPECT_THAT(setting, HasSubstr("varied = 'rules.inertia';"));
+  EXPECT_THAT(setting, HasSubstr("varied = \"rules.inertia\";"));
   EXPECT_THAT(setting, HasSubstr("array xs[2] = [0, 0.9];"));
   EXPECT_THAT(setting, HasSubstr("array means[2] = [40, 30];"));
   EXPECT_THAT(setting, HasSubstr("array lows[2] = [39.5, 29.75];array highs[2] = [40.5, 30.25];"));
@@ -239,9 +242,9 @@ TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
                             "contact,1,x,flow,slope,20,1,1,4,19,21,19,21\n");
   const std::string setting = found().front().setting;
   EXPECT_THAT(setting, HasSubstr("has_words = 1;"));
-  EXPECT_THAT(setting, HasSubstr("array words[2] = ['automaton', 'contact'];"));
+  EXPECT_THAT(setting, HasSubstr("array words[2] = [\"automaton\", \"contact\"];"));
   EXPECT_THAT(setting, HasSubstr("array xs[3] = [1, 1, 2];"));
-  EXPECT_THAT(setting, HasSubstr("array lines[2] = ['a=1, b=x', 'a=2, b=x'];"));
+  EXPECT_THAT(setting, HasSubstr("array lines[2] = [\"a=1, b=x\", \"a=2, b=x\"];"));
   EXPECT_THAT(setting, HasSubstr("array of_lines[3] = [1, 2, 1];"));
 }
 
@@ -259,9 +262,10 @@ TEST(Templates, AreFoundAndSayWhatTheyNeed) {
 }
 
 TEST(Literal, MeansNothingButItself) {
-  EXPECT_EQ(literal("a"), "'a'");
-  EXPECT_EQ(literal("it's \"`date`\" \\ @x $y"), "'it''s \"`date`\" \\ @x $y'");
-  EXPECT_EQ(literal("two\nlines"), "'two lines'");
+  EXPECT_EQ(literal("a-0.5, b=2"), "\"a-0.5, b=2\"");
+  EXPECT_EQ(literal("'it's \"`date`\" \\ @x"), R"("\047it\047s \042\140date\140\042 \134 \100x")");
+  EXPECT_EQ(literal("'2nd, 3rd\xC3\xA9"), R"("\047\062nd, 3rd\303\251")");
+  EXPECT_EQ(literal("two\nlines"), "\"two lines\"");
 }
 
 }  // namespace

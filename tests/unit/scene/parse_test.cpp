@@ -90,6 +90,18 @@ TEST(Parse, ReadsTheFourKindsOfShapes) {
   EXPECT_EQ(scene.species[3].shape_spec, ShapeSpec(RodSpec{1, 4}));
 }
 
+TEST(Parse, RefusesTheSpeciesWithWhichAllHaveTooManySites) {
+  std::string species = "species:\n";
+  for (char name = 'a'; name <= 'u'; ++name) {  // 21 of 99,225 sites
+    species += "  " + std::string(1, name) +
+               ": {shape: {polygon: [[0, 0], [314, 0], [314, 314], [0, 314]]}}\n";
+  }
+  EXPECT_THAT([&] { scene_with(species); },
+              ::testing::ThrowsMessage<SceneError>(
+                  "scene.yaml:26:14: error: species.u.shape: with this shape all species have more "
+                  "than 2000000 sites"));
+}
+
 TEST(Parse, ReadsOrientationsAndColours) {
   const Scene scene = scene_with(
       "species:\n"

@@ -79,5 +79,29 @@ TEST_F(PictureTest, WhatIsNoPictureIsRefusedInOneLine) {
   EXPECT_THAT(refusal("."), HasSubstr("it is a folder"));
 }
 
+TEST_F(PictureTest, AFileThatIsNamedOftenIsRefusedWhereTheRowsOfAllAreTooLarge) {
+  write("large.png", image::encode_png(image::Image(1000, 1000, {}), {}));
+  write("narrow.png", image::encode_png(image::Image(1, 300'000, {}), {}));
+  const auto refusal_of = [&](const std::string& more) {
+    std::string walls;
+    for (const std::string name : {"a", "b", "c", "d"}) {
+      walls += "  " + name + ": {picture: {file: large.png, box: [0, 0, 50, 50]}}\n";
+    }
+    try {
+      parse(testing::scene_with("walls:\n" + walls + more), path("scene.yaml"));
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string at = path("scene.yaml") + ":12:";
+  const std::string reason = "error: with this picture the rows of all pictures are larger than ";
+  EXPECT_EQ(refusal_of(""), "");
+  EXPECT_EQ(refusal_of("  e: {picture: {file: large.png, box: [0, 0, 50, 50]}}\n"),
+            at + "23: " + reason + "4 MiB");
+  EXPECT_EQ(refusal_of("  e: {parts: [{picture: {file: narrow.png, box: [0, 0, 50, 50]}}]}\n"),
+            at + "32: " + reason + "4 MiB");
+}
+
 }  // namespace
 }  // namespace clca::scene::picture_test

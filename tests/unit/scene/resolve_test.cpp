@@ -182,6 +182,14 @@ TEST(SizeOf, CountsThePlacesThatPicturesOfVelocitiesRemember) {
   EXPECT_GE(velocities.bytes, plain.bytes + 96.0 * static_cast<double>(plain.particles));
 }
 
+TEST(SizeOf, CountsShapesAndRegionsOfSources) {
+  const auto bytes = [](const std::string& part) { return size_of(scene_with(part)).bytes; };
+  EXPECT_GE(bytes("species: {small: {shape: {hexagon: 100}, orientations: any}}"),
+            bytes("species: {small: {shape: {hexagon: 1}}}") + 30'301.0 * (8 + 6 * 24));
+  EXPECT_GE(bytes("sources: {spout: {region: [0, 0, 100, 50], rate: 0.5, count: 9}}"),
+            bytes("sources: {spout: {at: [20, 40], rate: 0.5, count: 9}}") + 116.0 * 50 * 8);
+}
+
 TEST(SizeOf, HoldsForTheLargestBox) {
   const Size size = size_of(scene_with("box: {width: 866025, height: 1000000}"));
   EXPECT_EQ(size.columns, 1'000'000);

@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <latch>
 #include <optional>
 #include <thread>
 
@@ -354,6 +355,43 @@ TEST_F(OutputFolderTest, SeveralThatWriteAtOnceKeepTheTemporaryFilesOfEachOther)
   write('a');
   other.join();
   EXPECT_EQ(folder().files().size(), 2 * kFiles);
+}
+
+TEST_F(OutputFolderTest, OfTwoThatWriteAFileAtOnceTheLaterOneReplacesItAndItStaysListed) {
+  AtomicFile first = folder().create("a.txt");
+  AtomicFile second = folder().create("a.txt");
+  first.write("first");
+  second.write("second");
+  first.finish();
+  second.finish();
+  EXPECT_EQ(text("out/a.txt"), "second");
+  folder().write("a.txt", "third");
+  EXPECT_EQ(text("out/a.txt"), "third");
+}
+
+TEST_F(OutputFolderTest, SeveralThatBeginAFileAtOnceLeaveItListed) {
+  constexpr int kRounds = 100;
+  constexpr int kAtOnce = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::string name = "a" + std::to_string(round);
+    std::latch begin(kAtOnce);
+    std::vector<std::thread> threads;
+    for (int i = 0; i < kAtOnce; ++i) {
+      threads.emplace_back([&, i] {
+        const OutputFolder out = folder();
+        begin.arrive_and_wait();
+        if ((round + i) % 2 == 0) {
+          EXPECT_NO_THROW(out.write(name, "x"));
+        } else {
+          EXPECT_NO_THROW(::close(out.open_to_append(name)));
+        }
+      });
+    }
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    EXPECT_NO_THROW(folder().write(name, "y")) << name;
+  }
 }
 
 TEST_F(OutputFolderTest, WhereAFolderIsRemovedMeanwhileOneLineSaysSo) {
