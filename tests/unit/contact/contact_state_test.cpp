@@ -116,18 +116,6 @@ TEST(TheContactModel, RefusesTwoContactsOfTheSameTwo) {
             "two bodies have two contacts");
 }
 
-TEST(TheContactModel, ChecksWhatSleepsBeforeItUsesIt) {
-  for (const bool sleeping : {false, true}) {
-    Parameters parameters = kParameters;
-    parameters.sleeping = sleeping;
-    State state = good_state();
-    state.sleep = {.rests = {9, 9}, .contacts = {{.upper = 1'000'000'000, .other = 0}}};
-    EXPECT_EQ(refusal(state, parameters), "a contact is not one of two bodies");
-    state.sleep = {.rests = {9}, .contacts = {{.upper = 1, .other = grains::wall_code(0)}}};
-    EXPECT_EQ(refusal(state, parameters), "there is not one count of rests for each grain");
-  }
-}
-
 TEST(TheContactModel, RefusesParametersOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const char* reason = "a parameter of the contact model is out of range";
