@@ -95,7 +95,7 @@ std::string grain_loads_csv(const scene::Scene& scene, const Model& model, const
   for (std::size_t id = 0; id < all.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
     if (grain.present) {
-      const Eigen::Vector2d centre = grains::centre(state, grain);
+      const Eigen::Vector2d centre = grains::centre_in_box(state, grain);
       table.add_row({std::uint64_t{id}, scene.species[state.kinds[grain.kind].species].name,
                      centre.x(), centre.y(), all[id].contacts, all[id].normal, residuals[id]});
     }
