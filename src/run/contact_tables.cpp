@@ -16,16 +16,17 @@ namespace {
 
 using Forces = std::vector<contact::Force>;
 
+/// No wall has a dot in its name, so none is called as a side of the box.
 std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   switch (owner) {
     case contact::kFloor:
-      return "floor";
+      return "box.floor";
     case contact::kCeiling:
-      return "ceiling";
+      return "box.top";
     case contact::kLeftSide:
-      return "left";
+      return "box.left";
     case contact::kRightSide:
-      return "right";
+      return "box.right";
     default:
       return grains::is_particle(owner) ? fmt::format("{}", owner)
                                         : scene.walls[grains::wall_number(owner)].name;
