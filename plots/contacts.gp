@@ -3,7 +3,6 @@
 #
 # needs: contacts-*.csv: x, y
 # needs: loads-*.csv: x, y
-# may use: profile-*.csv
 # one figure for each: file
 strength = has('contacts-*.csv:normal_force') ? 'normal_force' : 'sites'
 loads = 'loads-' . labels[1] . '.csv'
@@ -17,24 +16,24 @@ do for [i = 1:last + 1] {
 stats loads using (xs[column('id') + 1] = column('x'), ys[column('id') + 1] = column('y')) nooutput
 # A wall has a name in place of a number; then the line ends at the contact.
 is_known(id) = id == id && id >= 0 && id <= last && xs[int(id) + 1] == xs[int(id) + 1]
-end_x(id) = is_known(id) ? xs[int(id) + 1] : column('x')
-end_y(id) = is_known(id) ? ys[int(id) + 1] : column('y')
-from_x(d) = is_known(column('first')) ? end_x(column('first')) : NaN
-dx(d) = end_x(column('second')) - from_x(0)
-dy(d) = end_y(column('second')) - end_y(column('first'))
+is_grain(name) = is_known(column(name)) && strcol(name) eq sprintf('%.0f', column(name))
+first_x(d) = is_grain('first') ? xs[int(column('first')) + 1] : NaN
+first_y(d) = is_grain('first') ? ys[int(column('first')) + 1] : NaN
+second_x(d) = is_grain('second') ? xs[int(column('second')) + 1] : column('x')
+second_y(d) = is_grain('second') ? ys[int(column('second')) + 1] : column('y')
 stats files[1] using (column(strength)) nooutput
 strongest = STATS_max
 do for [i = 1:10] {
   set style arrow i nohead linewidth 0.5 * i linecolor rgb color(2, 2)
 }
-# Lines around a periodic box are left out: those over more than half of its width.
-wide = 1e9
-if (has('profile-*.csv:x')) {
-  stats 'profile-' . labels[1] . '.csv' using (column('x')) nooutput
-  wide = STATS_max
-}
-width(d) = column(strength) > 0 && abs(dx(0)) < 0.5 * wide \
-    ? ceil(10.0 * column(strength) / strongest) : NaN
+width(d) = column(strength) > 0 ? ceil(10.0 * column(strength) / strongest) : NaN
+# The shorter way round a periodic box: at its side a line ends, and goes on at the other.
+wide = periodic ? box_right - box_left : 0
+apart(d) = second_x(0) - first_x(0)
+seam(d) = periodic && abs(apart(0)) > 0.5 * wide ? (apart(0) > 0 ? -1 : 1) : 0
+dx(d) = apart(0) + seam(0) * wide
+dy(d) = second_y(0) - first_y(0)
+share(d) = seam(0) == 0 ? 1 : ((seam(0) < 0 ? box_left : box_right) - first_x(0)) / dx(0)
 unit = strength eq 'sites' ? 'sites' : 'grain weights'
 set title titled(labels[1] . sprintf(' (widest: %.3g ', strongest) . unit . ')')
 unset key
@@ -42,6 +41,12 @@ set xlabel 'x, lattice spacings'
 set ylabel 'y, lattice spacings'
 set size ratio -1
 set autoscale fix
-plot files[1] using (width(0) > 0 ? from_x(0) : NaN):(end_y(column('first'))): \
-                    (dx(0)):(dy(0)):(width(0)) \
+if (periodic) {
+  set xrange [box_left:box_right]
+}
+plot files[1] using (width(0) > 0 ? first_x(0) : NaN):(first_y(0)): \
+                    (share(0) * dx(0)):(share(0) * dy(0)):(width(0)) \
+         with vectors arrowstyle variable, \
+     files[1] using (width(0) > 0 && seam(0) != 0 ? second_x(0) : NaN):(second_y(0)): \
+                    ((share(0) - 1) * dx(0)):((share(0) - 1) * dy(0)):(width(0)) \
          with vectors arrowstyle variable

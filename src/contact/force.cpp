@@ -25,14 +25,36 @@ std::vector<GrainDisc> grain_discs(const std::vector<grains::Kind>& kinds) {
   return result;
 }
 
+/// The point of a side of the box that is nearest to `centre`.
+Eigen::Vector2d on_side(const lattice::Lattice& lattice, grains::Owner side,
+                        const Eigen::Vector2d& centre) {
+  const Eigen::Vector2d low = lattice::Lattice::corner();
+  const Eigen::Vector2d high = low + lattice.size();
+  switch (side) {
+    case kFloor:
+      return {centre.x(), low.y()};
+    case kCeiling:
+      return {centre.x(), high.y()};
+    case kLeftSide:
+      return {low.x(), centre.y()};
+    default:
+      return {high.x(), centre.y()};
+  }
+}
+
 /// Sets point and branch: on the line of centres, divided by the radii; below the grain for a wall.
 void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_kind, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
   const GrainDisc& disc = by_kind[upper.kind];
-  const Eigen::Vector2d centre = lattice::position(upper.site()) + disc.centroid;
+  const Eigen::Vector2d centre = grains::centre_in_box(state, upper);
+  if (is_side(force.other)) {
+    force.point = on_side(state.lattice, force.other, centre);
+    force.branch = centre - force.point;
+    return;
+  }
   if (!grains::is_particle(force.other)) {
     force.branch = disc.radius * force.normal;
-    force.point = centre - force.branch;
+    force.point = state.lattice.in_box(centre - force.branch);
     return;
   }
   const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
@@ -40,7 +62,8 @@ void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_k
   force.branch =
       disc.centroid - other_disc.centroid -
       lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
-  force.point = centre - disc.radius / (disc.radius + other_disc.radius) * force.branch;
+  force.point =
+      state.lattice.in_box(centre - disc.radius / (disc.radius + other_disc.radius) * force.branch);
 }
 
 using Sum = ForceSums::Sum;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "clca/grains/occupancy.hpp"
 #include "clca/measure/contacts.hpp"
@@ -64,15 +65,14 @@ std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& 
     if (!particle.present) {
       continue;
     }
-    Eigen::Vector2d centre = grains::centre(state, particle);
-    const int image = state.lattice.image(centre.x());
-    centre.x() -= image * state.lattice.size().x();
+    const Eigen::Vector2d centre = grains::centre_in_box(state, particle);
+    const double beyond = grains::centre(state, particle).x() - centre.x();
     result.push_back({.centre = centre,
                       .velocity = velocities.empty() ? last_move(particle.previous)
                                                      : velocity_unit * velocities[id],
                       .displacement = lattice::position(particle.site() - state.origins[id]),
                       .id = static_cast<std::uint32_t>(id),
-                      .image = image,
+                      .image = static_cast<int>(std::lround(beyond / state.lattice.size().x())),
                       .force = static_cast<float>(force[id]),
                       .kind = particle.kind});
   }

@@ -10,6 +10,11 @@ Eigen::Vector2d centre(const State& state, const Particle& particle) {
   return lattice::position(particle.site()) + state.shape(particle).centroid();
 }
 
+Eigen::Vector2d centre_in_box(const State& state, const Particle& particle) {
+  const lattice::Site site = {state.lattice.wrapped(particle.column), particle.row};
+  return state.lattice.in_box(lattice::position(site) + state.shape(particle).centroid());
+}
+
 lattice::Axial Wall::shift() const {
   if (!motion) {
     return {};

@@ -41,8 +41,15 @@ Lattice Lattice::covering(double width, double height, bool periodic) {
   return {columns, static_cast<int>(std::ceil(height)), periodic};
 }
 
-int Lattice::image(double x) const {
-  return periodic_ ? static_cast<int>(std::floor(x / size().x() + 0.5 / columns_)) : 0;
+Eigen::Vector2d Lattice::in_box(const Eigen::Vector2d& point) const {
+  const double left = corner().x();
+  const double width = size().x();
+  const auto inside = [&](double x) { return x >= left && x < left + width; };
+  if (!periodic_ || inside(point.x())) {
+    return point;
+  }
+  const double x = point.x() - width * std::floor((point.x() - left) / width);
+  return {inside(x) ? x : left, point.y()};  // rounding may lead to the right edge
 }
 
 Offset Lattice::offset(Axial vector, bool odd_column) const {

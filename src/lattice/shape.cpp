@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <numeric>
@@ -71,12 +72,17 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
+/// Of whole numbers, so that no rounding moves a centre off a column or a row.
 Eigen::Vector2d mean_position(const std::vector<Axial>& sites) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  std::int64_t columns = 0;
+  std::int64_t half_spacings = 0;  // upwards
   for (const Axial site : sites) {
-    sum += position(site);
+    columns += site.x;
+    half_spacings += 2 * std::int64_t{site.q} + site.x;
   }
-  return sum / static_cast<double>(sites.size());
+  const auto count = static_cast<double>(sites.size());
+  return {kColumnPitch * (static_cast<double>(columns) / count),
+          static_cast<double>(half_spacings) / (2 * count)};
 }
 
 constexpr int kMaxSiteCoordinate = 1'000'000;

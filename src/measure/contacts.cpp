@@ -29,7 +29,7 @@ OverlapContact shared_by(const State& state, const Occupancy& occupancy, std::ui
       contact.point += lattice::position(site);
     }
   }
-  contact.point /= std::max(1, contact.sites);
+  contact.point = state.lattice.in_box(contact.point / std::max(1, contact.sites));
   return contact;
 }
 

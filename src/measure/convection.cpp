@@ -6,6 +6,7 @@
 
 #include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
+#include "measure/rounding.hpp"
 
 namespace clca::measure {
 
@@ -54,12 +55,12 @@ void Convection::add(const Displacement& displacement, double left, double right
   add_to(cells_[grid_.index(displacement.from)]);
   const double width = right - left;
   const Eigen::Vector2d at = displacement.from - Eigen::Vector2d((left + right) / 2, 0);
-  if (std::abs(at.x()) <= kInside * width) {
+  if (std::abs(at.x()) <= kInside * width + kRounding) {
     add_to(inside_);
-  } else if (std::abs(at.x()) >= kAtWalls * width) {
+  } else if (std::abs(at.x()) >= kAtWalls * width - kRounding) {
     add_to(at_walls_);
   }
-  halves_[at.x() < 0 ? 0 : 1].add(at, displacement);
+  halves_[at.x() < -kRounding ? 0 : 1].add(at, displacement);
 }
 
 void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement& displacement) {
@@ -72,7 +73,6 @@ void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement&
 
 // Least squares of the drift against u + omega x (r - <r>); 0 for a half in one point.
 double Convection::HalfBedSums::rotation() const {
-  constexpr double kRounding = 1e-9;
   if (weight == 0) {
     return 0;
   }

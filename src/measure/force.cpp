@@ -9,6 +9,7 @@
 #include "clca/measure/profile.hpp"
 #include "measure/check_occupancy.hpp"
 #include "measure/infinity.hpp"
+#include "measure/rounding.hpp"
 
 namespace clca::measure {
 
@@ -21,7 +22,6 @@ using grains::Wall;
 using lattice::Direction;
 using lattice::Site;
 
-constexpr double kRounding = 1e-9;
 constexpr double kBehind = 1;  // lattice spacings: a wall's roughness on the lattice and a half
 
 /// Current sites of the wall, not wrapped at a periodic boundary, also outside the box.

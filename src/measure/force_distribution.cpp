@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "measure/rounding.hpp"
+
 namespace clca::measure {
 
 namespace {
@@ -26,7 +28,7 @@ void fit_tail(ForceDistribution& distribution, const std::vector<double>& streng
   const double start = whole ? std::floor(mean) + 1 : mean;
   double excess = 0;
   for (const double strength : strengths) {
-    if (strength > mean) {
+    if (strength > mean * (1 + kRounding)) {
       ++distribution.tail;
       excess += strength - start;
     }
@@ -51,7 +53,7 @@ void fill_bins(ForceDistribution& distribution, const std::vector<double>& stren
   const double width = whole ? 1 : kAveragedBin * distribution.mean;
   const double low = whole ? kFirstNumberLow : 0;
   const auto bin_of = [&](double strength) {
-    return static_cast<std::size_t>(std::max(0.0, std::floor((strength - low) / width)));
+    return static_cast<std::size_t>(std::max(0.0, part_at((strength - low) / width)));
   };
   distribution.bins.resize(bin_of(*std::max_element(strengths.begin(), strengths.end())) + 1);
   for (const double strength : strengths) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "measure/rounding.hpp"
+
 namespace clca::measure {
 
 namespace {
@@ -17,20 +19,24 @@ std::size_t count_of(double extent, double cell) {
   return static_cast<std::size_t>(std::max(1.0, std::round(extent / cell)));
 }
 
-/// Which of `count` equal parts of the unit interval contains `share`; the nearest if none.
-std::size_t part_of(double share, std::size_t count) {
-  const double last = static_cast<double>(count) - 1;
-  return static_cast<std::size_t>(
-      std::clamp(std::floor(share * static_cast<double>(count)), 0.0, last));
+/// The nearest of `count` parts.
+std::size_t nearest_part(double part, std::size_t count) {
+  return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count) - 1));
+}
+
+/// Adds the shares of a path from `from` to `to`, in cells, at which it crosses an edge.
+void add_crossings(double from, double to, std::vector<double>& shares) {
+  const auto [low, high] = std::minmax(from, to);
+  for (double edge = std::floor(low) + 1; edge < high; ++edge) {
+    shares.push_back((edge - from) / (to - from));
+  }
 }
 
 }  // namespace
 
-// Odd columns stand half a spacing higher than even ones.
 Grid::Grid(const lattice::Lattice& lattice, double cell)
-    : low_(-lattice::kColumnPitch / 2, -0.5),
-      extents_(lattice::kColumnPitch * lattice.columns(),
-               lattice.rows() + (lattice.columns() > 1 ? 0.5 : 0.0)),
+    : low_(lattice::Lattice::corner()),
+      extents_(lattice.size()),
       periodic_(lattice.periodic()),
       columns_(count_of(extents_.x(), cell)),
       rows_(count_of(extents_.y(), cell)) {
@@ -39,12 +45,35 @@ Grid::Grid(const lattice::Lattice& lattice, double cell)
   }
 }
 
+Eigen::Vector2d Grid::in_cells(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d counts(static_cast<double>(columns_), static_cast<double>(rows_));
+  return (point - low_).cwiseQuotient(extents_).cwiseProduct(counts);
+}
+
 std::size_t Grid::index(const Eigen::Vector2d& point) const {
-  Eigen::Vector2d share = (point - low_).cwiseQuotient(extents_);
+  const Eigen::Vector2d place = in_cells(point);
+  const auto columns = static_cast<double>(columns_);
+  double column = part_at(place.x());
   if (periodic_) {
-    share.x() -= std::floor(share.x());
+    column -= columns * std::floor(column / columns);
   }
-  return part_of(share.y(), rows_) * columns_ + part_of(share.x(), columns_);
+  return nearest_part(part_at(place.y()), rows_) * columns_ + nearest_part(column, columns_);
+}
+
+std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
+                                    const Eigen::Vector2d& path) const {
+  const Eigen::Vector2d begin = in_cells(from);
+  const Eigen::Vector2d end = in_cells(from + path);
+  std::vector<double> shares = {0, 1};
+  add_crossings(begin.x(), end.x(), shares);
+  add_crossings(begin.y(), end.y(), shares);
+  std::sort(shares.begin(), shares.end());
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+    const double middle = (shares[i] + shares[i + 1]) / 2;
+    parts.push_back({.cell = index(from + middle * path), .share = shares[i + 1] - shares[i]});
+  }
+  return parts;
 }
 
 Eigen::Vector2d Grid::centre(std::size_t index) const {

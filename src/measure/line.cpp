@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "measure/check_occupancy.hpp"
+#include "measure/particle_sites.hpp"
+#include "measure/rounding.hpp"
 
 namespace clca::measure {
 
@@ -13,7 +15,6 @@ namespace {
 
 constexpr double kPointsPerSpacing = 4;  // so that a part has its share of each site it cuts
 constexpr double kMaxPoints = 256;       // of a part
-constexpr double kRounding = 1e-9;       // of a position, spacings: the ends may lie on a column
 
 /// A sum over one block that is a mean once divided by its weight.
 struct Weighted {
@@ -52,15 +53,6 @@ LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
   std::vector<Weighted> values;
   std::transform(blocks.begin(), blocks.end(), std::back_inserter(values), weighted);
   return mean_of(values);
-}
-
-/// Largest distance of a site of the shape from its centre of mass, lattice spacings.
-double reach(const lattice::Shape& shape) {
-  double result = 0;
-  for (const lattice::Axial site : shape.sites()) {
-    result = std::max(result, (lattice::position(site) - shape.centroid()).norm());
-  }
-  return result;
 }
 
 }  // namespace
@@ -143,7 +135,7 @@ std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
                                              const Eigen::Vector2d& to) const {
   const Eigen::Vector2d start = turned(from - from_);
   const Eigen::Vector2d end = turned(to - from_);
-  if ((start.x() > 0) == (end.x() > 0)) {
+  if ((start.x() > kRounding) == (end.x() > kRounding)) {
     return std::nullopt;
   }
   const double share = start.x() / (start.x() - end.x());
@@ -151,7 +143,7 @@ std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
   if (position < -kRounding || position >= length_ - kRounding) {
     return std::nullopt;
   }
-  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > 0};
+  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > kRounding};
 }
 
 void Line::observe(const Snapshot& before, const grains::State& now,
@@ -194,20 +186,21 @@ void Line::add_covering(const grains::Occupancy& occupancy,
 void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const {
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
-    const std::optional<Eigen::Vector2d> from = before.start(now, id);
-    if (!from) {
+    const std::optional<Displacement> path = before.path(now, id);
+    if (!path) {
       continue;
     }
-    const Eigen::Vector2d to = grains::centre(now, particle);
+    const Eigen::Vector2d& from = path->from;
+    const Eigen::Vector2d to = from + path->vector;
     const double radius = reaches_[particle.kind];
-    const auto [low, high] = std::minmax({from->x(), to.x()});
+    const auto [low, high] = std::minmax({from.x(), to.x()});
     const auto [first, last] = images(low - radius, high + radius, now.lattice);
     for (int image = first; image <= last; ++image) {
       const Eigen::Vector2d shift(image * now.lattice.size().x(), 0);
-      const double start = right_.dot(*from + shift - from_);
+      const double start = right_.dot(from + shift - from_);
       const double end = right_.dot(to + shift - from_);
       if (std::min(start, end) <= radius && std::max(start, end) >= -radius) {
-        add_path(now.shape(particle), *from + shift, to + shift, block);
+        add_path(now.shape(particle), from + shift, to + shift, block);
       }
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 // The sites of all particles.
 
+#include <algorithm>
+
 #include "clca/grains/state.hpp"
 
 namespace clca::measure {
@@ -19,6 +21,15 @@ void for_each_site(const grains::State& state, const Visit& visit) {
       visit(site);
     }
   }
+}
+
+/// Largest distance of a site of the shape from its centre of mass, lattice spacings.
+inline double reach(const lattice::Shape& shape) {
+  double result = 0;
+  for (const lattice::Axial site : shape.sites()) {
+    result = std::max(result, (lattice::position(site) - shape.centroid()).norm());
+  }
+  return result;
 }
 
 }  // namespace clca::measure

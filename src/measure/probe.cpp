@@ -1,6 +1,7 @@
 #include "clca/measure/probe.hpp"
 
 #include "measure/particle_sites.hpp"
+#include "measure/rounding.hpp"
 #include "measure/wall_sites.hpp"
 
 namespace clca::measure {
@@ -56,19 +57,18 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
 double downward_flow(const Snapshot& before, const grains::State& now,
                      const lattice::Rectangle& region) {
   const double middle = (region.bottom + region.top) / 2;
+  const auto is_below = [=](double y) { return y < middle - kRounding; };
   double flow = 0;
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
-    const grains::Particle& particle = now.particles[id];
-    const std::optional<Eigen::Vector2d> from = before.start(now, id);
-    const Eigen::Vector2d to = grains::centre(now, particle);
-    if (!from || (from->y() < middle) == (to.y() < middle)) {
+    const std::optional<Displacement> path = before.path(now, id);
+    const double end = path ? path->from.y() + path->vector.y() : 0;
+    if (!path || is_below(path->from.y()) == is_below(end)) {
       continue;
     }
-    const double share = (middle - from->y()) / (to.y() - from->y());
-    const double x = in_box(now.lattice, *from + share * (to - *from)).x();
+    const double share = (middle - path->from.y()) / path->vector.y();
+    const double x = now.lattice.in_box(path->from + share * path->vector).x();
     if (x >= region.left && x < region.right) {
-      const auto sites = static_cast<double>(now.shape(particle).size());
-      flow += to.y() < middle ? sites : -sites;
+      flow += is_below(end) ? path->sites : -path->sites;
     }
   }
   return flow;

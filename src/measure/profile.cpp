@@ -7,6 +7,7 @@
 
 #include "measure/infinity.hpp"
 #include "measure/particle_sites.hpp"
+#include "measure/rounding.hpp"
 #include "measure/wall_sites.hpp"
 
 namespace clca::measure {
@@ -116,7 +117,7 @@ std::vector<double> surface_profile(const grains::State& state, const Eigen::Vec
   });
   std::vector<double> profile;
   const auto column_of = [&](double x) {
-    return static_cast<std::size_t>((x - lowest.x()) / lattice::kColumnPitch);
+    return static_cast<std::size_t>(part_at((x - lowest.x()) / lattice::kColumnPitch));
   };
   if (!places.empty()) {
     profile.resize(column_of(last) + 1, 0.0);

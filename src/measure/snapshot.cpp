@@ -1,14 +1,10 @@
 #include "clca/measure/snapshot.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace clca::measure {
-
-Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& point) {
-  return {point.x() - lattice.size().x() * lattice.image(point.x()), point.y()};
-}
 
 std::vector<Displacement> displacements_in_step(const grains::State& state,
                                                 const std::vector<Eigen::Vector2d>& velocities) {
@@ -16,7 +12,7 @@ std::vector<Displacement> displacements_in_step(const grains::State& state,
   for (std::size_t id = 0; id < velocities.size(); ++id) {
     const grains::Particle& particle = state.particles[id];
     if (particle.present) {
-      result.push_back({.from = in_box(state.lattice, grains::centre(state, particle)),
+      result.push_back({.from = grains::centre_in_box(state, particle),
                         .vector = velocities[id],
                         .sites = static_cast<double>(state.shape(particle).size())});
     }
@@ -24,37 +20,40 @@ std::vector<Displacement> displacements_in_step(const grains::State& state,
   return result;
 }
 
-Snapshot::Snapshot(const grains::State& state)
-    : step_(state.step), centres_(state.particles.size()) {
-  for (std::size_t id = 0; id < centres_.size(); ++id) {
+Snapshot::Snapshot(const grains::State& state) : step_(state.step), sites_(state.particles.size()) {
+  for (std::size_t id = 0; id < sites_.size(); ++id) {
     if (state.particles[id].present) {
-      centres_[id] = grains::centre(state, state.particles[id]);
+      sites_[id] = state.particles[id].site();
     }
   }
 }
 
 bool Snapshot::precedes(const grains::State& now) const {
-  const auto in_reach = [](const std::optional<Eigen::Vector2d>& centre) {
-    constexpr double kMaxCoordinate = 1e9;
-    return !centre ||
-           (std::abs(centre->x()) < kMaxCoordinate && std::abs(centre->y()) < kMaxCoordinate);
+  const auto in_reach = [](const std::optional<lattice::Site>& site) {
+    constexpr int kMaxCoordinate = 1'000'000'000;
+    return !site ||
+           (std::abs(site->column) < kMaxCoordinate && std::abs(site->row) < kMaxCoordinate);
   };
-  return step_ <= now.step && centres_.size() <= now.particles.size() &&
-         std::all_of(centres_.begin(), centres_.end(), in_reach);
+  return step_ <= now.step && sites_.size() <= now.particles.size() &&
+         std::all_of(sites_.begin(), sites_.end(), in_reach);
 }
 
-std::optional<Eigen::Vector2d> Snapshot::start(const grains::State& now, std::size_t id) const {
-  if (id < centres_.size()) {
-    return centres_[id];
+std::optional<Displacement> Snapshot::path(const grains::State& now, std::size_t id) const {
+  const std::optional<lattice::Site> from = id < sites_.size() ? sites_[id] : now.origins[id];
+  if (!from) {
+    return std::nullopt;
   }
-  grains::Particle entered = now.particles[id];
-  entered.column = now.origins[id].column;
-  entered.row = now.origins[id].row;
-  return grains::centre(now, entered);
+  const grains::Particle& particle = now.particles[id];
+  grains::Particle before = particle;
+  before.column = from->column;
+  before.row = from->row;
+  return Displacement{.from = grains::centre_in_box(now, before),
+                      .vector = lattice::position(particle.site() - *from),
+                      .sites = static_cast<double>(now.shape(particle).size())};
 }
 
 void Snapshot::require_later(const grains::State& now) const {
-  if (step_ > now.step || centres_.size() > now.particles.size()) {
+  if (step_ > now.step || sites_.size() > now.particles.size()) {
     throw std::invalid_argument("a state is not one that followed the snapshot");
   }
 }
@@ -66,9 +65,9 @@ std::vector<std::optional<Eigen::Vector2d>> Snapshot::velocities(const grains::S
     return result;
   }
   const auto steps = static_cast<double>(now.step - step_);
-  for (std::size_t id = 0; id < centres_.size(); ++id) {
-    if (centres_[id] && now.particles[id].present) {
-      result[id] = (grains::centre(now, now.particles[id]) - *centres_[id]) / steps;
+  for (std::size_t id = 0; id < sites_.size(); ++id) {
+    if (sites_[id] && now.particles[id].present) {
+      result[id] = path(now, id)->vector / steps;
     }
   }
   return result;
@@ -77,13 +76,10 @@ std::vector<std::optional<Eigen::Vector2d>> Snapshot::velocities(const grains::S
 std::vector<Displacement> Snapshot::displacements(const grains::State& now) const {
   require_later(now);
   std::vector<Displacement> result;
-  result.reserve(centres_.size());
-  for (std::size_t id = 0; id < centres_.size(); ++id) {
-    const grains::Particle& particle = now.particles[id];
-    if (centres_[id] && particle.present) {
-      result.push_back({.from = in_box(now.lattice, *centres_[id]),
-                        .vector = grains::centre(now, particle) - *centres_[id],
-                        .sites = static_cast<double>(now.shape(particle).size())});
+  result.reserve(sites_.size());
+  for (std::size_t id = 0; id < sites_.size(); ++id) {
+    if (sites_[id] && now.particles[id].present) {
+      result.push_back(*path(now, id));
     }
   }
   return result;

@@ -117,6 +117,10 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   text += fmt::format("time_title = {};", literal(units ? "time, " + units->time_unit : "step"));
   text +=
       fmt::format("velocity_unit = {};", literal(units ? units->velocity_unit : "spacings/step"));
+  const auto& box = tables.summary().box;
+  text += box ? fmt::format("box_left = {:.17e}; box_right = {:.17e}; periodic = {};", box->left,
+                            box->right, box->periodic ? 1 : 0)
+              : "box_left = NaN; box_right = NaN; periodic = 0;";
   for (const std::string& measure : one.measures) {
     text += measure_text(tables.summary(), measure);
   }

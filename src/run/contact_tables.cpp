@@ -16,16 +16,17 @@ namespace {
 
 using Forces = std::vector<contact::Force>;
 
+/// No wall has a dot in its name, so none is called as a side of the box.
 std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   switch (owner) {
     case contact::kFloor:
-      return "floor";
+      return "box.floor";
     case contact::kCeiling:
-      return "ceiling";
+      return "box.top";
     case contact::kLeftSide:
-      return "left";
+      return "box.left";
     case contact::kRightSide:
-      return "right";
+      return "box.right";
     default:
       return grains::is_particle(owner) ? fmt::format("{}", owner)
                                         : scene.walls[grains::wall_number(owner)].name;
@@ -95,7 +96,7 @@ std::string grain_loads_csv(const scene::Scene& scene, const Model& model, const
   for (std::size_t id = 0; id < all.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
     if (grain.present) {
-      const Eigen::Vector2d centre = grains::centre(state, grain);
+      const Eigen::Vector2d centre = grains::centre_in_box(state, grain);
       table.add_row({std::uint64_t{id}, scene.species[state.kinds[grain.kind].species].name,
                      centre.x(), centre.y(), all[id].contacts, all[id].normal, residuals[id]});
     }

@@ -1,6 +1,7 @@
 #include "run/energy_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace clca::run {
@@ -20,9 +21,14 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = sum(*model.energy());
   fall_ = 0;
+  double squares = 0;
   for (const grains::Particle& particle : model.state().particles) {
-    fall_ += particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
+    const double sites =
+        particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
+    fall_ += sites;
+    squares += sites * sites;
   }
+  lift_ = std::sqrt(squares) / 2;
   gained_ = 0;
   lowest_ = start_;
   growth_ = 0;
@@ -53,7 +59,7 @@ void EnergyRecord::look(const Model& model) {
     return;
   }
   growth_ = std::max(growth_, (now - lowest_) / scale);
-  if (!has_warned_ && growth_ > kTolerance) {
+  if (!has_warned_ && growth_ > kTolerance && now - lowest_ > lift_) {
     has_warned_ = true;
     warning_ = {.scale = scale, .lowest = lowest_, .now = now};
   }

@@ -22,7 +22,8 @@ class EnergyRecord {
   /// outlets and the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// A warning if the energy has grown by more than 0.5 % of the scale. Given once per run.
+  /// A warning if the energy has grown by more than 0.5 % of the scale, and by more than rest may
+  /// lift: half a spacing a grain, some of them up and some down. Given once per run.
   struct Growth {
     /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
     /// grains by a lattice spacing.
@@ -39,9 +40,9 @@ class EnergyRecord {
     using reflection::field;
     return std::make_tuple(
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
-        field("fall", &EnergyRecord::fall_), field("gained", &EnergyRecord::gained_),
-        field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
-        field("has_warned", &EnergyRecord::has_warned_));
+        field("fall", &EnergyRecord::fall_), field("lift", &EnergyRecord::lift_),
+        field("gained", &EnergyRecord::gained_), field("lowest", &EnergyRecord::lowest_),
+        field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_));
   }
 
  private:
@@ -50,6 +51,7 @@ class EnergyRecord {
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
   double fall_ = 0;    // of all grains by a lattice spacing
+  double lift_ = 0;    // by rest, which forgets how far a grain is from its site
   double gained_ = 0;  // since the start of the stage, by sources and outlets
   double lowest_ = 0;
   double growth_ = 0;

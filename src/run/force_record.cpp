@@ -91,7 +91,7 @@ std::string loads_csv(const scene::Scene& scene, const grains::State& state,
   for (std::size_t id = 0; id < sites.size(); ++id) {
     if (sites[id] > 0) {
       const grains::Particle& particle = state.particles[id];
-      const Eigen::Vector2d centre = grains::centre(state, particle);
+      const Eigen::Vector2d centre = grains::centre_in_box(state, particle);
       table.add_row({std::uint64_t{id}, scene.species[state.kinds[particle.kind].species].name,
                      centre.x(), centre.y(), sites[id], pushes[id]});
     }

@@ -198,7 +198,7 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     }
     const bool inside = same_period || (site.column >= 0 && site.column < state.lattice.columns());
     if (!inside || !free.take(state.shape(particle), site)) {
-      first = without_room++ == 0 ? grains::centre(state, particle) : first;
+      first = without_room++ == 0 ? grains::centre_in_box(there, there.particles[id]) : first;
     }
     state.particles.push_back(particle);
     state.origins.push_back(site);

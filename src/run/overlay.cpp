@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/grid.hpp"
@@ -21,24 +22,42 @@ constexpr double kMaxOverlapSites = 6;  // sites
 constexpr double kMinWeight = 0.2;         // of the fullest cell's
 constexpr double kMinDisplacement = 1e-3;  // spacings per cycle
 
-/// Centre of the periodic image of a grain nearest to `first`.
-Eigen::Vector2d far_centre(const grains::State& state, const grains::Particle& first,
-                           std::size_t second) {
+/// From the centre of a grain to that of the nearest image of another.
+Eigen::Vector2d between_centres(const grains::State& state, const grains::Particle& first,
+                                std::size_t second) {
   const grains::Particle& other = state.particles[second];
   const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), other.site());
-  return lattice::position(first.site()) + lattice::position(apart) + state.shape(other).centroid();
+  return lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
 }
 
-/// A line from centre to centre, or to the overlap with a wall.
-render::ForceLine line_of(const grains::State& state, const measure::OverlapContact& contact) {
-  const Eigen::Vector2d from = grains::centre(state, state.particles[contact.first]);
-  const auto sites = static_cast<double>(contact.sites);
-  if (!grains::is_particle(contact.second)) {
-    return {.from = from, .to = contact.point, .strength = sites};
+/// Adds a line from the centre of a grain. At a periodic boundary it ends, and goes on at the
+/// other.
+void add_line(const grains::State& state, const grains::Particle& first,
+              const Eigen::Vector2d& along, double strength,
+              std::vector<render::ForceLine>& lines) {
+  const lattice::Lattice& lattice = state.lattice;
+  const Eigen::Vector2d from = grains::centre_in_box(state, first);
+  const Eigen::Vector2d to = from + along;
+  const double left = lattice::Lattice::corner().x();
+  const double right = left + lattice.size().x();
+  if (!lattice.periodic() || (to.x() >= left && to.x() <= right)) {
+    lines.push_back({.from = from, .to = to, .strength = strength});
+    return;
   }
-  const Eigen::Vector2d to =
-      far_centre(state, state.particles[contact.first], static_cast<std::size_t>(contact.second));
-  return {.from = from, .to = to, .strength = sites};
+  const auto [out, in] = to.x() < left ? std::pair(left, right) : std::pair(right, left);
+  const double height = from.y() + (out - from.x()) / along.x() * along.y();
+  lines.push_back({.from = from, .to = {out, height}, .strength = strength});
+  lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
+}
+
+/// From the centre of a grain to the nearest image of the place where it meets a wall.
+Eigen::Vector2d to_place(const grains::State& state, const grains::Particle& first,
+                         const Eigen::Vector2d& point) {
+  Eigen::Vector2d along = point - grains::centre_in_box(state, first);
+  if (state.lattice.periodic()) {
+    along.x() = std::remainder(along.x(), state.lattice.size().x());
+  }
+  return along;
 }
 
 /// Lines from centre to centre, or to the wall.
@@ -46,21 +65,26 @@ DrawnOverlay contact_forces(const View& view, double strongest) {
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : *view.forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
-    const Eigen::Vector2d from = grains::centre(view.state, upper);
-    Eigen::Vector2d to = force.point;
-    if (grains::is_particle(force.other)) {
-      to = far_centre(view.state, upper, static_cast<std::size_t>(force.other));
-    }
-    lines.push_back({.from = from, .to = to, .strength = force.along_normal});
+    const Eigen::Vector2d along =
+        grains::is_particle(force.other)
+            ? between_centres(view.state, upper, static_cast<std::size_t>(force.other))
+            : to_place(view.state, upper, force.point);
+    add_line(view.state, upper, along, force.along_normal, lines);
   }
   return {render::force_network(lines, strongest),
           {render::force_key(strongest, fmt::format("{:g} grain weights", strongest))}};
 }
 
+/// Lines from centre to centre, or to the overlap with a wall.
 DrawnOverlay overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
-    lines.push_back(line_of(view.state, contact));
+    const grains::Particle& first = view.state.particles[contact.first];
+    const Eigen::Vector2d along =
+        grains::is_particle(contact.second)
+            ? between_centres(view.state, first, static_cast<std::size_t>(contact.second))
+            : to_place(view.state, first, contact.point);
+    add_line(view.state, first, along, static_cast<double>(contact.sites), lines);
   }
   return {render::force_network(lines, kMaxOverlapSites),
           {render::force_key(kMaxOverlapSites,

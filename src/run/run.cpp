@@ -297,6 +297,14 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.particles = model_.state().particles.size();
   summary.steps = model_.state().step;
   summary.units = conversion_;
+  const lattice::Lattice& lattice = model_.state().lattice;
+  const Eigen::Vector2d low = lattice::Lattice::corner();
+  const Eigen::Vector2d high = low + lattice.size();
+  summary.box = {.left = low.x(),
+                 .right = high.x(),
+                 .floor = low.y(),
+                 .top = high.y(),
+                 .periodic = lattice.periodic()};
   if (scene_.begin) {
     summary.begin = {.run = scene_.begin->run,
                      .step = scene_.begin->step,

@@ -142,6 +142,18 @@ std::optional<scene::Conversion> units(const Json& object) {
                            .time_step = number(found, "time_step")};
 }
 
+std::optional<BoxSummary> box(const Json& object) {
+  if (!object.is_object() || !object.contains("box")) {
+    return std::nullopt;
+  }
+  const Json& found = field(object, "box", &Json::is_object);
+  return BoxSummary{.left = number(found, "left"),
+                    .right = number(found, "right"),
+                    .floor = number(found, "floor"),
+                    .top = number(found, "top"),
+                    .periodic = field(found, "periodic", &Json::is_boolean).get<bool>()};
+}
+
 std::optional<BeginSummary> begin(const Json& object) {
   if (!object.is_object() || !object.contains("begin")) {
     return std::nullopt;
@@ -170,6 +182,7 @@ RunSummary summary_of(const Json& object) {
                         .steps = count(object, "steps"),
                         .begin = begin(object),
                         .units = units(object),
+                        .box = box(object),
                         .wall_seconds = number(object, "wall_seconds"),
                         .step_seconds = number(object, "step_seconds"),
                         .rate = number(object, rate_key(text(object, "kind"))),

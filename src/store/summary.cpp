@@ -28,6 +28,14 @@ Json to_object(const scene::Conversion& units) {
           {"time_step", units.time_step}};
 }
 
+Json to_object(const BoxSummary& box) {
+  return {{"left", box.left},
+          {"right", box.right},
+          {"floor", box.floor},
+          {"top", box.top},
+          {"periodic", box.periodic}};
+}
+
 Json to_object(const BeginSummary& begin) {
   return {{"run", begin.run},
           {"step", begin.step ? Json(*begin.step) : Json("last")},
@@ -80,6 +88,9 @@ std::string to_json(const RunSummary& summary) {
   }
   if (summary.units) {
     object["units"] = to_object(*summary.units);
+  }
+  if (summary.box) {
+    object["box"] = to_object(*summary.box);
   }
   object["wall_seconds"] = summary.wall_seconds;
   object["step_seconds"] = summary.step_seconds;

@@ -99,16 +99,16 @@ bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
   const bool has_other =
       grains::is_particle(other)
           ? std::binary_search(first, end, static_cast<std::uint32_t>(other))
-          : (other >= contact::kFloor && other <= contact::kRightSide) ||
+          : contact::is_side(other) ||
                 (grains::is_wall(other) && grains::wall_number(other) < fixed.walls.size());
   if (upper == end || *upper != rows.upper[row] || !has_other) {
     return false;
   }
   const auto at = static_cast<std::size_t>(upper - rows.id.begin());
-  const Eigen::Vector2d site =
-      lattice::position(lattice::Site{rows.site[2 * at], rows.site[2 * at + 1]});
+  const lattice::Site site = {fixed.lattice.wrapped(rows.site[2 * at]), rows.site[2 * at + 1]};
   const Eigen::Vector2d place(rows.point[2 * row], rows.point[2 * row + 1]);
-  return (place - site).norm() <= 2 * fixed.lattice.size().norm();
+  return (fixed.lattice.in_box(place) - lattice::position(site)).norm() <=
+         2 * fixed.lattice.size().norm();
 }
 
 void check_contact_rows(const PartContext& context, const PartFrames& frames, const PartRows& rows,

@@ -91,7 +91,7 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
     rows.kind.push_back(particle.kind);
     rows.move.push_back(particle.previous);
     derived.species.push_back(state.kinds[particle.kind].species);
-    add_point_row(derived.position, grains::centre(state, particle));
+    add_point_row(derived.position, grains::centre_in_box(state, particle));
     if (!contact.velocities.empty()) {
       add_point_row(rows.velocity, contact.velocities[id]);
     }

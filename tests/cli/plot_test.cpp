@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 
 #include "clca/image/png.hpp"
@@ -243,6 +244,50 @@ TEST_F(PlotCommandTest, AFolderThatCannotBeWrittenIsOneLineAndExitCodeOne) {
   write_gas(folder_.path() / "gas", "gas");
   expect_refused(plot({"gas", "-o", "gas/run.json/x"}), 1,
                  HasSubstr("cannot write to gas/run.json/x"));
+}
+
+TEST_F(PlotCommandTest, AContactAcrossAPeriodicBoundaryIsDrawnToOneSideAndOnFromTheOther) {
+  const fs::path run = folder_.path() / "run";
+  fs::create_directories(run);
+  store::RunSummary summary;
+  summary.scene = "round";
+  summary.box = {.left = -0.5, .right = 19.5, .floor = -0.5, .top = 20, .periodic = true};
+  store::write_whole(run / "run.json", store::to_json(summary));
+  store::write_whole(run / "loads-flow.csv", "id,x,y\n0,1,1\n1,17,5\n2,10,9\n");
+  store::write_whole(run / "contacts-flow.csv",  // the last with a wall
+                     "first,second,x,y,normal_force\n0,1,19,3,1\n1,2,13,7,1\n2,1b,9,8,1\n");
+  ASSERT_EQ(plot({"run", "--only", "contacts-flow", "--format", "svg", "-o", "."}).code, 0);
+  const std::vector<std::uint8_t> bytes = this->bytes("contacts-flow.svg");
+  const std::string svg(bytes.begin(), bytes.end());
+  const std::regex path(R"(stroke='rgb\(213,  94,   0\)' +d='([^']*)')");
+  const std::regex point(R"(([ML])([\d.]+),)");
+  const auto number = [&](const std::string& name) {
+    std::smatch found;
+    std::regex_search(svg, found, std::regex(name + R"( = ([-\d.]+);)"));
+    return std::stod(found[1]);
+  };
+  const double left = number("plot_xmin");
+  const double unit = (number("plot_xmax") - left) / 20;
+  EXPECT_NEAR(number("plot_axis_xmin"), -0.5, 1e-9);
+  EXPECT_NEAR(number("plot_axis_xmax"), 19.5, 1e-9);
+  std::vector<std::pair<double, double>> lines;  // x from and to
+  const std::sregex_iterator end;
+  for (std::sregex_iterator drawn(svg.begin(), svg.end(), path); drawn != end; ++drawn) {
+    const std::string points = (*drawn)[1];
+    double from = 0;
+    for (std::sregex_iterator it(points.begin(), points.end(), point); it != end; ++it) {
+      const double to = (std::stod((*it)[2]) - left) / unit - 0.5;
+      if ((*it)[1] == "L") {
+        lines.emplace_back(from, to);
+      }
+      from = to;
+    }
+  }
+  const auto line = [](double from, double to) {
+    return ::testing::Pair(::testing::DoubleNear(from, 0.05), ::testing::DoubleNear(to, 0.05));
+  };
+  EXPECT_THAT(lines, ::testing::UnorderedElementsAre(line(1, -0.5), line(17, 19.5), line(17, 10),
+                                                     line(10, 9)));
 }
 
 }  // namespace

@@ -15,10 +15,10 @@ namespace clca::contact {
 struct Force {
   std::uint32_t upper = 0;
   grains::Owner other = 0;                           ///< a grain, a wall or a side of the box
-  Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< of contact, in lattice spacings
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< of contact, in the box, lattice spacings
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< of length 1, towards the upper grain
   /// From the centre of the other grain, or the contact point with a wall or side, to the upper
-  /// centre.
+  /// centre. That with a wall is on a disc of the grain's area, that with a side on the side.
   Eigen::Vector2d branch = Eigen::Vector2d::Zero();
   double along_normal = 0;  ///< not negative in one step
   double along_shear = 0;   ///< on the normal turned anticlockwise
@@ -31,8 +31,7 @@ struct Force {
   }
 };
 
-/// Forces of all contacts, in their order. `gravity` in lattice
-/// spacings per step squared. In a periodic box points are near the upper grain.
+/// Forces of all contacts, in their order. `gravity` in lattice spacings per step squared.
 std::vector<Force> forces(const State& state, double gravity);
 
 /// Sums of the forces of several steps, by contact.

@@ -53,6 +53,10 @@ inline constexpr grains::Owner kCeiling = grains::kBorder + 1;
 inline constexpr grains::Owner kLeftSide = grains::kBorder + 2;
 inline constexpr grains::Owner kRightSide = grains::kBorder + 3;
 
+constexpr bool is_side(grains::Owner owner) {
+  return owner <= kRightSide;  // walls and grains follow
+}
+
 inline constexpr int kUnitBits = 30;  ///< of components of unit vectors
 
 /// Components in 2^-30.

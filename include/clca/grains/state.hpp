@@ -159,8 +159,10 @@ struct State {
   }
 };
 
-/// Centre of mass in lattice spacings.
+/// Centre of mass in lattice spacings; counted on across a periodic boundary, as the column is.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
+/// The same in the box. Every image of a particle gives the same bits.
+Eigen::Vector2d centre_in_box(const State& state, const Particle& particle);
 
 /// Number of particles in the box.
 std::size_t present_count(const State& state);

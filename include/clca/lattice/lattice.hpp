@@ -119,8 +119,9 @@ class Lattice {
   /// with its whole cell. A periodic box repeats at its width.
   static Eigen::Vector2d corner() { return {-0.5 * kColumnPitch, -0.5}; }
   Eigen::Vector2d size() const { return {kColumnPitch * columns_, rows_ + 0.5}; }
-  /// How many box widths a point lies to the right of a periodic box; 0 if the box is not periodic.
-  int image(double x) const;
+  /// The image of a point in a periodic box, from its left edge up to its right one; in another box
+  /// the point itself. All that is written, drawn or reported of a periodic box goes through here.
+  Eigen::Vector2d in_box(const Eigen::Vector2d& point) const;
 
   /// Offset of `vector` from a site in an odd or even column. Throws std::invalid_argument if the
   /// indices are 2^31 or more apart.

@@ -20,7 +20,7 @@ struct OverlapContact {
   /// Unit moves needed to separate the two. For a wall: 1 if one of the six moves of the particle
   /// separates them, else 2.
   int depth = 0;
-  /// Centroid of the shared sites, in lattice spacings; in a periodic box near `first`.
+  /// Centroid of the shared sites, in the box, in lattice spacings.
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   std::optional<std::uint32_t> source = {};  ///< wall where the push began
 };

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "clca/lattice/lattice.hpp"
 
@@ -24,12 +25,23 @@ class Grid {
   /// In squared lattice spacings.
   double cell_area() const { return extents_.prod() / static_cast<double>(size()); }
 
-  /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary.
+  /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary. An
+  /// edge belongs to the cell right of it or above it, whatever the rounding of the point.
   std::size_t index(const Eigen::Vector2d& point) const;
   /// Centre of a cell, in lattice spacings.
   Eigen::Vector2d centre(std::size_t index) const;
 
+  struct Part {
+    std::size_t cell = 0;
+    double share = 0;  ///< of the length
+  };
+  /// The parts of the straight path from `from` to `from + path` (lattice spacings), each in one
+  /// cell.
+  std::vector<Part> parts(const Eigen::Vector2d& from, const Eigen::Vector2d& path) const;
+
  private:
+  Eigen::Vector2d in_cells(const Eigen::Vector2d& point) const;  // from the corner of the box
+
   Eigen::Vector2d low_;      // corner of the box
   Eigen::Vector2d extents_;  // of the box
   bool periodic_;

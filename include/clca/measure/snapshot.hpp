@@ -22,10 +22,7 @@ struct Displacement {
 std::vector<Displacement> displacements_in_step(const grains::State& state,
                                                 const std::vector<Eigen::Vector2d>& velocities);
 
-/// A point wrapped into the box.
-Eigen::Vector2d in_box(const lattice::Lattice& lattice, const Eigen::Vector2d& point);
-
-/// The centres of mass of the particles at one moment.
+/// The places of the particles at one moment.
 class Snapshot {
  public:
   /// A snapshot of an empty box.
@@ -33,9 +30,9 @@ class Snapshot {
   explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
-  /// Where the path of a particle to `now` starts: its centre of mass at the snapshot or, if it has
-  /// entered since, where it has entered (State::origins); none if it had been removed.
-  std::optional<Eigen::Vector2d> start(const grains::State& now, std::size_t id) const;
+  /// The path of a particle to where it is now or was removed: from its place at the snapshot or,
+  /// if it has entered since, where it has entered (State::origins); none if it had been removed.
+  std::optional<Displacement> path(const grains::State& now, std::size_t id) const;
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.
   std::vector<Displacement> displacements(const grains::State& now) const;
@@ -47,14 +44,14 @@ class Snapshot {
   bool precedes(const grains::State& now) const;
   static constexpr auto fields() {
     using reflection::field;
-    return std::make_tuple(field("step", &Snapshot::step_), field("centres", &Snapshot::centres_));
+    return std::make_tuple(field("step", &Snapshot::step_), field("sites", &Snapshot::sites_));
   }
 
  private:
   void require_later(const grains::State& now) const;
 
   std::uint64_t step_ = 0;
-  std::vector<std::optional<Eigen::Vector2d>> centres_;  // by id; none of removed particles
+  std::vector<std::optional<lattice::Site>> sites_;  // by id; none of removed particles
 };
 
 }  // namespace clca::measure

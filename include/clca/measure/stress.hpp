@@ -21,7 +21,8 @@ struct StressCell {
 
 /// Contact stress 1/A sum(force x branch vector) on a Grid of side `cell` (lattice spacings).
 /// Each cell takes the part of a branch inside it (Irving & Kirkwood 1950), so that yy averaged
-/// over a row of cells is the weight carried there. The kinetic part is left out.
+/// over a row of cells is the weight carried there. A wall carries a force on, against the normal,
+/// to its far side or to the side of the box behind it. The kinetic part is left out.
 std::vector<StressCell> stress_field(const grains::State& state,
                                      std::span<const contact::Force> forces, double cell);
 

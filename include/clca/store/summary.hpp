@@ -38,6 +38,15 @@ struct BeginSummary {
   std::uint64_t state_hash = 0;
 };
 
+/// The sides of the box, in lattice spacings.
+struct BoxSummary {
+  double left = 0;
+  double right = 0;
+  double floor = 0;
+  double top = 0;
+  bool periodic = false;
+};
+
 struct RunSummary {
   std::string kind = "automaton";  ///< or contact, boltzmann
   std::string version;
@@ -51,6 +60,7 @@ struct RunSummary {
   std::uint64_t steps = 0;
   std::optional<BeginSummary> begin = {};
   std::optional<scene::Conversion> units = {};  ///< of the contact model
+  std::optional<BoxSummary> box = {};           ///< of a run of grains
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
   double rate = 0;          ///< see rate_key

@@ -79,16 +79,6 @@ TEST(Lattice, CoversTheAskedWidthAndHeight) {
   EXPECT_EQ(Lattice::covering(300, 200, true).columns(), 348);  // even
 }
 
-TEST(Lattice, ImagesOfAPeriodicBoxBeginHalfAPitchLeftOfItsFirstColumn) {
-  const Lattice lattice(10, 10, true);
-  const double left = Lattice::corner().x();
-  EXPECT_EQ(lattice.image(left + 1e-9), 0);
-  EXPECT_EQ(lattice.image(left - 1e-9), -1);
-  EXPECT_EQ(lattice.image(left + lattice.size().x() - 1e-9), 0);
-  EXPECT_EQ(lattice.image(left + 3 * lattice.size().x() + 1e-9), 3);
-  EXPECT_EQ(Lattice(10, 10, false).image(1e6), 0);
-}
-
 TEST(Lattice, RefusesBoxesThatCannotBe) {
   EXPECT_THROW(Lattice(0, 5, false), std::invalid_argument);
   EXPECT_THROW(Lattice(5, 0, false), std::invalid_argument);
@@ -210,6 +200,25 @@ TEST(Region, NearestSiteIsTheNearest) {
           EXPECT_LE(found, (position(Site{column, row}) - point).norm() + 1e-12);
         }
       }
+    }
+  }
+}
+
+TEST(Lattice, APlaceOfAPeriodicBoxIsBroughtIntoIt) {
+  const Lattice periodic(10, 10, true);
+  const double width = periodic.size().x();
+  const double left = Lattice::corner().x();
+  EXPECT_EQ(periodic.in_box({3, 50}), Eigen::Vector2d(3, 50));
+  EXPECT_EQ(periodic.in_box({left, 1}).x(), left);
+  EXPECT_NEAR(periodic.in_box({left + width, 1}).x(), left, 1e-12);
+  EXPECT_NEAR(periodic.in_box({3 + 7 * width, 1}).x(), 3, 1e-12);
+  EXPECT_NEAR(periodic.in_box({3 - 7 * width, 1}).x(), 3, 1e-12);
+  EXPECT_EQ(Lattice(10, 10, false).in_box({-50, 1}), Eigen::Vector2d(-50, 1));
+  for (int image = -1000; image <= 1000; ++image) {
+    for (const double beside : {-1e-15, -1e-16, 0.0, 1e-16, 1e-15}) {
+      const double x = periodic.in_box({left + image * width + beside, 1}).x();
+      EXPECT_GE(x, left);
+      EXPECT_LT(x, left + width);
     }
   }
 }

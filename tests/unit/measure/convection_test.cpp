@@ -131,6 +131,20 @@ TEST(Convection, LeavesOutWhatCameOrLeftAndWhatIsBetweenCycles) {
   EXPECT_EQ(convection.rolls()->centre_minus_wall, 0);
 }
 
+// Nine columns: those a third of the width from the middle one are at the walls, at both sides.
+TEST(Convection, AColumnOnAnEdgeCountsAlikeOnBothSides) {
+  for (int left = 0; left < 40; ++left) {
+    State before = single_sites(60, 20);
+    for (int column = left; column < left + 9; ++column) {
+      before.particles.push_back(testing::particle_at(column, 5));
+    }
+    State after = before;
+    after.particles[1].row += 1;
+    after.particles[7].row += 1;
+    EXPECT_NEAR(rolls_between(before, after).centre_minus_wall, -0.5, 1e-12) << left;
+  }
+}
+
 TEST(Convection, ACycleEndsOnlyAfterItHasBegun) {
   const State state = bed();
   Convection convection(state.lattice, 5);

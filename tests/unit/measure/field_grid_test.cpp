@@ -40,6 +40,42 @@ TEST(Grid, RunsOnAcrossASeam) {
   EXPECT_EQ(grid.index(point - Eigen::Vector2d(10 * kColumnPitch, 0)), grid.index(point));
 }
 
+// 70 columns in 8 cells: columns 17 and 52 stand on an edge (2 * 17 + 1 = 2 * 8.75 * 2).
+TEST(Grid, AnEdgeBelongsToTheRightAndTheUpperCellInEveryImage) {
+  State state = testing::empty_state(70, 60);
+  state.lattice = lattice::Lattice(70, 60, true);
+  state.kinds = {{Shape::hexagon(2), 0}};
+  const Grid grid(state.lattice, 8);
+  ASSERT_EQ(grid.columns(), 8U);
+  for (int image = -200; image <= 200; ++image) {
+    for (int column = 0; column < 70; ++column) {
+      const auto cell = static_cast<std::size_t>((2 * column + 1) * 8 / (2 * 70));
+      const grains::Particle particle = particle_at(column + 70 * image, 0);
+      EXPECT_EQ(grid.index(grains::centre_in_box(state, particle)), cell);
+      EXPECT_EQ(grid.index(grains::centre(state, particle)), cell);
+    }
+  }
+  const Grid rows(lattice::Lattice(4, 20, false), 4.1);  // 20.5 in 5 cells
+  EXPECT_EQ(rows.index({0, 3 * 4.1 - 0.5}) / rows.columns(), 3U);
+}
+
+TEST(Grid, APathIsDividedAtTheEdgesOfCells) {
+  const Grid grid(lattice::Lattice(10, 10, true), 3);
+  const double high = 10.5 / 4;
+  const Eigen::Vector2d from(0, -0.5 + high / 2);
+  const auto up = grid.parts(from, {0, 2 * high});
+  ASSERT_EQ(up.size(), 3U);
+  for (std::size_t part = 0; part < 3; ++part) {
+    EXPECT_EQ(up[part].cell, 3 * part);
+    EXPECT_NEAR(up[part].share, part == 1 ? 0.5 : 0.25, 1e-12);
+  }
+  const auto left = grid.parts(from, {-kColumnPitch, 0});
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_EQ(left[0].cell, 0U);
+  EXPECT_EQ(left[1].cell, 2U);  // across the seam
+  EXPECT_NEAR(left[0].share, 0.5, 1e-12);
+}
+
 TEST(Fields, WeightMeansBySites) {
   State state = bed(6, 20);
   state.particles = {particle_at(2, 2, 1), particle_at(2, 10)};

@@ -26,6 +26,17 @@ double integral(const ForceDistribution& distribution) {
   return sum;
 }
 
+TEST(ForceDistribution, OfEqualForcesLiesInOneBinAndNoneAboveTheMean) {
+  for (std::size_t count = 1; count < 40; ++count) {
+    for (const double strength : {0.1, 0.7, 1.1, 3.3}) {
+      const auto found =
+          force_distribution(std::vector<double>(count, strength), Strength::averaged).value();
+      EXPECT_EQ(found.share_above_mean, 0);
+      EXPECT_THAT(counts_of(found), ElementsAre(0, 0, 0, 0, count));
+    }
+  }
+}
+
 TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
   const auto found = force_distribution({1, 1, 1, 1, 2, 2, 3, 5}, Strength::whole_sites).value();
   EXPECT_EQ(found.contacts, 8U);

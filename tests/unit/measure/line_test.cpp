@@ -50,6 +50,19 @@ Line level(const State& state, double from, double to, std::size_t parts = 1) {
   return {state, {from, 5.2}, {to, 5.2}, parts};
 }
 
+TEST(Line, AGrainThatComesToTheLineHasNotPassedItInAnyImage) {
+  for (int image = -40; image <= 40; ++image) {
+    const State before = box_of({{20 * image - 1, 6}}, Shape::hexagon(0), true);
+    State now = before;
+    now.particles[0].column += 1;
+    const Line line(now, {0, 0}, {0, 10}, 1);
+    EXPECT_EQ(passed(seen(line, before, now), 10), 0) << image;
+    State on = now;
+    on.particles[0].column += 1;
+    EXPECT_NEAR(std::abs(passed(seen(line, now, on), 10)), 1, 1e-12) << image;
+  }
+}
+
 TEST(Line, CountsSitesThatPassToTheRightLessThoseToTheLeft) {
   const State before = box_of({{2, 6}, {4, 6}, {6, 4}, {8, 9}});
   State now = before;

@@ -36,6 +36,20 @@ TEST(Profile, IsTheTopOfTheHighestSiteOfEachColumn) {
   EXPECT_DOUBLE_EQ(mean_height(profile), 7.0 / 3.0);
 }
 
+TEST(Profile, InGravityOfAnUprightBoxIsThatOfTheBox) {
+  std::vector<int> heights;
+  for (int column = 0; column < 60; ++column) {
+    heights.push_back(1 + column % 7);
+  }
+  for (const int empty : {0, 1, 2, 5}) {  // columns at the left, so that the edges are elsewhere
+    std::fill_n(heights.begin(), empty, 0);
+    const State state = stacks(heights);
+    const std::vector<double> profile = surface_profile(state);
+    EXPECT_EQ(surface_profile(state, {0, -1}),
+              std::vector<double>(profile.begin() + empty, profile.end()));
+  }
+}
+
 TEST(Profile, OfAnEmptyBoxIsZero) {
   const auto profile = surface_profile(stacks({0, 0}));
   EXPECT_EQ(mean_height(profile), 0);
@@ -144,6 +158,22 @@ TEST(Displacement, IsTheDistanceFromTheOrigin) {
   EXPECT_NEAR(moved[2], std::sqrt(3.0), 1e-12);
   EXPECT_DOUBLE_EQ(moved_share(state, 1.7), 0.5);
   EXPECT_DOUBLE_EQ(moved_share(state, 3), 0);
+}
+
+TEST(MovedShare, IsTheSameForEqualDistancesInAllDirections) {
+  for (const lattice::Direction direction : lattice::kDirections) {
+    for (int distance = 1; distance < 50; ++distance) {
+      State state = empty_state(400, 400);
+      state.kinds = {{Shape::hexagon(0), 0}};
+      const lattice::Axial one = unit(direction);
+      const lattice::Site from = {200, 200};
+      const lattice::Site to = from + lattice::Axial{distance * one.x, distance * one.q};
+      state.particles = {{.column = to.column, .row = to.row}};
+      state.origins = {from};
+      EXPECT_EQ(moved_share(state, distance), 0);
+      EXPECT_EQ(displacements(state)[0], distance);
+    }
+  }
 }
 
 TEST(Displacement, SmallestDiameterIsThatOfTheCircleOfEqualArea) {

@@ -86,5 +86,17 @@ TEST(DownwardFlow, FollowsAParticleAcrossThePeriodicBoundary) {
   EXPECT_EQ(downward_flow(before, state, {5, 0, 8.6, 10}), 0);
 }
 
+TEST(MotionIn, AGrainOnTheEdgeOfAProbeIsInItInEveryImage) {
+  for (int image = -40; image <= 40; ++image) {
+    State state = points({{10 * image, 5}}, true);
+    state.kinds = {{Shape::hexagon(2), 0}};
+    const Snapshot before(state);
+    state.step = 1;
+    EXPECT_TRUE(motion_in({0, 0, 4, 10}, before.displacements(state), 1));
+    state.particles[0].row = 2;
+    EXPECT_EQ(downward_flow(before, state, {0, 0, 4, 7}), 19);
+  }
+}
+
 }  // namespace
 }  // namespace clca::measure::probe_test

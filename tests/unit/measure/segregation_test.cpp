@@ -150,5 +150,22 @@ TEST(Intruder, IsNoneInABedNoDeeperThanItself) {
   EXPECT_FALSE(intruder_height(state).has_value());
 }
 
+TEST(Lacey, DoesNotDependOnTheImageOfAGrain) {
+  State state = empty_bed(70, 20);
+  state.lattice = lattice::Lattice(70, 20, true);
+  for (int column = 0; column < 70; ++column) {
+    stack(state, column, 0, column < 17 || column % 3 == 0 ? "sl" : "ss");
+  }
+  const std::optional<double> index = lacey_index(state, 8);
+  ASSERT_TRUE(index);
+  for (int image = -40; image <= 40; ++image) {
+    State moved = state;
+    for (grains::Particle& particle : moved.particles) {
+      particle.column += 70 * image;
+    }
+    EXPECT_EQ(lacey_index(moved, 8), index);
+  }
+}
+
 }  // namespace
 }  // namespace clca::measure::segregation_test

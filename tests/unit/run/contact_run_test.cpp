@@ -14,6 +14,7 @@
 #include "clca/run/run.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/table.hpp"
 #include "run/energy_record.hpp"
 #include "run/stage.hpp"
 #include "support/run_folders.hpp"
@@ -63,6 +64,74 @@ class ContactRunTest : public ::testing::Test {
 
   testing::ScratchFolder folder_;
 };
+
+TEST_F(ContactRunTest, ItsSidesAndWallsOfTheSameNameAreToldApart) {
+  run(scene::parse(R"(clca: 1
+model: contact
+seed: 3
+box: {width: 40, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+walls:
+  left: {box: [-1, 0, 1, 60]}
+  right: {box: [20, 0, 21, 60]}
+  floor: {box: [1, 0, 20, 2]}
+  top: {box: [1, 50, 20, 51]}
+  ceiling: {box: [21, 50, 39, 51]}
+stages:
+  - name: rest
+    fill: {region: [0, 2, 40, 50], counts: {grain: 80}}
+    until: {steps: 400}
+)",
+                   "sides.yaml"),
+      {.folder = path()});
+  const store::ReadTable walls = store::read_table(path() / "walls-rest.csv");
+  EXPECT_THAT(*walls.find("wall"),
+              ::testing::UnorderedElementsAre("left", "right", "floor", "top", "ceiling",
+                                              "box.left", "box.right", "box.floor", "box.top"));
+  const store::ReadTable contacts = store::read_table(path() / "contacts-rest.csv");
+  std::map<std::string, double> sums;  // of what carries weight
+  for (std::size_t row = 0; row < contacts.rows(); ++row) {
+    const std::string& second = (*contacts.find("second"))[row];
+    sums[second] += contacts.numbers("normal_force")[row] * contacts.numbers("normal_y")[row] +
+                    contacts.numbers("shear_force")[row] * contacts.numbers("normal_x")[row];
+  }
+  for (std::size_t row = 0; row < walls.rows(); ++row) {
+    const std::string& wall = (*walls.find("wall"))[row];
+    EXPECT_NEAR(-walls.numbers("force_y")[row], sums[wall], 1e-9) << wall;
+  }
+  EXPECT_GT(sums["floor"], 1);
+  EXPECT_GT(sums["box.floor"], 1);
+}
+
+// The grain touches a side all the time, so that it rests where it turns, and is lifted to its
+// site.
+TEST_F(ContactRunTest, AGrainThatRestLiftsByLessThanASiteIsNoGrowthOfTheEnergy) {
+  std::string warnings;
+  const RunEvents events = {.warning = [&](const std::string& line) { warnings += line; }};
+  const store::RunSummary summary = run(scene::parse(R"(clca: 1
+model: contact
+seed: 7
+box: {width: 2.7, height: 6}
+species: {grain: {shape: {hexagon: 1}}}
+contact: {rolling: resistance, friction: 1, restitution: 0.9, resolution: 0.2}
+stages: [{name: fall, fill: {region: [0, 0, 2.7, 6], counts: {grain: 1}}, until: {steps: 3000}}]
+)",
+                                                     "narrow.yaml"),
+                                        {.folder = path()}, events);
+  EXPECT_GT(testing::measure_of(summary, "fall", "energy_growth"), 0.015);
+  EXPECT_EQ(warnings, "");
+}
+
+TEST_F(ContactRunTest, RunJsonHasTheSidesOfItsBox) {
+  run(small({"box.periodic=true"}), {.folder = path()});
+  const auto box = store::read_summary(path() / "run.json").box;
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->left, -lattice::kColumnPitch / 2);
+  EXPECT_DOUBLE_EQ(box->right, 47.5 * lattice::kColumnPitch);  // 48 columns
+  EXPECT_EQ(box->floor, -0.5);
+  EXPECT_EQ(box->top, 60);
+  EXPECT_TRUE(box->periodic);
+}
 
 TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
   run(small(), {.folder = path()});

@@ -9,6 +9,9 @@ namespace clca::scene::testing {
 namespace {
 
 constexpr auto kBadGeometry = std::to_array<BadScene>({
+    {"a wall called as a side of the box", "walls: {box.left: {box: [50, 0, 51, 50]}}",
+     "scene.yaml:7:9: error: walls: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, found "
+     "'box.left'"},
     {"a wall of three numbers", "walls: {right: {box: [50, 0, 51]}}",
      "scene.yaml:7:22: error: walls.right.box: expected 4 items, found 3"},
     {"a wall outside the box", "walls: {right: {box: [150, 0, 151, 50]}}",
