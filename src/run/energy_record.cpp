@@ -10,27 +10,23 @@ namespace {
 constexpr std::uint64_t kEvery = 100;  // steps from one look to the next
 constexpr double kTolerance = 0.005;
 
-double sum(const contact::Energy& energy) {
-  return energy.kinetic + energy.potential;
-}
-
 }  // namespace
 
 void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
-  start_ = sum(*model.energy());
+  start_ = model.energy()->sum();
   fall_ = 0;
   for (const grains::Particle& particle : model.state().particles) {
     fall_ += particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
   }
-  gained_ = 0;
+  exchanged_ = {};
   lowest_ = start_;
   growth_ = 0;
 }
 
 void EnergyRecord::after_step(const Model& model, const Model::Report& report,
                               std::uint64_t steps_in_stage) {
-  gained_ += report.energy_gained;
+  exchanged_ += report.exchange;
   if (steps_in_stage % kEvery == 0) {
     look(model);
   }
@@ -45,7 +41,7 @@ void EnergyRecord::look(const Model& model) {
     return;
   }
   const contact::Energy energy = *model.energy();
-  const double now = sum(energy) - gained_;
+  const double now = energy.sum() - exchanged_.gained();
   lowest_ = std::min(lowest_, now);
   // On a slope without end the potential energy falls without end, below 0.
   const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
@@ -60,7 +56,7 @@ void EnergyRecord::look(const Model& model) {
 }
 
 double EnergyRecord::dissipated(const contact::Energy& now) const {
-  return start_ + gained_ - sum(now);
+  return start_ + exchanged_.gained() - now.sum();
 }
 
 std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {

@@ -228,19 +228,37 @@ void Engine::disturb_sleepers() {
   }
 }
 
+Contact Engine::contact(std::int32_t at) const {
+  const LaneContent content = slots_.content(at);
+  return {.upper = content.upper,
+          .other = content.other,
+          .normal = content.normal,
+          .impulse = content.impulse};
+}
+
 void Engine::write_back() {
-  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
-                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
+  write_back_velocities();
   state_.contacts.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     if (slots_.at(at).lane >= 0) {
-      const LaneContent content = slots_.content(at);
-      state_.contacts.push_back({.upper = content.upper,
-                                 .other = content.other,
-                                 .normal = content.normal,
-                                 .impulse = content.impulse});
+      state_.contacts.push_back(contact(at));
     }
   }
+}
+
+void Engine::write_back_velocities() {
+  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
+                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
+}
+
+std::vector<Contact> Engine::wall_contacts() const {
+  std::vector<Contact> result;
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
+    if (slots_.at(at).lane >= 0 && !grains::is_particle(slots_.at(at).other)) {
+      result.push_back(contact(at));
+    }
+  }
+  return result;
 }
 
 }  // namespace clca::contact

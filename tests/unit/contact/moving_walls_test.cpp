@@ -69,6 +69,19 @@ const grains::Travel& travel(const ContactModel& model) {
   return model.grains().walls[0].travel;
 }
 
+TEST_P(MovingWalls, AFloorThatIsLiftedDoesTheWorkThatItsBedGains) {
+  constexpr double kWeight = 40 * 7;  // of 40 grains, in sites
+  ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 40);
+  settle(one);
+  one.set_motion(0, true);
+  double work = 0;
+  for (int i = 0; i < 700; ++i) {
+    work += one.step().exchange.walls;
+  }
+  EXPECT_EQ(travel(one).offset, 30);
+  EXPECT_NEAR(work, 30 * kWeight, 0.02 * 30 * kWeight);
+}
+
 TEST_P(MovingWalls, AFloorLiftedSlowlyCarriesTheWeightOfItsBed) {
   constexpr double kGrains = 40;
   ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 40);
