@@ -333,8 +333,8 @@ class ContactModel::Impl {
     const Vessel vessel = state_.vessel;
     std::vector<std::uint32_t> moved = move();
     if (wall_positions(state_) != walls) {
-      exchange_.walls = wall_work(
-          state_, engine_ ? engine_->wall_contacts() : state_.contacts, walls, gravity_);
+      exchange_.walls =
+          wall_work(state_, engine_ ? engine_->wall_contacts() : state_.contacts, walls, gravity_);
     }
     if (vessel.moves()) {
       if (engine_) {
@@ -388,7 +388,7 @@ class ContactModel::Impl {
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
   std::size_t moved_ = 0;
-  EnergyExchange exchange_;  // in this step
+  EnergyExchange exchange_;   // in this step
   bool written_back_ = true;  // of the engine, to the state
   bool half_changed_ = false;
 };

@@ -39,9 +39,8 @@ Energy energy_of(const State& state, std::size_t id, double gravity) {
   const Velocity<std::int32_t>& velocity = state.velocities[id];
   const double mass = mass_of(state, id);
   const double spin = static_cast<double>(velocity.spin) / kSpacing;
-  return {.kinetic = mass *
-                     (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) / 2 /
-                     gravity,
+  return {.kinetic = mass * (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) /
+                     2 / gravity,
           .potential = -mass * gravity_direction(state.vessel).dot(place_of(state, id))};
 }
 
@@ -95,7 +94,8 @@ double vessel_work(const State& state, const Vessel& before, double gravity) {
   const Vector still = acceleration(at_rest(before), integer_gravity, periodic).gravity;
   const Eigen::Vector2d shaking = in_spacings(by.gravity) - in_spacings(still);
   const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kCentrifugalBits);
-  const Eigen::Vector2d centre = std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
+  const Eigen::Vector2d centre =
+      std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
   const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);
   Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // mass times place

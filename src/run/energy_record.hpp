@@ -51,7 +51,7 @@ class EnergyRecord {
 
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
-  double fall_ = 0;    // of all grains by a lattice spacing
+  double fall_ = 0;  // of all grains by a lattice spacing
   contact::EnergyExchange exchanged_;
   double lowest_ = 0;
   double growth_ = 0;

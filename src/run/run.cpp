@@ -177,8 +177,8 @@ void Run::begin_stage() {
   }
   add_discharge(history_, model_.state(), &measure::Outflow::add_at_start);
   history_.profile_at_start = measure::surface_profile(model_.state());
-  history_.particles_at_start = grains::present_count(model_.state()) +
-                                history_.outflow.during_stage().particles;
+  history_.particles_at_start =
+      grains::present_count(model_.state()) + history_.outflow.during_stage().particles;
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                    model_.state().step, grains::present_count(model_.state())));
   records_.begin_stage(stage(), model_);

@@ -26,7 +26,7 @@ double mean_height(const grains::State& state) {
 /// A column with a part of contact::EnergyExchange.
 struct Exchange {
   const char* name;
-  double contact::EnergyExchange::* part;
+  double contact::EnergyExchange::*part;
 };
 
 /// With what the scene has.

@@ -23,7 +23,8 @@ constexpr int kLargeSites = 19;
 std::string any_region(int low, int high) {
   const int left = within(0, 30);
   const int bottom = within(low, high);
-  return fmt::format("[{}, {}, {}, {}]", left, bottom, left + within(8, 25), bottom + within(8, 20));
+  return fmt::format("[{}, {}, {}, {}]", left, bottom, left + within(8, 25),
+                     bottom + within(8, 20));
 }
 
 std::string any_stage(bool contact, int number) {
@@ -39,8 +40,8 @@ std::string any_stage(bool contact, int number) {
   text += number == 0 ? *rc::gen::element(", move: [plate]", "") : ", move: [plate]";
   if (contact) {
     text += *rc::gen::element<std::string>(
-        ", vessel: {tilt: 0}", ", vessel: {rotate: {rate: 0.01, centre: [25, 40]}}", ", vessel: {tilt: 30}",
-        ", vessel: {tilt: {to: 40, rate: 0.5}}",
+        ", vessel: {tilt: 0}", ", vessel: {rotate: {rate: 0.01, centre: [25, 40]}}",
+        ", vessel: {tilt: 30}", ", vessel: {tilt: {to: 40, rate: 0.5}}",
         ", vessel: {shake: {gamma: 2, amplitude: 3}}");
   }
   return text + "}\n";
@@ -48,7 +49,8 @@ std::string any_stage(bool contact, int number) {
 
 /// A scene with everything that grains exchange something with; not all of it in each stage.
 std::string any_scene(bool contact) {
-  std::string text = fmt::format(R"(clca: 1
+  std::string text =
+      fmt::format(R"(clca: 1
 model: {}
 seed: {}
 box: {{width: 50, height: 80}}
@@ -62,10 +64,9 @@ measure: [outflow]
 output: {{series: {{every: 1}}}}
 stages:
 )",
-                                 contact ? "contact" : "automaton", within(1, 1000), within(45, 80),
-                                 *rc::gen::element("period: 12, distance: 9",
-                                                   "wave: {amplitude: 2, period: 60}"),
-                                 within(1, 10), any_region(0, 20), any_region(0, 60));
+                  contact ? "contact" : "automaton", within(1, 1000), within(45, 80),
+                  *rc::gen::element("period: 12, distance: 9", "wave: {amplitude: 2, period: 60}"),
+                  within(1, 10), any_region(0, 20), any_region(0, 60));
   const int stages = within(2, 4);
   for (int i = 0; i < stages; ++i) {
     text += any_stage(contact, i);

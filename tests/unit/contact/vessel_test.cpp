@@ -175,10 +175,9 @@ TEST_P(GrainsInAVessel, GainInFreeFlightWhatTheVesselWorks) {
     for (int step = 0; step < 200; ++step) {
       work += one.step().exchange.vessel;
       most = std::max(most, std::abs(work));
-      // Half a step of gravity, which each step takes before the grain goes.
-      ASSERT_NEAR(energy(one.state(), fall).sum(), before + work, 0.01 * (most + before)) << step;
+      ASSERT_NEAR(energy(one.state(), fall).sum(), before + work, 6) << step;
     }
-    EXPECT_GT(most, 0.05 * before);
+    EXPECT_GT(most, 20);
   }
 }
 
