@@ -7,6 +7,7 @@
 
 #include "clca/random/draw.hpp"
 #include "clca/reflection/hash.hpp"
+#include "contact/energy_of.hpp"
 #include "contact/engine/engine.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/step.hpp"
@@ -70,22 +71,6 @@ State valid(State state, const Parameters& parameters, const Options& options) {
   return state;
 }
 
-/// Energy of a present grain.
-Energy energy_of(const State& state, std::size_t id, double gravity) {
-  constexpr double kUnit = kSpacing;
-  const grains::Particle& grain = state.grains.particles[id];
-  const Velocity<std::int32_t>& velocity = state.velocities[id];
-  const auto mass = static_cast<double>(state.grains.shape(grain).size());
-  const double x = velocity.x / kUnit;
-  const double y = velocity.y / kUnit;
-  const double spin = velocity.spin / kUnit;
-  const Eigen::Vector2d place =
-      grains::centre(state.grains, grain) +
-      Eigen::Vector2d(state.remainders[id].x / kUnit, state.remainders[id].y / kUnit);
-  return {.kinetic = mass * (x * x + y * y + spin * spin / 2) / 2 / gravity,
-          .potential = -mass * gravity_direction(state.vessel).dot(place)};
-}
-
 double gravity_in(const lattice::Lattice& box, Parameters parameters) {
   if (parameters.fall_height == 0) {
     parameters.fall_height = default_fall_height(box.size().y());
@@ -105,18 +90,6 @@ double gravity(const Parameters& parameters) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
   return to_fixed_point(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
-}
-
-Energy energy(const State& state, double gravity) {
-  Energy sum;
-  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (state.grains.particles[id].present) {
-      const Energy one = energy_of(state, id, gravity);
-      sum.kinetic += one.kinetic;
-      sum.potential += one.potential;
-    }
-  }
-  return sum;
 }
 
 std::uint64_t hash(const State& state) {
@@ -165,7 +138,7 @@ void check_valid(const State& state) {
         contact.upper < grains &&
         (with_grain ? static_cast<std::size_t>(contact.other) < grains &&
                           contact.upper != static_cast<std::uint32_t>(contact.other)
-                    : contact.other <= kRightSide ||
+                    : is_side(contact.other) ||
                           (grains::is_wall(contact.other) &&
                            grains::wall_number(contact.other) < state.grains.walls.size()));
     if (!there) {
@@ -240,14 +213,14 @@ class ContactModel::Impl {
       report.emitted = state_.grains.particles.size() - before;
       add_motions();
       scatter(before);
-      energy_gained_ = 0;
+      exchange_ = {};
       for (std::size_t id = before; id < state_.grains.particles.size(); ++id) {
-        energy_gained_ += energy_of(id);
+        exchange_.sources += energy_of(state_, id, gravity_).sum();
       }
       if (engine_) {
         engine_->add_grains();
       }
-      std::vector<std::uint32_t> moved = move();
+      std::vector<std::uint32_t> moved = move_and_work();
       for (std::size_t id = before; id < state_.grains.particles.size(); ++id) {
         moved.push_back(static_cast<std::uint32_t>(id));
       }
@@ -259,8 +232,7 @@ class ContactModel::Impl {
                        !sources.waiting && walls_rest(state_);
       report.quiet = state_.quiet_steps > 0;
       report.moved = moved_;
-      report.energy_gained = energy_gained_;
-      written_back_ = false;
+      report.exchange = exchange_;
       return report;
     });
   }
@@ -334,6 +306,25 @@ class ContactModel::Impl {
       moved = reference_step(state_, occupancy_, footprints_, edges_, rule_, normals_);
     }
     moved_ = moved.size();
+    written_back_ = false;
+    return moved;
+  }
+
+  /// The same; adds the work of walls and vessel to the exchange.
+  std::vector<std::uint32_t> move_and_work() {
+    const std::vector<double> walls = wall_positions(state_);
+    const Vessel vessel = state_.vessel;
+    std::vector<std::uint32_t> moved = move();
+    if (wall_positions(state_) != walls) {
+      exchange_.walls =
+          wall_work(state_, engine_ ? engine_->wall_contacts() : state_.contacts, walls, gravity_);
+    }
+    if (vessel.moves()) {
+      if (engine_) {
+        engine_->write_back_velocities();
+      }
+      exchange_.vessel = vessel_work(state_, vessel, gravity_);
+    }
     return moved;
   }
 
@@ -351,11 +342,6 @@ class ContactModel::Impl {
     return removed;
   }
 
-  double energy_of(std::size_t id) const {
-    const Energy energy = contact::energy_of(state_, id, gravity_);
-    return energy.kinetic + energy.potential;
-  }
-
   void take_away(std::uint32_t id) {
     grains::Particle& grain = state_.grains.particles[id];
     const std::size_t place = state_.grains.lattice.index(grain.site());
@@ -366,7 +352,7 @@ class ContactModel::Impl {
     if (engine_) {
       state_.velocities[id] = engine_->velocity_of(id);
     }
-    energy_gained_ -= energy_of(id);
+    exchange_.outlets += energy_of(state_, id, gravity_).sum();
     grain.present = false;
     grain.previous = grains::kRest;
     state_.velocities[id] = {};
@@ -385,7 +371,7 @@ class ContactModel::Impl {
   NormalTable normals_;  // of the reference
   std::optional<Engine> engine_;
   std::size_t moved_ = 0;
-  double energy_gained_ = 0;  // in this step, by sources and outlets
+  EnergyExchange exchange_;   // in this step
   bool written_back_ = true;  // of the engine, to the state
   bool half_changed_ = false;
 };

@@ -61,10 +61,14 @@ bool blocked(const grains::State& state, const grains::Occupancy& occupancy,
 }
 
 void Outflow::add(Discharge total) {
+  ++steps_;
+  add_at_start(total);
+}
+
+void Outflow::add_at_start(Discharge total) {
   if (total.particles < last_.particles || total.sites < last_.sites) {
     throw std::invalid_argument("what has left a box cannot become less");
   }
-  ++steps_;
   if (total.sites != last_.sites) {
     events_.push_back({.step = steps_, .sites = total.sites - begin_.sites});
   }

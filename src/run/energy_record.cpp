@@ -11,15 +11,11 @@ namespace {
 constexpr std::uint64_t kEvery = 100;  // steps from one look to the next
 constexpr double kTolerance = 0.005;
 
-double sum(const contact::Energy& energy) {
-  return energy.kinetic + energy.potential;
-}
-
 }  // namespace
 
 void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
-  start_ = sum(*model.energy());
+  start_ = model.energy()->sum();
   fall_ = 0;
   double squares = 0;
   for (const grains::Particle& particle : model.state().particles) {
@@ -29,14 +25,14 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
     squares += sites * sites;
   }
   lift_ = std::sqrt(squares) / 2;
-  gained_ = 0;
+  exchanged_ = {};
   lowest_ = start_;
   growth_ = 0;
 }
 
 void EnergyRecord::after_step(const Model& model, const Model::Report& report,
                               std::uint64_t steps_in_stage) {
-  gained_ += report.energy_gained;
+  exchanged_ += report.exchange;
   if (steps_in_stage % kEvery == 0) {
     look(model);
   }
@@ -51,7 +47,7 @@ void EnergyRecord::look(const Model& model) {
     return;
   }
   const contact::Energy energy = *model.energy();
-  const double now = sum(energy) - gained_;
+  const double now = energy.sum() - exchanged_.gained();
   lowest_ = std::min(lowest_, now);
   // On a slope without end the potential energy falls without end, below 0.
   const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
@@ -66,7 +62,7 @@ void EnergyRecord::look(const Model& model) {
 }
 
 double EnergyRecord::dissipated(const contact::Energy& now) const {
-  return start_ + gained_ - sum(now);
+  return start_ + exchanged_.gained() - now.sum();
 }
 
 std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {

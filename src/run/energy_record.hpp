@@ -18,8 +18,10 @@ class EnergyRecord {
   /// Updates the balance at the end of a stage.
   void end_stage(const Model& model);
 
-  /// Dissipated energy: initial energy of the stage plus that of sources, minus that taken by
-  /// outlets and the present energy.
+  /// Since the start of the stage.
+  const contact::EnergyExchange& exchanged() const { return exchanged_; }
+  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
+  /// the present energy.
   double dissipated(const contact::Energy& now) const;
 
   /// A warning if the energy has grown by more than 0.5 % of the scale, and by more than rest may
@@ -41,7 +43,7 @@ class EnergyRecord {
     return std::make_tuple(
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
         field("fall", &EnergyRecord::fall_), field("lift", &EnergyRecord::lift_),
-        field("gained", &EnergyRecord::gained_), field("lowest", &EnergyRecord::lowest_),
+        field("exchanged", &EnergyRecord::exchanged_), field("lowest", &EnergyRecord::lowest_),
         field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_));
   }
 
@@ -50,9 +52,9 @@ class EnergyRecord {
 
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
-  double fall_ = 0;    // of all grains by a lattice spacing
-  double lift_ = 0;    // by rest, which forgets how far a grain is from its site
-  double gained_ = 0;  // since the start of the stage, by sources and outlets
+  double fall_ = 0;  // of all grains by a lattice spacing
+  double lift_ = 0;  // by rest, which forgets how far a grain is from its site
+  contact::EnergyExchange exchanged_;
   double lowest_ = 0;
   double growth_ = 0;
   bool has_warned_ = false;

@@ -154,7 +154,7 @@ Model::Report Model::step() {
             .moved = report.moved, .emitted = report.emitted, .settled = report.settled};
         if constexpr (std::is_same_v<decltype(report), const contact::StepReport>) {
           result.quiet = report.quiet;
-          result.energy_gained = report.energy_gained;
+          result.exchange = report.exchange;
         }
         return result;
       },

@@ -49,7 +49,7 @@ class Model {
     bool settled = false;
     // Contact model only; see contact::StepReport.
     bool quiet = false;
-    double energy_gained = 0;
+    contact::EnergyExchange exchange = {};
   };
 
   /// Throws as the models do.

@@ -15,6 +15,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "contact/internal/mass_unit.hpp"
+#include "grains/internal/outlet.hpp"
 
 namespace clca::run {
 
@@ -211,6 +212,16 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
   }
 }
 
+/// Those in an outlet leave at once.
+void empty_outlets(grains::State& state) {
+  for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
+    if (grains::count_at_outlet(state, id)) {
+      state.particles[id].present = false;
+      state.particles[id].previous = grains::kRest;
+    }
+  }
+}
+
 /// Contacts of the other run as those of this one, where the same bodies touch.
 class ContactTransfer {
  public:
@@ -222,7 +233,9 @@ class ContactTransfer {
         sites_here_(here),
         grains_(there.particles.size(), grains::kFree) {
     for (std::size_t id = 0; id < ids.size(); ++id) {
-      grains_[ids[id]] = static_cast<grains::Owner>(id);
+      if (here.particles[id].present) {
+        grains_[ids[id]] = static_cast<grains::Owner>(id);
+      }
     }
   }
 
@@ -289,6 +302,9 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
     return scaled(force, value, contact::kMaxImpulse);
   };
   for (std::size_t id = 0; id < ids.size(); ++id) {
+    if (!state.grains.particles[id].present) {
+      continue;
+    }
     const auto& one = there->velocities[ids[id]];
     state.velocities[id] = {velocity(one.x), velocity(one.y), velocity(one.spin)};
     state.remainders[id] = there->remainders[ids[id]];
@@ -311,6 +327,7 @@ void take_particles(const scene::Scene& scene, ModelState& state) {
   const OtherRun other = other_run(*scene.begin, std::numeric_limits<double>::infinity());
   const std::vector<std::size_t> ids = present_ids(grains_of(other.state));
   take_grains(scene, other, ids, grains_of(state));
+  empty_outlets(grains_of(state));
   if (auto* contact = std::get_if<contact::State>(&state)) {
     take_motion(scene, other, ids, *contact);
   }

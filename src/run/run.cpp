@@ -37,12 +37,32 @@ std::string kind_of(const scene::Scene& scene) {
   return scene.model == scene::Model::contact ? "contact" : "automaton";
 }
 
+/// Of a stage before which so much has left.
+StageHistory history_from(const grains::State& state, const scene::Scene& scene) {
+  StageHistory history;
+  history.outflow = measure::Outflow(measure::discharge(state));
+  for (const grains::Outlet& outlet : state.outlets) {
+    history.outlets.emplace_back(measure::discharge(outlet));
+  }
+  history.discharged_at_start = measure::discharged_particles(state, scene.species.size());
+  return history;
+}
+
+/// Adds what has left to the outflow of all outlets and of each.
+void add_discharge(StageHistory& history, const grains::State& state,
+                   void (measure::Outflow::*add)(measure::Discharge)) {
+  (history.outflow.*add)(measure::discharge(state));
+  for (std::size_t outlet = 0; outlet < history.outlets.size(); ++outlet) {
+    (history.outlets[outlet].*add)(measure::discharge(state.outlets[outlet]));
+  }
+}
+
 class Run : public RunBase {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, first_state(scene)) {
-    prepare_stage(model_, scene, scene.stages.front());
+    prepare();
     write_to(folder ? std::move(*folder)
                     : begin_run(options, events, checkpoint(), outputs_.file_names(),
                                 outputs_.planned_names()),
@@ -81,6 +101,8 @@ class Run : public RunBase {
   void carry_out() override;
   bool is_complete() const override { return !interrupted_; }
   void complete_summary(store::RunSummary& summary) const override;
+  /// Counts what has left before the stage, then prepares it: its fill may be in outlets.
+  void prepare();
   void begin_stage();
   void run_stage();
   /// Runs steps until the stage ends; returns the reason.
@@ -142,20 +164,23 @@ void Run::carry_out() {
   checkpoint_writer_.finish();
 }
 
+void Run::prepare() {
+  // Those of another run may have been in outlets when this one took them.
+  history_ = course_.stage > 0 ? history_from(model_.state(), scene_)
+                               : history_from(grains_of(empty_state(scene_)), scene_);
+  prepare_stage(model_, scene_, stage());
+}
+
 void Run::begin_stage() {
   if (course_.stage > 0) {
-    prepare_stage(model_, scene_, stage());
+    prepare();
   }
-  history_ = {
-      .profile_at_start = measure::surface_profile(model_.state()),
-      .particles_at_start = grains::present_count(model_.state()),
-      .outflow = measure::Outflow(measure::discharge(model_.state())),
-      .discharged_at_start = measure::discharged_particles(model_.state(), scene_.species.size())};
-  for (const grains::Outlet& outlet : model_.state().outlets) {
-    history_.outlets.emplace_back(measure::discharge(outlet));
-  }
+  add_discharge(history_, model_.state(), &measure::Outflow::add_at_start);
+  history_.profile_at_start = measure::surface_profile(model_.state());
+  history_.particles_at_start =
+      grains::present_count(model_.state()) + history_.outflow.during_stage().particles;
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
-                   model_.state().step, history_.particles_at_start));
+                   model_.state().step, grains::present_count(model_.state())));
   records_.begin_stage(stage(), model_);
   outputs_.begin_stage(stage(), model_, records_);
 }
@@ -209,10 +234,7 @@ void Run::step() {
   ++history_.steps;
   history_.resting = report.settled;
   history_.emitted += report.emitted;
-  history_.outflow.add(measure::discharge(model_.state()));
-  for (std::size_t outlet = 0; outlet < history_.outlets.size(); ++outlet) {
-    history_.outlets[outlet].add(measure::discharge(model_.state().outlets[outlet]));
-  }
+  add_discharge(history_, model_.state(), &measure::Outflow::add);
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
   records_.after_step(stage(), model_, report, history_.steps);

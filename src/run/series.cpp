@@ -1,5 +1,7 @@
 #include "run/series.hpp"
 
+#include <algorithm>
+
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
 #include "run/outlet_counts.hpp"
@@ -21,6 +23,31 @@ double mean_height(const grains::State& state) {
   return weight > 0 ? sum / weight : 0;
 }
 
+/// A column with a part of contact::EnergyExchange.
+struct Exchange {
+  const char* name;
+  double contact::EnergyExchange::*part;
+};
+
+/// With what the scene has.
+std::vector<Exchange> exchanges(const scene::Scene& scene) {
+  std::vector<Exchange> result;
+  if (!scene.sources.empty()) {
+    result.push_back({"source_energy", &contact::EnergyExchange::sources});
+  }
+  if (!scene.outlets.empty()) {
+    result.push_back({"outlet_energy", &contact::EnergyExchange::outlets});
+  }
+  if (std::any_of(scene.walls.begin(), scene.walls.end(),
+                  [](const scene::Wall& wall) { return wall.motion.has_value(); })) {
+    result.push_back({"wall_work", &contact::EnergyExchange::walls});
+  }
+  if (has_vessel(scene)) {
+    result.push_back({"vessel_work", &contact::EnergyExchange::vessel});
+  }
+  return result;
+}
+
 std::vector<std::string> columns(const scene::Scene& scene) {
   std::vector<std::string> names = {"step",
                                     "stage",
@@ -33,6 +60,9 @@ std::vector<std::string> columns(const scene::Scene& scene) {
   if (scene.model == scene::Model::contact) {
     names.insert(names.begin() + 1, "time");
     names.insert(names.end(), {"kinetic_energy", "potential_energy", "dissipated_energy"});
+    for (const Exchange& exchange : exchanges(scene)) {
+      names.emplace_back(exchange.name);
+    }
   }
   if (has_vessel(scene)) {
     names.emplace_back("vessel_angle_deg");
@@ -93,6 +123,9 @@ bool SeriesTable::add(const std::string& stage, const Model& model, const Record
   if (const auto energy = model.energy()) {
     cells.insert(cells.end(),
                  {energy->kinetic, energy->potential, records.energy()->dissipated(*energy)});
+    for (const Exchange& exchange : exchanges(scene_)) {
+      cells.emplace_back(records.energy()->exchanged().*exchange.part);
+    }
   }
   if (has_vessel_) {
     cells.emplace_back(contact::degrees(model.vessel().angle));

@@ -14,9 +14,11 @@ namespace clca::run {
 /// Columns: step, of the contact model time (scene::Conversion), stage, particles (present),
 /// moving, moving_share, mean_height (of the centres, weighted by sites, in lattice spacings),
 /// discharged_particles, discharged_sites (totals); of the contact model kinetic_energy and
-/// potential_energy (see contact::Energy) and dissipated_energy (see EnergyRecord); for each wall
-/// that moves travel.NAME (sites from home), and where it lets overlap index.NAME (sites that
-/// overlap in all contacts that began at it); discharge_names (totals).
+/// potential_energy (see contact::Energy), dissipated_energy (see EnergyRecord) and, with what the
+/// scene has, source_energy, outlet_energy, wall_work and vessel_work (see contact::EnergyExchange;
+/// since the start of the stage); for each wall that moves travel.NAME (sites from home), and where
+/// it lets overlap index.NAME (sites that overlap in all contacts that began at it);
+/// discharge_names (totals).
 class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "clca/contact/energy.hpp"
 #include "clca/contact/parameters.hpp"
 #include "clca/contact/profile.hpp"
 #include "clca/contact/state.hpp"
@@ -26,8 +27,7 @@ struct StepReport {
   bool settled = false;
   /// Nothing moves, and all velocities are below that limit.
   bool quiet = false;
-  /// Kinetic and potential energy added by sources minus that removed by outlets, as in Energy.
-  double energy_gained = 0;
+  EnergyExchange exchange = {};
 };
 
 struct Options {
@@ -53,15 +53,6 @@ double default_fall_height(double box_height);
 /// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
 /// unless resolution and fall height are positive and give a value within these bounds.
 double gravity(const Parameters& parameters);
-
-/// Energy in units of a site's mass, gravity and the lattice spacing.
-struct Energy {
-  double kinetic = 0;
-  /// For the present direction of gravity; 0 if all centres of mass are at the height of the lower
-  /// left site.
-  double potential = 0;
-};
-Energy energy(const State& state, double gravity);
 
 /// 64-bit hash of everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);

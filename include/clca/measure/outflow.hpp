@@ -44,6 +44,8 @@ class Outflow {
   /// `begin`: the totals before the stage.
   explicit Outflow(Discharge begin) : begin_(begin), last_(begin) {}
 
+  /// Call before the first step with the totals, if something has left since. Throws like add().
+  void add_at_start(Discharge total);
   /// Call after each step with the totals. Throws std::invalid_argument if they decrease.
   void add(Discharge total);
 

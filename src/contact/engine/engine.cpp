@@ -204,14 +204,28 @@ void Engine::advance_and_move() {
 }
 
 void Engine::write_back() {
-  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
-                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
+  write_back_velocities();
   state_.contacts.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     if (slots_.at(at).lane >= 0) {
       state_.contacts.push_back(slots_.content(at).contact);
     }
   }
+}
+
+void Engine::write_back_velocities() {
+  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
+                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
+}
+
+std::vector<Contact> Engine::wall_contacts() const {
+  std::vector<Contact> result;
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
+    if (slots_.at(at).lane >= 0 && !grains::is_particle(slots_.at(at).other)) {
+      result.push_back(slots_.content(at).contact);
+    }
+  }
+  return result;
 }
 
 }  // namespace clca::contact

@@ -38,6 +38,9 @@ class Engine {
   std::span<const std::uint32_t> moved() const { return moved_; }
   /// Sets velocities and contacts of the state.
   void write_back();
+  void write_back_velocities();
+  /// Those with walls and sides.
+  std::vector<Contact> wall_contacts() const;
 
  private:
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }

@@ -69,6 +69,20 @@ const grains::Travel& travel(const ContactModel& model) {
   return model.grains().walls[0].travel;
 }
 
+TEST_P(MovingWalls, AFloorThatIsLiftedDoesTheWorkThatItsBedGains) {
+  constexpr double kWeight = 3 * 7;  // of 3 grains, in sites; no side of the box holds them
+  ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 3);
+  settle(one);
+  one.set_motion(0, true);
+  double work = 0;
+  for (int i = 0; i < 700; ++i) {
+    work += one.step().exchange.walls;
+  }
+  EXPECT_EQ(travel(one).offset, 30);
+  // It sets them in motion, and then lifts them.
+  EXPECT_NEAR(work, kWeight * (1.0 / 20 / 20 / gravity(kParameters) + 30), 1);
+}
+
 TEST_P(MovingWalls, AFloorLiftedSlowlyCarriesTheWeightOfItsBed) {
   constexpr double kGrains = 40;
   ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 40);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -156,6 +157,27 @@ TEST_P(GrainsInAVessel, FlyStraightForWhoStandsOutside) {
     const Eigen::Vector2d inside = Eigen::Rotation2Dd(-kRate * step) * outside;
     const Eigen::Vector2d place = grains::centre(one.grains(), one.grains().particles[0]) - centre;
     ASSERT_LT((place - inside).norm(), 1) << step;
+  }
+}
+
+TEST_P(GrainsInAVessel, GainInFreeFlightWhatTheVesselWorks) {
+  const double fall = gravity(kParameters);
+  for (const Vessel& vessel : {rotating({}, -1.0 / 2400, Eigen::Vector2d(90, 100)),
+                               tilting({}, angle_of(70), 0.2, kNowhere),
+                               shaken({}, 2, 1.0 / 150, false), shaken({}, 2, 1.0 / 150, true)}) {
+    State start = state({particle_at(110, 130)}, 210, 220);
+    start.velocities[0] = {-kSpacing / 8, kSpacing / 10, 0};
+    ContactModel one = model(start);
+    one.set_vessel(vessel);
+    const double before = energy(one.state(), fall).sum();
+    double work = 0;
+    double most = 0;
+    for (int step = 0; step < 200; ++step) {
+      work += one.step().exchange.vessel;
+      most = std::max(most, std::abs(work));
+      ASSERT_NEAR(energy(one.state(), fall).sum(), before + work, 6) << step;
+    }
+    EXPECT_GT(most, 20);
   }
 }
 

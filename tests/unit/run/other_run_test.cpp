@@ -106,6 +106,24 @@ TEST_F(OtherRunTest, GoesOnAsAnyRunAndSaysWhereItBegan) {
   EXPECT_EQ(store::read_summary(path("flow/run.json")).begin->state_hash, packing.state_hash);
 }
 
+TEST_F(OtherRunTest, WhatLiesInAnOutletLeavesAtOnce) {
+  for (const char* model : {"automaton", "contact"}) {
+    const std::vector<scene::Override> one = {std::string("model=") + model,
+                                              "species={small: {shape: {hexagon: 1}}}"};
+    std::vector<scene::Override> there = one;
+    there.emplace_back("stages.packing.fill.counts={small: 40}");
+    pack(there);
+    std::vector<scene::Override> here = one;
+    here.emplace_back("outlets={drain: {region: [0, 0, 20, 8]}}");
+    const auto summary = run(flow(here), {.folder = path("flow"), .overwrite = true});
+    const auto left = testing::csv_column(path("flow/series.csv"), "discharged_particles");
+    const auto inside = testing::csv_column(path("flow/series.csv"), "particles");
+    EXPECT_GT(left.front(), 0) << model;
+    EXPECT_EQ(left.front() + inside.front(), 40) << model;
+    EXPECT_EQ(testing::measure_of(summary, "flow", "discharged"), left.back()) << model;
+  }
+}
+
 TEST_F(OtherRunTest, ItsResolvedSceneGivesTheSameRunAgainAndNoOther) {
   pack();
   const auto first = run(flow(), {.folder = path("flow")});
