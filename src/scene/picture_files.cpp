@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "clca/image/png.hpp"
 #include "clca/scene/parse.hpp"
