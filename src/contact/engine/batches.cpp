@@ -27,9 +27,8 @@ void for_each_number(ABatch& batch, Content& content, Visit visit) {
 
 /// Number of a wall or side among the bodies that are no grains.
 std::int32_t fixed_body(grains::Owner owner) {
-  return owner <= kRightSide
-             ? kRestingBody
-             : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
+  return is_side(owner) ? kRestingBody
+                        : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
 }
 
 }  // namespace

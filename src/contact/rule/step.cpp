@@ -29,7 +29,7 @@ class Contacts {
     Velocity<std::int32_t> side;
     Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
     Velocity<std::int32_t>& other_velocity = !on_wall ? state_.velocities[other]
-                                             : contact.other <= kRightSide
+                                             : is_side(contact.other)
                                                  ? side
                                                  : walls_[grains::wall_number(contact.other)];
     ContactState<std::int32_t> touching = {

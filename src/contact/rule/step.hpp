@@ -29,7 +29,7 @@ struct Rule {
     if (grains::is_particle(other)) {
       return friction;
     }
-    return other <= kRightSide ? side_friction : wall_friction[grains::wall_number(other)];
+    return is_side(other) ? side_friction : wall_friction[grains::wall_number(other)];
   }
 };
 
