@@ -13,7 +13,7 @@ namespace {
 class Walls {
  public:
   explicit Walls(const grains::State& state)
-      : state_(state), sites_(state.lattice.memory_size(), false) {
+      : state_(state), sites_(state.lattice.index_count(), false) {
     for (const lattice::Site site : wall_sites(state)) {
       sites_[state.lattice.index(site)] = true;
     }
