@@ -16,7 +16,11 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace reflection = clca::reflection;
+namespace run = clca::run;
+namespace scene = clca::scene;
+namespace store = clca::store;
 
 constexpr store::FileKind kKind = {"checkpoint", 2};
 constexpr double kLimit = 1e6;
