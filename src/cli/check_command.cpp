@@ -19,11 +19,15 @@ namespace {
 /// A fill of so many particles takes less than a second.
 constexpr double kFewSites = 1e7;
 
-void print(const scene::Scene& scene) {
+void print(const scene::Scene& scene, bool draws) {
   const scene::Size size = scene::size_of(scene);
   scene::check_walls(scene);
   if (static_cast<double>(size.columns) * size.rows <= kFewSites) {
-    run::check_start(scene);
+    scene::Scene checked = scene;
+    if (!draws) {
+      checked.output.frames.reset();
+    }
+    run::check_start(checked);
   } else {
     scene::check_room(scene);
   }
@@ -35,7 +39,7 @@ void print(const scene::Scene& scene) {
             size.rows, size.particles, size.bytes / kMebibyte);
 }
 
-void print(const scene::BoltzmannScene& scene) {
+void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
   const int threads = machine_threads();
   print_out("{}", scene::to_yaml(scene));
   print_out("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
@@ -51,7 +55,8 @@ void add_check_command(CommandLine& command_line) {
   auto options = std::make_shared<SceneOptions>();
   add_scene_options(command, *options);
   command.action([options] {
-    std::visit([](const auto& scene) { print(scene); }, load_any_scene(*options));
+    const bool draws = options->frames_every != std::uint64_t{0};
+    std::visit([&](const auto& scene) { print(scene, draws); }, load_any_scene(*options));
     return static_cast<int>(ExitCode::done);
   });
 }

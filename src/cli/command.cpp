@@ -15,6 +15,8 @@ namespace clca::cli {
 
 namespace {
 
+constexpr std::size_t kShownCharacters = 400;  // of a message, which may hold a long argument
+
 /// CLI11 would only say that a subcommand is required.
 void check_command_name(const CLI::App& app, std::string_view given) {
   if (given.empty() || given.front() == '-') {
@@ -136,7 +138,8 @@ int CommandLine::run(const std::vector<const char*>& arguments) {
     parse(*app_, arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      throw text::InputError(fmt::format("{} (see clca --help)", error.what()));
+      throw text::InputError(
+          fmt::format("{} (see clca --help)", text::shortened(error.what(), kShownCharacters)));
     }
     std::ostringstream text;
     app_->exit(error, text, text);

@@ -1,5 +1,7 @@
 // clca explain: the keys of the scene format.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
+#include "report/internal/measure_names.hpp"
 
 namespace clca::cli {
 
@@ -18,6 +21,22 @@ struct ExplainOptions {
   std::vector<std::string> keys;
   std::string format = "text";
 };
+
+/// Of keys of a scene, or of a quantity that run.json and tables have.
+std::string explained(const std::string& name) {
+  try {
+    return scene::explain(name);
+  } catch (const scene::UnknownKeyError&) {
+    const report::MeasureName* quantity = report::find_measure_name(name);
+    if (quantity == nullptr) {
+      throw;
+    }
+    return fmt::format("{}: {}{}{}\n  a number in run.json, of each stage; in tables of a sweep\n",
+                       quantity->key, quantity->name,
+                       quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
+                       quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));
+  }
+}
 
 std::string text_of(const ExplainOptions& options) {
   if (options.format == "schema") {
@@ -30,7 +49,7 @@ std::string text_of(const ExplainOptions& options) {
   }
   std::string text;
   for (const std::string& key : keys) {
-    text += (text.empty() ? "" : "\n") + scene::explain(key);
+    text += (text.empty() ? "" : "\n") + explained(key);
   }
   return text;
 }
@@ -38,10 +57,13 @@ std::string text_of(const ExplainOptions& options) {
 }  // namespace
 
 void add_explain_command(CommandLine& command_line) {
-  Command command = command_line.command("explain", "Explain the keys of a scene");
+  Command command =
+      command_line.command("explain", "Explain the keys of a scene and the quantities of a run");
   auto options = std::make_shared<ExplainOptions>();
-  command.option("KEY", &options->keys,
-                 "Keys as for --set, such as rules.inertia or walls.motion [the top]");
+  command.option(
+      "KEY", &options->keys,
+      "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
+      "quantities of run.json [the top]");
   command.option("--format", &options->format, "text, markdown (a table) or schema (JSON Schema)")
       .type("FORMAT")
       .values(one_of({"text", "markdown", "schema"}))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "clca/store/file.hpp"
+#include "clca/store/folder_lock.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::cli {
@@ -13,6 +14,8 @@ template <class Read>
 auto as_input(Read&& read) {
   try {
     return std::forward<Read>(read)();
+  } catch (const store::FolderLockError&) {
+    throw;  // the folder is there, but cannot be written
   } catch (const store::StoreError& error) {
     throw text::InputError(error.what());
   }

@@ -106,6 +106,14 @@ OptionValues part_of_whole(std::uint64_t most) {
   return {check, ""};
 }
 
+OptionValues assignment(const std::string& form) {
+  const auto check = [form](std::string& text) -> std::string {
+    return text.find('=') == std::string::npos ? expected(form + ", as in rules.inertia=0.5", text)
+                                               : std::string();
+  };
+  return {check, ""};
+}
+
 OptionValues time_span() {
   const auto convert = [](std::string& text) -> std::string {
     constexpr double kMaxSeconds = 1e9;

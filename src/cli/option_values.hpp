@@ -23,6 +23,9 @@ OptionValues finite_number();
 /// `3/64`: the third of 64 parts.
 OptionValues part_of_whole(std::uint64_t most);
 
+/// A key, `=` and what `form` (`KEY=VALUE`) says.
+OptionValues assignment(const std::string& form);
+
 /// `90`, `30min` or `2h` into seconds.
 OptionValues time_span();
 /// `4GiB` into bytes.

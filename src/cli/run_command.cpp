@@ -41,6 +41,9 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
   return show_run(folder, options.run, [&](run::RunOptions run, const run::RunEvents& events) {
     run.overwrite = options.overwrite;
     run.keep = options.keep;
+    if (options.scene.frames_every == std::uint64_t{0}) {
+      run.pictures = run::WantedPictures::none;
+    }
     return run::run(scene, run, events);
   });
 }

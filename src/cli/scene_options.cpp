@@ -59,25 +59,38 @@ void check_text(const AScene& scene, const std::string& file) {
 
 /// The scene with the options applied. Throws scene::SceneError if it does not fit into memory.
 scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
-  if (options.frames_every == std::uint64_t{0}) {
-    scene.output.frames.reset();
-  }
   run::find_begin(scene, memory_limit(options));
   check_text(scene, options.file);
   check_memory(scene, memory_limit(options));
   return scene;
 }
 
-/// The file of an installed scene if `name` is the name of one and of no file.
+/// The file of an installed scene if `name` is the name of one and of no file. Throws
+/// scene::SceneError for what may be meant as one.
 std::string find_scene(const std::string& name) {
   std::error_code error;
-  if (name.find_first_of("/.") == std::string::npos && !std::filesystem::exists(name, error)) {
-    for (const std::filesystem::path& folder : process::data_folders("scenes")) {
-      const std::filesystem::path file = folder / (name + ".yaml");
-      if (std::filesystem::is_regular_file(file, error)) {
-        return file.string();
+  if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, error)) {
+    return name;
+  }
+  std::vector<std::string> known;
+  for (const std::filesystem::path& folder : process::data_folders("scenes")) {
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error)) {
+      if (it->path().extension() != ".yaml") {
+        continue;
+      }
+      known.push_back(it->path().stem().string());
+      if (known.back() == name) {
+        return it->path().string();
       }
     }
+  }
+  std::sort(known.begin(), known.end());
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  if (text::nearest(name, names)) {
+    throw scene::SceneError(
+        fmt::format("{}:1:1: error: cannot read the file: No such file or directory{}",
+                    text::printable(name), text::suggestion(name, names)));
   }
   return name;
 }
@@ -159,6 +172,7 @@ void add_scene_and_set(Command& command, SceneOptions& options) {
               "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
               "stages.flow.max_steps=500; may be repeated")
       .type("KEY=VALUE")
+      .values(assignment("KEY=VALUE"))
       .one_value();
   command
       .option("--begin", &options.begin,
@@ -178,7 +192,10 @@ void add_scene_options(Command& command, SceneOptions& options) {
   add_scene_and_set(command, options);
   command.option("--seed", &options.seed, "Seed of the random draws, in place of the scene's")
       .values(whole_number());
-  command.option("--frames-every", &options.frames_every, "A picture every N steps; 0: no pictures")
+  command
+      .option("--frames-every", &options.frames_every,
+              "A picture every N steps; 0: no pictures for now, with their settings kept for clca "
+              "render")
       .values(whole_number());
   add_memory_limit(command, options);
 }

@@ -20,7 +20,7 @@ struct SceneOptions {
   std::vector<std::string> overrides;
   std::optional<std::string> begin;
   std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> frames_every;
+  std::optional<std::uint64_t> frames_every;  ///< 0: no pictures, but their settings
   std::optional<std::uint64_t> memory_limit;  ///< bytes
 };
 

@@ -150,7 +150,15 @@ int run_sweep(const SweepCommandOptions& options) {
     return static_cast<int>(ExitCode::failed);
   }
   if (totals.done < totals.runs) {
-    print_error("clca: error: {} of {} runs are missing\n", totals.runs - totals.done, totals.runs);
+    const std::string elsewhere =
+        totals.elsewhere > 0
+            ? fmt::format(
+                  "; {} under way in other processes: call the same command again when "
+                  "these have ended",
+                  totals.elsewhere)
+            : "";
+    print_error("clca: error: {} of {} runs are missing{}\n", totals.runs - totals.done,
+                totals.runs, elsewhere);
     return static_cast<int>(ExitCode::failed);
   }
   return static_cast<int>(ExitCode::done);
@@ -178,6 +186,7 @@ void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks) {
               "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
               "all combinations")
       .type("KEY=V1,V2,...")
+      .values(assignment("KEY=V1,V2,..."))
       .one_value();
   command.option("-o,--output", &options->folder,
                  "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");

@@ -74,13 +74,15 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
       velocity_unit_(velocity_unit(scene)),
       species_names_(text::names_of<std::string>(scene.species)),
       wall_names_(text::names_of<std::string>(scene.walls)),
+      step_digits_(scene::step_digits(scene)),
       kinds_(kind_appearances(scene, kinds)) {
   collection_.create();  // throws where it cannot be written, before anything else is
 }
 
 std::string VtpWriter::beside(const std::string& part, std::uint64_t step) const {
   const std::string repeat = earlier_ > 0 ? fmt::format("-{}", earlier_ + 1) : "";
-  return fmt::format("{}{}-{:06}{}.vtp", collection_.path().stem().string(), part, step, repeat);
+  return fmt::format("{}{}-{:0{}}{}.vtp", collection_.path().stem().string(), part, step,
+                     step_digits_, repeat);
 }
 
 double VtpWriter::time(std::uint64_t step) const {

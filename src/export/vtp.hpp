@@ -39,6 +39,7 @@ class VtpWriter : public Writer {
   double velocity_unit_;
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
+  int step_digits_;
   std::vector<KindAppearance> kinds_;
   std::vector<Place> seen_;  // the walls that wall_file_ shows
   std::string wall_file_;

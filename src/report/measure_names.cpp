@@ -1,6 +1,6 @@
 // The definitions in full: docs/scene-format.md (Measures) and docs/boltzmann.md.
 
-#include "report/measure_names.hpp"
+#include "report/internal/measure_names.hpp"
 
 #include <fmt/format.h>
 
@@ -53,6 +53,13 @@ constexpr auto kMeasureNames = std::to_array<MeasureName>({
     {"force_share_above_mean", "Contacts above the mean force", "", "their share"},
     {"force_tail_beta", "Tail of the forces, β", "",
      "of exp(-β f/⟨f⟩), which the forces above the mean f follow"},
+    {"contacts_per_grain", "Contacts of a grain", "", "with grains and walls, mean"},
+    {"balance_residual", "Balance of forces", "",
+     "what forces and weight do not balance, over the weight; mean over grains"},
+    {"load_floor", "Load on the floor", "",
+     "force on the floor of the box over the weight of all grains"},
+    {"energy_growth", "Growth of the energy", "",
+     "most that it has grown in the stage, as a share of that at its start"},
     {"plate_depth", "Depth of the plate", "spacings",
      "of the deepest plate under the surface at the start of the stage"},
     {"stalled_since", "Stalled since", "step", "since when a wall wants to go on and cannot"},

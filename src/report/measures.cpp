@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "report/measure_names.hpp"
+#include "report/internal/measure_names.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
 

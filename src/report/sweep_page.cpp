@@ -13,7 +13,7 @@
 #include "clca/store/table.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
-#include "report/measure_names.hpp"
+#include "report/internal/measure_names.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
 

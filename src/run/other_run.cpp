@@ -39,6 +39,12 @@ OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double
                     summary.status));
   }
   const auto found = store::read_checkpoint(folder, max_bytes);
+  if (found && !found->warning.empty()) {  // it is an earlier one
+    throw store::StoreError(fmt::format(
+        "the run in {} has lost the checkpoint of its end; run it again, or name a step "
+        "of its trajectory",
+        folder.string()));
+  }
   if (found && found->checkpoint.is_start()) {
     throw store::StoreError(fmt::format("a new run begins in {}", folder.string()));
   }

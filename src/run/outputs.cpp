@@ -28,13 +28,14 @@ Outputs::Outputs(const scene::Scene& scene, const grains::State& state, const Ru
 }
 
 std::vector<std::string> Outputs::file_names() const {
-  std::vector<std::string> names = {store::table_name("series"),
-                                    store::table_name("cycles"),
-                                    store::table_name("fields"),
-                                    store::table_name("probes"),
-                                    "trajectory.h5",
-                                    "trajectory/part-000000.h5",
-                                    store::frame_path("", scene_.name, 0).string()};
+  std::vector<std::string> names = {
+      store::table_name("series"),
+      store::table_name("cycles"),
+      store::table_name("fields"),
+      store::table_name("probes"),
+      "trajectory.h5",
+      "trajectory/part-000000.h5",
+      store::frame_path("", scene_.name, 0, scene::step_digits(scene_)).string()};
   for (const scene::Stage& stage : scene_.stages) {
     for (const char* kind : {"profile", "convection", "fluctuation", "lines", "contacts", "forces",
                              "loads", "walls", "stress"}) {

@@ -55,6 +55,9 @@ class Outputs {
   /// Those of them that it will write for certain.
   std::set<std::string> planned_names() const;
 
+  /// Whether pictures are drawn.
+  bool has_pictures() const { return pictures_.has_value(); }
+
   /// Starts writing to `folder`, which must outlive this object. `state`: of the run.
   void open(const store::RunFolder& folder, const grains::State& state);
   /// The same for a resumed run: removes what was written after `history`.

@@ -37,12 +37,15 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
 
 FilesTarget::FilesTarget(const scene::Scene& scene, store::OutputFolder folder, bool pdf,
                          std::uint64_t step)
-    : folder_(std::move(folder)), scene_(scene.name), pdf_(pdf) {
+    : folder_(std::move(folder)),
+      scene_(scene.name),
+      digits_(scene::step_digits(scene)),
+      pdf_(pdf) {
   folder_.create(name(step));  // throws where it cannot be written
 }
 
 std::string FilesTarget::name(std::uint64_t step) const {
-  return store::frame_name(scene_, step, pdf_ ? ".pdf" : ".png");
+  return store::frame_name(scene_, step, digits_, pdf_ ? ".pdf" : ".png");
 }
 
 void FilesTarget::add(FramePainter& painter, const CapturedFrame& frame, const Picture& picture,

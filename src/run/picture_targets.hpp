@@ -31,6 +31,7 @@ class FilesTarget {
 
   store::OutputFolder folder_;
   std::string scene_;
+  int digits_;
   bool pdf_;
   FrameWriter writer_;
 };

@@ -29,7 +29,8 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
                                          history_);
   begin_window(history_, scene_, state);
   writer_.write(folder.files().subfolder(store::kFramesFolder),
-                store::frame_name(scene_.name, state.step), [this, frame = std::move(frame)] {
+                store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
+                [this, frame = std::move(frame)] {
                   const Picture picture = painter_.rasterize(frame);
                   return image::encode_png(picture.image, picture.text);
                 });

@@ -63,10 +63,12 @@ class Run : public RunBase {
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, first_state(scene)) {
     prepare();
-    write_to(folder ? std::move(*folder)
-                    : begin_run(options, events, checkpoint(), outputs_.file_names(),
-                                outputs_.planned_names()),
-             0, 0);
+    store::Checkpoint start = checkpoint();
+    reflection::encode(store::Checkpoint::kWanted, SavedWish{options.pictures}, start.fields);
+    write_to(
+        folder ? std::move(*folder)
+               : begin_run(options, events, start, outputs_.file_names(), outputs_.planned_names()),
+        0, 0);
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -150,7 +152,7 @@ void Run::carry_out() {
   if (!in_stage_) {
     outputs_.open(folder(), model_.state());
   }
-  if (scene_.output.frames && scene_.output.frames->caption && !render::font_problem().empty()) {
+  if (outputs_.has_pictures() && scene_.output.frames->caption && !render::font_problem().empty()) {
     log().warning(render::font_problem());
   }
   while (course_.stage < scene_.stages.size() && !interrupted_) {
@@ -393,9 +395,10 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }
-  const RunOptions startable = with_team(options, events);
+  RunOptions startable = with_team(options, events);
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
+    startable.pictures = saved_pictures(saved);
     saved.folder.start_over(saved.checkpoint, {});
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }

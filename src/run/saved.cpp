@@ -8,6 +8,7 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "clca/text/message.hpp"
 #include "clca/text/name.hpp"
 
 namespace clca::run {
@@ -89,9 +90,10 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
   const auto steps = scene::steps_of(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
   if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
-    throw SceneRunError(fmt::format(
-        "--until {}: error: stage {} has passed this end: it is at step {}{}", until, stage.name,
-        history.steps, cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
+    throw SceneRunError(
+        fmt::format("--until {}: error: stage {} has passed this end: it is at step {}{}",
+                    text::shortened(until), stage.name, history.steps,
+                    cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
   }
 }
 
@@ -132,10 +134,16 @@ store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path
 }
 
 WantedPictures saved_pictures(const SavedRun& saved) {
-  OutputHistory outputs;
-  if (!saved.checkpoint.is_start()) {
-    reflection::decode(kSavedOutputs, saved.checkpoint.fields, saved.max_bytes, outputs);
+  if (saved.checkpoint.is_start()) {
+    SavedWish wish;
+    if (!saved.checkpoint.fields.empty()) {
+      reflection::decode(store::Checkpoint::kWanted, saved.checkpoint.fields, saved.max_bytes,
+                         wish);
+    }
+    return wish.pictures;
   }
+  OutputHistory outputs;
+  reflection::decode(kSavedOutputs, saved.checkpoint.fields, saved.max_bytes, outputs);
   return outputs.wanted_pictures;
 }
 

@@ -27,6 +27,15 @@ struct RunCourse {
   }
 };
 
+/// What is wanted of a run that has not taken a step yet.
+struct SavedWish {
+  WantedPictures pictures = WantedPictures::all;
+
+  static constexpr auto fields() {
+    return std::make_tuple(reflection::field("pictures", &SavedWish::pictures));
+  }
+};
+
 inline constexpr const char* kSavedCourse = "course";
 inline constexpr const char* kSavedHistory = "stage";
 inline constexpr const char* kSavedOutputs = "outputs";

@@ -25,9 +25,10 @@ template <class Items>
 void require_none(const Items& items, const Value& root, const char* key, const char* what) {
   if (!items.empty()) {
     fail(root.find(key)->location,
-         fmt::format("{}: nothing would be written; they {} at the steps of output.series, so give "
-                     "that, or remove them",
-                     key, what));
+         fmt::format(
+             "{}: nothing would be written; they {} at the steps of output.series, so remove "
+             "its none, or them",
+             key, what));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clca/text/message.hpp"
+#include "scene/key_paths.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
@@ -49,6 +50,17 @@ FoundKey find(const Descriptions& top, const std::vector<std::string>& parts) {
   return found;
 }
 
+/// Keys of this name anywhere in scenes of both kinds.
+std::vector<std::string> paths_anywhere(std::string_view name) {
+  std::vector<std::string> paths = paths_of_key(scene_type().keys, name);
+  for (std::string& path : paths_of_key(boltzmann_type().keys, name)) {
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
+      paths.push_back(std::move(path));
+    }
+  }
+  return paths;
+}
+
 /// In scenes of grains and of the Boltzmann equation, where they differ; `boltzmann:PATH` in the
 /// latter only.
 std::vector<FoundKey> found_keys(std::string_view path) {
@@ -77,14 +89,25 @@ std::vector<FoundKey> found_keys(std::string_view path) {
       names.insert(names.end(), more.begin(), more.end());
     }
   }
-  throw UnknownKeyError(fmt::format("the scene format has no key {}{}", text::shown(path),
-                                    text::suggestion(parts.empty() ? "" : parts.back(), names)));
+  const std::string& last = parts.back();  // the top has been found
+  std::string suggestion = text::suggestion(last, names);
+  if (suggestion.empty()) {
+    suggestion = path_suggestion(scene_type().keys, last);
+  }
+  throw UnknownKeyError(
+      fmt::format("the scene format has no key {}{}", text::shown(path), suggestion));
 }
 
 std::string values_text(const KeyDescription& key) {
+  const bool is_value = key.default_value || may_be_none(key);
+  const auto begins_with = [&](std::string_view words) { return key.otherwise.starts_with(words); };
+  const bool is_condition = begins_with("one of") || begins_with("this or") ||
+                            begins_with("goes with") || begins_with("required");
   const std::string otherwise = key.required            ? "required"
                                 : key.otherwise.empty() ? ""
-                                                        : "default: " + key.otherwise;
+                                : is_condition          ? key.otherwise
+                                : is_value              ? "default: " + key.otherwise
+                                                        : "if left out: " + key.otherwise;
   return without_markup(key.allowed + (otherwise.empty() ? "" : "; " + otherwise));
 }
 
@@ -134,6 +157,17 @@ void allow_expressions(Json& schema) {
 }  // namespace
 
 std::string explain(std::string_view path) {
+  const bool at_top = find(scene_type().keys, {std::string(path)}).keys != nullptr ||
+                      find(boltzmann_type().keys, {std::string(path)}).keys != nullptr;
+  const std::vector<std::string> paths =
+      path.empty() || at_top ? std::vector<std::string>() : paths_anywhere(path);
+  if (!paths.empty()) {
+    std::string all;
+    for (const std::string& one : paths) {
+      all += (all.empty() ? "" : "\n") + explain(one);
+    }
+    return all;
+  }
   const std::vector<FoundKey> found = found_keys(path);
   std::string text = explained(found.front());
   if (found.size() > 1) {

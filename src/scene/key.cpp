@@ -1,5 +1,7 @@
 #include "scene/key.hpp"
 
+#include <algorithm>
+
 namespace clca::scene {
 
 AnyType::AnyType() = default;
@@ -111,10 +113,51 @@ Yaml map_text(const AnyMap& map, const void* owner, const Scene& scene) {
 
 }  // namespace
 
+bool may_be_none(const KeyDescription& key) {
+  return !key.required && !key.default_value &&
+         (key.otherwise == "none" || key.otherwise.starts_with("none:"));
+}
+
+void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
+  const auto key_of = [&](const Entry& entry) {
+    return std::find_if(keys.begin(), keys.end(),
+                        [&](const KeyDescription& key) { return key.name == entry.key; });
+  };
+  std::erase_if(value.entries, [&](const Entry& entry) {
+    const auto key = key_of(entry);
+    return key != keys.end() && may_be_none(*key) && entry.value.is(Value::Kind::scalar) &&
+           !entry.value.quoted && entry.value.text == "none";
+  });
+  for (Entry& entry : value.entries) {
+    const auto key = key_of(entry);
+    if (key == keys.end() || key->keys == nullptr) {
+      continue;
+    }
+    if (!key->is_collection) {
+      leave_out_none(entry.value, *key->keys);
+    }
+    for (Value& item : entry.value.items) {
+      leave_out_none(item, *key->keys);
+    }
+    for (Entry& named : entry.value.entries) {
+      if (key->is_collection) {
+        leave_out_none(named.value, *key->keys);
+      }
+    }
+  }
+}
+
 std::string meaning(const KeyDescription& key) {
+  // A link at the end says where to read on.
+  std::string about = key.about;
+  const std::size_t link = about.rfind("[");
+  if (about.ends_with(")") && link != std::string::npos && link >= 2 &&
+      about.find("](", link) != std::string::npos && about[link - 1] == ' ' &&
+      (about[link - 2] == ':' || about[link - 2] == ';')) {
+    about.erase(link - 2);
+  }
   return without_markup(
-      (key.model ? fmt::format("with model: {}: ", name_of(kModelNames, *key.model)) : "") +
-      key.about);
+      (key.model ? fmt::format("with model: {}: ", name_of(kModelNames, *key.model)) : "") + about);
 }
 
 std::string without_markup(std::string text) {

@@ -259,6 +259,11 @@ struct Map {
   std::string_view conditions = {};  ///< the same as far as a schema can say it; JSON
 };
 
+/// Whether it is left out by `none` as its value, too.
+bool may_be_none(const KeyDescription& key);
+/// Removes the entries of such keys that have that value, at any depth.
+void leave_out_none(Value& value, const std::vector<KeyDescription>& keys);
+
 /// Without backticks and addresses of links.
 std::string without_markup(std::string text);
 /// What the key is for, without markup.

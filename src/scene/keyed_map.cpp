@@ -8,7 +8,9 @@
 
 #include "clca/text/message.hpp"
 #include "clca/text/utf8.hpp"
+#include "scene/key_paths.hpp"
 #include "scene/limits.hpp"
+#include "scene/sections.hpp"
 
 namespace clca::scene {
 
@@ -66,6 +68,19 @@ T read_ranged(const Value& value, std::string_view path, T low, T high) {
                            low, high));
   }
   return *number;
+}
+
+/// The nearest of the keys or, at the top and on a command line, a key elsewhere.
+std::string suggestion(const Entry& entry, std::string_view path,
+                       std::span<const std::string_view> keys) {
+  constexpr std::string_view kGas = "boltzmann";
+  const bool is_gas =
+      path.starts_with(kGas) || std::find(keys.begin(), keys.end(), kGas) != keys.end();
+  const Descriptions& all = is_gas ? boltzmann_type().keys : scene_type().keys;
+  const bool elsewhere = path.empty() || !entry.location.origin->has_lines;
+  const bool is_elsewhere = elsewhere && !paths_of_key(all, entry.key).empty();
+  std::string here = is_elsewhere ? "" : text::suggestion(entry.key, keys);
+  return here.empty() && elsewhere ? path_suggestion(all, entry.key) : here;
 }
 
 bool is_name_letter(char letter) {
@@ -130,7 +145,10 @@ std::optional<std::size_t> line_length(std::string_view text) {
 const std::vector<Value>& read_list(const Value& value, std::string_view path, std::size_t least,
                                     std::size_t most) {
   if (!value.is(Value::Kind::list)) {
-    unexpected(value, path, "a list");
+    const bool is_word = value.is(Value::Kind::scalar) && !value.quoted;
+    fail(value.location,
+         fmt::format("{}: expected a list, found {}{}", path, found(value),
+                     is_word ? fmt::format("; write [{}]", text::shortened(value.text)) : ""));
   }
   const std::size_t size = value.items.size();
   if (size < least || size > most) {
@@ -222,7 +240,7 @@ KeyedMap::KeyedMap(const Value& map, std::string path, std::span<const std::stri
     if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
       fail(entry.location, fmt::format("unknown key {}{} (allowed: {}){}", text::shown(entry.key),
                                        path_.empty() ? "" : " in " + path_, fmt::join(keys, ", "),
-                                       text::suggestion(entry.key, keys)));
+                                       suggestion(entry, path_, keys)));
     }
   }
 }

@@ -47,8 +47,8 @@ Key<BoltzmannScene> restitution_key() {
 /// Without it nothing slides; see boltzmann::Law.
 Key<BoltzmannScene> friction_key() {
   return key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
-             "η of Coulomb; without it, but with a roughness, nothing slides")
-      .defaults_to("see below")
+             "η of Coulomb, of rough spheres")
+      .defaults_to("nothing slides")
       .written_as([](const BoltzmannScene& scene, const Scene& /*scene*/) {
         return scene.friction != boltzmann::kNoSlidingLimit
                    ? std::optional(Yaml::number(scene.friction))

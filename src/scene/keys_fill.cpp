@@ -102,7 +102,7 @@ Key<FillPicture> colors_key() {
            "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a pixel "
            "has the nearest of these colours, or is white and stays empty",
        .allowed = "map of colours",
-       .otherwise = "none",
+       .otherwise = "goes with `file`",
        .schema = with(with(object_schema(part_schema(), "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
                       "maxProperties", kMaxParts)});
 }
@@ -167,7 +167,7 @@ Type<FillPicture> picture() {
                     .defaults_to("this or `file`"),
                 key("pixels", &FillPicture::weights, pixels_type(),
                     "of rows: by letter, a species or weights by species", {})
-                    .defaults_to("none")},
+                    .defaults_to("goes with `rows`")},
        .check = check_picture,
        .conditions =
            R"({"oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}]})"});
@@ -209,7 +209,9 @@ Type<Fill> fill_type() {
                     "the next particle has no room")
                     .defaults_to("one of these three"),
                 key("level", &Fill::level, number(0, kMaxBoxHeight),
-                    "of a deposited mix: mean height of its surface where the filling ends")
+                    "of a `mix` with `method: deposition`: mean height of its surface where the "
+                    "filling "
+                    "ends")
                     .defaults_to("until the region is full")},
        .check = check_keys_of_fill,
        .conditions = R"({"oneOf": [{"required": ["counts"]}, {"required": ["mix"]},

@@ -212,7 +212,8 @@ Type<Output> output_type() {
       {.keys = {key("frames", &Output::frames, or_none(frames_type()),
                     "pictures: [output.frames](#outputframes)"),
                 key("series", &Output::series, or_none(series_type()),
-                    "table of what changes over time: [output.series](#outputseries)"),
+                    "table of what changes over time: [output.series](#outputseries)")
+                    .defaults_to("`none`; `{}` with `probes` or `lines`"),
                 key("fields", &Output::fields, or_none(fields_type()),
                     "means over the cells of a grid: [output.fields](#outputfields)"),
                 key("contacts", &Output::contacts, or_none(contacts_type()),

@@ -70,11 +70,11 @@ Keys<Scene> scene_keys() {
                 "kinds of particles, by name: [species](#species)"),
        key("rules", &Scene::rules, rules_type(), "what a particle does in a step: [rules](#rules)")
            .of(Model::automaton)
-           .defaults_to("see there"),
+           .defaults_to("that of each of its keys"),
        key("contact", &Scene::contact, contact_type(),
            "what particles do to each other where they touch: [contact](#contact)")
            .of(Model::contact)
-           .defaults_to("see there"),
+           .defaults_to("that of each of its keys"),
        key("units", &Scene::units, units_type(),
            "the length of a lattice spacing, gravity: [units](#units)")
            .of(Model::contact)
@@ -96,7 +96,7 @@ Keys<Scene> scene_keys() {
            .defaults_to("all"),
        key("output", &Scene::output, output_type(),
            "pictures, tables, trajectory and checkpoints: [output](#output)")
-           .defaults_to("see there")});
+           .defaults_to("that of each of its keys")});
   return keys;
 }
 

@@ -48,7 +48,7 @@ Map<Stage> stage_map() {
                    "friction and restitution during this stage in place of those of the scene")
                    .of(Model::contact)
                    .defaults_to("[contact](#contact)"),
-               key("until", &Stage::until, until_type(), "when the stage ends: see below"),
+               key("until", &Stage::until, until_type(), "when the stage ends"),
                key("max_steps", &Stage::max_steps, count(1, kMaxSteps),
                    "ends the stage in any case")},
       .check = check_stage};

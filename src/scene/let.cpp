@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "clca/text/message.hpp"
 #include "scene/keyed_map.hpp"
@@ -30,6 +31,7 @@ std::string number_text(double number) {
 
 class Evaluator {
  public:
+  Evaluator();
   void define(const Entry& entry);
   void evaluate(Value& value);
 
@@ -40,6 +42,13 @@ class Evaluator {
   mu::Parser parser_;
   std::vector<std::string_view> names_;
 };
+
+// Those of the library have 13 digits.
+Evaluator::Evaluator() {
+  parser_.ClearConst();
+  parser_.DefineConst("_pi", std::numbers::pi);
+  parser_.DefineConst("_e", std::numbers::e);
+}
 
 void Evaluator::define(const Entry& entry) {
   const std::string path = join_path("let", entry.key);
@@ -127,9 +136,14 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
 
 }  // namespace
 
+void evaluate_expression(Value& value) {
+  Evaluator().evaluate(value);
+}
+
 void evaluate_expressions(Value& root) {
   Evaluator evaluator;
-  if (Value* let = root.find("let")) {
+  Value* let = root.find("let");
+  if (let != nullptr && !(let->is(Value::Kind::scalar) && let->text == "none")) {
     if (!let->is(Value::Kind::map)) {
       fail(let->location, fmt::format("let: expected a map, found {}", found(*let)));
     }

@@ -6,8 +6,12 @@
 #include <charconv>
 #include <optional>
 
+#include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
 #include "scene/document.hpp"
+#include "scene/keyed_map.hpp"
+#include "scene/let.hpp"
+#include "scene/yaml_text.hpp"
 
 namespace clca::scene {
 
@@ -94,13 +98,49 @@ Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t d
   return parent.entries.back().value;
 }
 
+/// Text of a value in which numbers have one form only.
+std::string canonical_text(const Value& value) {
+  std::string text;
+  switch (value.kind) {
+    case Value::Kind::nothing:
+      return "null";
+    case Value::Kind::scalar: {
+      const auto number = value.quoted ? std::nullopt : to_number(value.text);
+      return number ? fmt::format("{}", *number + 0.0) : quoted_text(value.text).text;
+    }
+    case Value::Kind::list:
+      for (const Value& item : value.items) {
+        text += canonical_text(item) + ",";
+      }
+      return "[" + text + "]";
+    case Value::Kind::map:
+      for (const Entry& entry : value.entries) {
+        text += quoted_text(entry.key).text + ":" + canonical_text(entry.value) + ",";
+      }
+      return "{" + text + "}";
+  }
+  return text;
+}
+
 }  // namespace
 
+std::string canonical_value(const std::string& text) {
+  try {
+    Value value = read_document(text, std::make_shared<const Origin>());
+    evaluate_expression(value);
+    return canonical_text(value);
+  } catch (const SceneError&) {
+    return text;
+  }
+}
+
 void apply_override(Value& root, const std::string& text, std::string_view option) {
-  const auto origin = std::make_shared<const Origin>(
-      Origin{fmt::format("{} {}", option, text::printable(text)), false});
-  const TextLocation location = {origin, 1, 1};
   const std::size_t equals = text.find('=');
+  const std::string value_shown =
+      equals == std::string::npos ? "" : "=" + text::shortened(text.substr(equals + 1));
+  const auto origin = std::make_shared<const Origin>(Origin{
+      fmt::format("{} {}{}", option, text::shortened(text.substr(0, equals)), value_shown), false});
+  const TextLocation location = {origin, 1, 1};
   if (equals == std::string::npos || equals == 0) {
     fail(location, "expected KEY=VALUE with a key like rules.inertia");
   }

@@ -37,11 +37,21 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
   return name;
 }
 
+/// Probes and lines are observed at the steps of the series.
+void give_series(Scene& scene, const Value& root) {
+  const Value* output = root.find("output");
+  const bool is_given = output != nullptr && output->find("series") != nullptr;
+  if (!is_given && !(scene.probes.empty() && scene.lines.empty())) {
+    scene.output.series = Series();
+  }
+}
+
 Scene read_scene(const Value& root, const std::string& file) {
   Scene scene = default_scene();
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
   scene_type().read_into(root, "", scene, &scene);
+  give_series(scene, root);
   check_model(scene, root);
   check_history(scene, *root.find("stages"));
   check_time_step(scene, root);
@@ -96,8 +106,10 @@ AnyScene parse_any(std::string_view text, const std::string& file,
     apply_override(root, text_of_override, "--vary");
   }
   evaluate_expressions(root);
+  const Kind kind = kind_of(root);
+  leave_out_none(root, kind == Kind::boltzmann ? *boltzmann_type().keys : *scene_type().keys);
   expand_sizes(root);
-  if (kind_of(root) == Kind::boltzmann) {
+  if (kind == Kind::boltzmann) {
     return read_boltzmann_scene(root, file);
   }
   read_picture_files(root, std::filesystem::path(file).parent_path().string());

@@ -1,5 +1,8 @@
 #include "clca/scene/scene.hpp"
 
+#include <algorithm>
+#include <string>
+
 namespace clca::scene {
 
 std::optional<std::uint64_t> steps_of(const Until& until) {
@@ -8,6 +11,15 @@ std::optional<std::uint64_t> steps_of(const Until& until) {
   }
   const auto* steps = std::get_if<UntilSteps>(&until);
   return steps != nullptr ? std::optional(steps->steps) : std::nullopt;
+}
+
+int step_digits(const Scene& scene) {
+  std::uint64_t last = 0;
+  for (const Stage& stage : scene.stages) {
+    const std::uint64_t bound = stage.max_steps > Stage().max_steps ? stage.max_steps : 0;
+    last += steps_of(stage.until).value_or(bound);
+  }
+  return std::max(6, static_cast<int>(std::to_string(last).size()));
 }
 
 bool vessel_has_cycles(const Stage& stage) {

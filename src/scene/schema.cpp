@@ -137,7 +137,8 @@ Schema map_schema(const Descriptions& keys, const std::string& conditions) {
       property["description"] =
           meaning(key) +
           (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
-      property.update(key.schema());
+      property.update(may_be_none(key) ? any_of({word_schema("none"), key.schema})()
+                                       : key.schema());
       if (key.default_value) {
         property["default"] = to_json(*key.default_value);
       }

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
+#include <set>
 
 #include "clca/lattice/lattice.hpp"
 #include "scene/limits.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
 // Functions of the machine's library may differ in the last bits.
-constexpr double kShareUnit = 1e-6;
+constexpr double kShareUnit = 1e-9;
 
 struct Diameter {
   double value = 0;
@@ -30,17 +31,21 @@ double normal_below(double quantile) {
   return std::erfc(-quantile / std::sqrt(2.0)) / 2;
 }
 
-/// Mean diameters of classes of equal width between `low` and `high`. `below`: share of the law
-/// below a diameter; `moment_below`: that share times its mean.
+/// Mean diameters of classes of equal width between `low` and `high`; what the law has beyond them
+/// goes to the outermost. `below`: share of the law below a diameter; `moment_below`: that share
+/// times its mean.
 template <class Below, class MomentBelow>
 std::vector<Diameter> classes(double low, double high, std::uint64_t count, Below below,
                               MomentBelow moment_below) {
   std::vector<Diameter> result;
   const double width = (high - low) / static_cast<double>(count);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const double start = low + width * static_cast<double>(i);
-    const double share = below(start + width) - below(start);
-    result.push_back({(moment_below(start + width) - moment_below(start)) / share, share});
+  double start = 0;
+  for (std::uint64_t i = 1; i <= count; ++i) {
+    const double end =
+        i < count ? low + width * static_cast<double>(i) : std::numeric_limits<double>::infinity();
+    const double share = below(end) - below(start);
+    result.push_back({(moment_below(end) - moment_below(start)) / share, share});
+    start = end;
   }
   return result;
 }
@@ -56,10 +61,14 @@ std::vector<Diameter> diameters_of(const Sizes& sizes) {
   const double mean = *sizes.mean;
   const double sd = *sizes.sd;
   if (sizes.law == SizeLaw::uniform) {
-    const double half = sd * std::sqrt(3.0);
+    const double low = mean - sd * std::sqrt(3.0);
+    const double high = mean + sd * std::sqrt(3.0);
     return classes(
-        mean - half, mean + half, sizes.kinds, [](double diameter) { return diameter; },
-        [](double diameter) { return diameter * diameter / 2; });
+        low, high, sizes.kinds, [=](double diameter) { return std::clamp(diameter, low, high); },
+        [=](double diameter) {
+          const double inside = std::clamp(diameter, low, high);
+          return inside * inside / 2;
+        });
   }
   // Of the logarithm.
   const double spread = std::sqrt(std::log1p(sd * sd / (mean * mean)));
@@ -113,9 +122,8 @@ std::vector<RoundKind> discs(double largest) {
   return kinds;
 }
 
-/// From light to dark.
 /// The two kinds around a diameter, and the share of the upper one with which their mean diameter
-/// is this one.
+/// is this one: by number or by area, as that of the law.
 struct Neighbours {
   std::size_t upper = 1;
   double upper_share = 0;
@@ -132,6 +140,7 @@ Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
   return beside;
 }
 
+/// From light to dark.
 std::string shade(const Color& color, double place) {
   constexpr double kLightest = 0.6;  // share of white
   constexpr double kDarkest = 0.5;   // of black
@@ -170,8 +179,10 @@ class Expansion {
 
   bool empty() const { return families_.empty(); }
 
-  /// Divides a count among the kinds in whole numbers: by the largest remainder.
-  void divide_counts(Value& counts, const std::string& path) const {
+  /// Divides a count among the kinds in whole numbers, the largest first. What rounding takes from
+  /// a kind, by number or by area as the law, goes to the next one, so that the mean changes
+  /// little.
+  void divide_counts(Value& counts, const std::string& path) {
     change(counts, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
       const auto all = static_cast<double>(
           read_count(entry.value, join_path(path, entry.key), 0, kMaxParticles));
@@ -180,42 +191,44 @@ class Expansion {
              fmt::format("{}: expected at least {}, one of each kind, found {}",
                          join_path(path, entry.key), family.kinds.size(), all));
       }
-      std::vector<double> numbers;
-      std::vector<std::size_t> order(family.kinds.size());
+      std::vector<double> numbers(family.kinds.size());
       double left = all;
-      for (const SizeClass& kind : family.kinds) {
-        numbers.push_back(std::floor(kind.share * all));
-        left -= numbers.back();
+      double carried = 0;
+      for (std::size_t i = numbers.size() - 1; i > 0; --i) {
+        const SizeClass& kind = family.kinds[i];
+        carried += kind.share * all * kind.extent;
+        numbers[i] = std::clamp(std::round(carried / kind.extent), 0.0, left);
+        carried -= numbers[i] * kind.extent;
+        left -= numbers[i];
       }
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
-        return family.kinds[one].share * all - numbers[one] >
-               family.kinds[other].share * all - numbers[other];
-      });
-      for (std::size_t i = 0; i < order.size() && left > 0; ++i, --left) {
-        ++numbers[order[i]];
-      }
+      numbers.front() = left;
       append(entry, family, numbers, result);
     });
   }
 
-  /// Weights are whole numbers; those of kinds are thousandths of that of the species, at least 1.
-  void divide_weights(Value& weights, const std::string& path) const {
-    constexpr double kScale = 1000;
+  /// Weights are whole numbers; that of a kind is at least 1 if that of its species is. All are
+  /// scaled up, so that rounding them changes shares as little as possible.
+  void divide_weights(Value& weights, const std::string& path) {
+    const auto weight_of = [&](const Entry& entry) {
+      return static_cast<double>(
+          read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes));
+    };
+    double largest = 1;
+    for (const Entry& entry : weights.entries) {
+      largest = std::max(largest, weight_of(entry));
+    }
+    const double scale = std::floor(static_cast<double>(kMaxSpeciesWeight) / largest);
     for (Entry& entry : weights.entries) {
       if (!families_.contains(entry.key)) {
-        const std::uint64_t weight =
-            read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes);
-        entry.value = scalar_at(entry.value.location,
-                                fmt::format("{:.0f}", kScale * static_cast<double>(weight)));
+        entry.value =
+            scalar_at(entry.value.location, fmt::format("{:.0f}", scale * weight_of(entry)));
       }
     }
     change(weights, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
-      const auto weight = static_cast<double>(
-          read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes));
+      const double weight = weight_of(entry);
       std::vector<double> numbers;
       for (const SizeClass& kind : family.kinds) {
-        numbers.push_back(weight * std::max(1.0, std::round(kScale * kind.share)));
+        numbers.push_back(std::max(std::min(weight, 1.0), std::round(scale * weight * kind.share)));
       }
       append(entry, family, numbers, result);
     });
@@ -234,7 +247,7 @@ class Expansion {
   }
 
   /// A species by its name becomes weights, too.
-  void divide_part(Value& part, const std::string& path) const {
+  void divide_part(Value& part, const std::string& path) {
     if (part.is(Value::Kind::scalar) && families_.contains(part.text)) {
       Value weights = map_at(part.location);
       weights.entries.push_back({part.text, part.location, scalar_at(part.location, "1")});
@@ -242,6 +255,20 @@ class Expansion {
     }
     if (part.is(Value::Kind::map)) {
       divide_weights(part, path);
+    }
+  }
+
+  /// Of the species that are used, the kinds of which there are none.
+  void leave_out_unused(Value& species) const {
+    for (const auto& [name, family] : families_) {
+      const auto is_unused = [&](const std::string& kind) { return !used_.contains(kind); };
+      const std::vector<std::string>& kinds = family.names;
+      if (!std::all_of(kinds.begin(), kinds.end(), is_unused)) {
+        std::erase_if(species.entries, [&](const Entry& entry) {
+          return is_unused(entry.key) &&
+                 std::find(kinds.begin(), kinds.end(), entry.key) != kinds.end();
+        });
+      }
     }
   }
 
@@ -301,19 +328,23 @@ class Expansion {
     map.entries = std::move(result);
   }
 
-  static void append(const Entry& entry, const Family& family, const std::vector<double>& numbers,
-                     std::vector<Entry>& result) {
+  void append(const Entry& entry, const Family& family, const std::vector<double>& numbers,
+              std::vector<Entry>& result) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      result.push_back({family.names[i], entry.location,
-                        scalar_at(entry.value.location, fmt::format("{:.0f}", numbers[i]))});
+      if (numbers[i] > 0) {
+        used_.insert(family.names[i]);
+        result.push_back({family.names[i], entry.location,
+                          scalar_at(entry.value.location, fmt::format("{:.0f}", numbers[i]))});
+      }
     }
   }
 
   std::vector<std::string> plain_;
   std::map<std::string, Family> families_;
+  std::set<std::string> used_;  // kinds
 };
 
-void expand_fill(const Expansion& expansion, Value& fill, const std::string& path) {
+void expand_fill(Expansion& expansion, Value& fill, const std::string& path) {
   if (Value* counts = fill.find("counts")) {
     expansion.divide_counts(*counts, path + ".counts");
   }
@@ -345,20 +376,23 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   const double largest = largest_diameter(sizes);
   const std::vector<RoundKind> kinds =
       sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
-  std::map<std::size_t, double> shares;  // by number, of the kinds
-  double all = 0;
+  std::map<std::size_t, double> shares;  // of the kinds, by what the law is by
   for (const Diameter& diameter : diameters_of(sizes)) {
     const Neighbours beside = neighbours(kinds, diameter.value);
     const double upper =
         sizes.law == SizeLaw::list ? std::round(beside.upper_share) : beside.upper_share;
-    const double area =
-        (1 - upper) * kinds[beside.upper - 1].sites + upper * kinds[beside.upper].sites;
-    const double share = sizes.by == SharesBy::area ? diameter.share / area : diameter.share;
-    shares[beside.upper - 1] += (1 - upper) * share;
-    shares[beside.upper] += upper * share;
-    all += share;
+    shares[beside.upper - 1] += (1 - upper) * diameter.share;
+    shares[beside.upper] += upper * diameter.share;
   }
   std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
+  double all = 0;
+  const auto extent = [&](std::size_t kind) {
+    return sizes.by == SharesBy::area ? kinds[kind].sites : 1;
+  };
+  for (auto& [kind, share] : shares) {
+    share /= extent(kind);
+    all += share;
+  }
   double units = 0;
   for (auto& [kind, share] : shares) {
     share = std::max(1.0, std::round(share / all / kShareUnit));
@@ -368,6 +402,7 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   for (const auto& [kind, share] : shares) {
     const double radius = kinds[kind].radius;
     SizeClass& one = result.emplace_back();
+    one.extent = extent(kind);
     if (sizes.shape == RoundShape::disc) {
       one.shape = DiscSpec{radius};
     } else {
@@ -383,7 +418,7 @@ void expand_sizes(Value& root) {
   if (species == nullptr || !species->is(Value::Kind::map)) {
     return;
   }
-  const Expansion expansion(*species);
+  Expansion expansion(*species);
   if (expansion.empty()) {
     return;
   }
@@ -406,6 +441,9 @@ void expand_sizes(Value& root) {
       expansion.divide_weights(*source.value.find("species"),
                                join_path(join_path("sources", source.key), "species"));
     }
+  }
+  if (root.find("begin") == nullptr) {  // which may have particles of any kind
+    expansion.leave_out_unused(*species);
   }
 }
 

@@ -27,20 +27,23 @@ struct Sizes {
 
 struct SizeClass {
   ShapeSpec shape;
-  double share = 0;  ///< of the particles, by number; the sum is 1 but for rounding
+  double share = 0;   ///< of the particles, by number; the sum is 1 but for rounding
+  double extent = 1;  ///< of a particle: its sites for a law by area, else 1
 };
 
 /// Of the classes of the law.
 double largest_diameter(const Sizes& sizes);
 
 /// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to
-/// its diameters. Of uniform and lognormal: of each of `kinds` classes of equal width, the two
-/// around its mean diameter, with the same mean. The classes cover the law, of lognormal without
-/// half a percent at each end. Those with the same sites are one.
+/// its diameters. Of uniform and lognormal: of each of `kinds` classes, the two around its mean
+/// diameter, with the same mean (by number or by area, as the law). The classes have equal width;
+/// of lognormal, the outermost take half a percent more at each end. Those with the same sites are
+/// one.
 std::vector<SizeClass> size_classes(const Sizes& sizes);
 
 /// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,
-/// and its counts and weights in fills and sources by theirs. Throws SceneError.
+/// and its counts and weights in fills and sources by theirs. Kinds of which no fill gets any are
+/// left out. Throws SceneError.
 void expand_sizes(Value& root);
 
 }  // namespace clca::scene

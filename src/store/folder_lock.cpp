@@ -43,7 +43,7 @@ std::string holder_of(int descriptor) {
 }
 
 [[noreturn]] void refuse_lock(const std::filesystem::path& file, const char* reason) {
-  throw StoreError(fmt::format("cannot lock {}: {}", file.string(), reason));
+  throw FolderLockError(fmt::format("cannot lock {}: {}", file.string(), reason));
 }
 
 }  // namespace

@@ -212,6 +212,13 @@ RunSummary parse_summary(std::string_view json, const std::string& name) {
 }
 
 RunSummary read_summary(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::filesystem::path folder = file.parent_path();
+  if (std::filesystem::is_directory(folder, unknown) && !std::filesystem::exists(file, unknown)) {
+    throw StoreError(
+        fmt::format("cannot read {}: No such file or directory; {} is not the folder of a run",
+                    file.string(), folder.string()));
+  }
   const auto bytes = read_whole(file, kMaxSummaryBytes);
   return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }

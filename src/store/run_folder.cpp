@@ -156,12 +156,13 @@ std::string table_name(const std::string& kind, const std::string& stage) {
   return kind + "-" + stage + ".csv";
 }
 
-std::string frame_name(const std::string& scene, std::uint64_t step, std::string_view ending) {
-  return fmt::format("{}-{:06}{}", scene, step, ending);
+std::string frame_name(const std::string& scene, std::uint64_t step, int digits,
+                       std::string_view ending) {
+  return fmt::format("{}-{:0{}}{}", scene, step, digits, ending);
 }
 
-fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step) {
-  return run / kFramesFolder / frame_name(scene, step);
+fs::path frame_path(const fs::path& run, const std::string& scene, std::uint64_t step, int digits) {
+  return run / kFramesFolder / frame_name(scene, step, digits);
 }
 
 }  // namespace clca::store

@@ -25,7 +25,7 @@ bool has_text(const fs::path& file, std::string_view text) {
 bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64_t last_step,
                   run::WantedPictures wanted) {
   const auto has = [&](std::uint64_t step) {
-    return fs::exists(store::frame_path(folder, scene.name, step));
+    return fs::exists(store::frame_path(folder, scene.name, step, scene::step_digits(scene)));
   };
   // Step 0 is drawn whenever the course of a run is.
   return !scene.output.frames || wanted == run::WantedPictures::none ||

@@ -51,7 +51,8 @@ render::Tile final_picture(const std::filesystem::path& folder, const scene::Sce
                            std::uint64_t step, int width) {
   try {
     const image::DecodedPng png = image::decode_png(
-        store::read_whole(store::frame_path(folder, scene.name, step), store::kMaxPictureBytes));
+        store::read_whole(store::frame_path(folder, scene.name, step, scene::step_digits(scene)),
+                          store::kMaxPictureBytes));
     return render::tile(png.image, parts_of(png), width, "");
   } catch (const std::runtime_error&) {
     return {};

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <set>
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/text/message.hpp"
 
 namespace clca::sweep {
 
@@ -16,8 +18,8 @@ namespace {
 
 /// With its first values.
 std::string shown(const Variation& variation) {
-  return fmt::format("--vary {}={}", fmt::join(variation.keys, ","),
-                     fmt::join(variation.rows.front(), ","));
+  return "--vary " + text::shortened(fmt::format("{}={}", fmt::join(variation.keys, ","),
+                                                 fmt::join(variation.rows.front(), ",")));
 }
 
 /// A name under let goes with and without the path.
@@ -44,7 +46,7 @@ void check_keys(const Request& request) {
     const std::string key = plain(text.substr(0, text.find('=')));
     if (key == "seed" || keys.contains(key)) {
       throw scene::SceneError(fmt::format(
-          "--set {}: error: {}", text,
+          "--set {}: error: {}", text::shortened(text),
           key == "seed" ? "the seeds of a sweep are given by --seeds" : "the same key varies"));
     }
   }
@@ -73,13 +75,37 @@ std::vector<std::string> combination(const std::vector<Variation>& variations, s
   return values;
 }
 
+/// FIRST:LAST, which lacks the step of a range.
+bool is_part_of_range(std::string_view value) {
+  const std::size_t colon = value.find(':');
+  const auto is_number = [](std::string_view text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    return !text.empty() && std::from_chars(text.data(), end, number).ptr == end;
+  };
+  return colon != std::string_view::npos && is_number(value.substr(0, colon)) &&
+         is_number(value.substr(colon + 1));
+}
+
+scene::AnyScene parsed_with_hint(const Request& request, const std::vector<scene::Override>& varied,
+                                 const std::vector<std::string>& values) {
+  try {
+    return scene::parse_any_file(request.scene, request.overrides, varied);
+  } catch (const scene::SceneError& error) {
+    if (std::any_of(values.begin(), values.end(), is_part_of_range)) {
+      throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
+    }
+    throw;
+  }
+}
+
 Variant parsed(const Request& request, const std::vector<std::string>& keys,
                std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
     varied.push_back(fmt::format("{}={}", keys[i], values[i]));
   }
-  scene::AnyScene any = scene::parse_any_file(request.scene, request.overrides, varied);
+  scene::AnyScene any = parsed_with_hint(request, varied, values);
   if (const auto* boltzmann = std::get_if<scene::BoltzmannScene>(&any)) {
     throw scene::SceneError(boltzmann->location +
                             ": error: a sweep takes scenes of grains only; this one has "

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "clca/sweep/request.hpp"
+#include "clca/text/message.hpp"
 
 namespace clca::sweep {
 
@@ -20,7 +21,7 @@ struct Range {
 };
 
 [[noreturn]] void fail_seeds(std::string_view text, const std::string& message) {
-  throw scene::SceneError(fmt::format("--seeds {}: error: {}", text, message));
+  throw scene::SceneError(fmt::format("--seeds {}: error: {}", text::shortened(text), message));
 }
 
 std::optional<std::uint64_t> number(std::string_view text) {
@@ -38,8 +39,8 @@ Range range(std::string_view part, std::string_view text) {
   if (!first || !last) {
     fail_seeds(text,
                fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
-                           "1,4,9..12, found '{}'",
-                           part));
+                           "1,4,9..12, found {}",
+                           text::shown(part)));
   }
   if (*last < *first) {
     fail_seeds(text, fmt::format("{} descends; the smaller seed comes first", part));

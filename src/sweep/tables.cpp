@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -87,10 +88,22 @@ std::string to_text(Status status) {
   return "waiting";
 }
 
+/// Spreadsheets take text that begins like this for a formula; a quote in front keeps it text.
+std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
+  std::vector<store::Cell> cells;
+  for (const std::string& value : values) {
+    double number = 0;
+    const char* end = value.data() + value.size();
+    const bool is_number = std::from_chars(value.data(), end, number).ptr == end;
+    const bool is_formula = !is_number && value.find_first_of("=+-@") == 0;
+    cells.emplace_back((is_formula ? "'" : "") + value);
+  }
+  return cells;
+}
+
 std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result& result,
                                  const Measures& measures) {
-  const auto& values = plan.variant(run).values;
-  std::vector<store::Cell> row(values.begin(), values.end());
+  std::vector<store::Cell> row = value_cells(plan.variant(run).values);
   const bool done = result.status == Status::done;
   row.insert(row.end(), {plan.seed(run), to_text(result.status),
                          done ? store::Cell(result.summary.steps) : store::Cell(kNone),
@@ -150,7 +163,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
         columns[i].answers
             ? statistics::share_interval(found.mean, found.count)
             : std::pair(found.mean - found.standard_error, found.mean + found.standard_error);
-    std::vector<store::Cell> beginning(values.begin(), values.end());
+    std::vector<store::Cell> beginning = value_cells(values);
     beginning.emplace_back(stage);
     std::vector<store::Cell> row = beginning;
     row.insert(row.end(), {measure, found.mean, found.standard_deviation, found.standard_error,

@@ -7,15 +7,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "clca/sweep/request.hpp"
+#include "clca/text/message.hpp"
 
 namespace clca::sweep {
 
 namespace {
 
 [[noreturn]] void fail_variation(std::string_view text, std::string_view message) {
-  throw scene::SceneError(fmt::format("--vary {}: error: {}", text, message));
+  throw scene::SceneError(fmt::format("--vary {}: error: {}", text::shortened(text), message));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -80,6 +83,28 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return values;
 }
 
+/// Decimals of the number.
+int decimals(double number) {
+  std::array<char, 32> buffer = {};  // as 1.25e-03
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                          std::chars_format::scientific);
+  const std::string text(buffer.data(), end);
+  const std::size_t exponent = text.find('e');
+  const std::size_t point = std::min(text.find('.') + 1, exponent);
+  const auto behind = static_cast<int>(point > 0 ? exponent - point : 0);
+  return std::max(0, behind - std::stoi(text.substr(exponent + 1)));
+}
+
+/// Without zeros at the end, and without an exponent.
+std::string rounded(double number, int places) {
+  std::string text = fmt::format("{:.{}f}", number, places);
+  if (places > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
+  return text == "-0" ? "0" : text;
+}
+
 /// The numbers of a range FIRST:LAST:STEP; nothing of other values.
 std::vector<std::string> range_values(std::string_view text, std::string_view value) {
   std::array<double, 3> parts = {};
@@ -101,11 +126,12 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
         text,
         fmt::format("{}: expected FIRST:LAST:STEP with a step from the first towards the last, "
                     "and at most {} values",
-                    value, kMaxRuns));
+                    text::shortened(value), kMaxRuns));
   }
+  const int places = std::max(decimals(first), decimals(step));
   std::vector<std::string> values;
   for (int i = 0; i <= static_cast<int>(steps); ++i) {
-    values.push_back(fmt::format("{:.12g}", first + i * step));
+    values.push_back(rounded(first + i * step, places));
   }
   return values;
 }
@@ -139,11 +165,14 @@ Variation parse_variation(std::string_view text) {
                             keys.size(), fmt::join(row, ",")));
     }
   }
-  auto sorted = variation.rows;
-  std::sort(sorted.begin(), sorted.end());
-  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-  if (twice != sorted.end()) {
-    fail_variation(text, fmt::format("the value {} is named twice", fmt::join(*twice, ",")));
+  std::set<std::vector<std::string>> known;
+  for (const std::vector<std::string>& row : variation.rows) {
+    std::vector<std::string> values;
+    std::transform(row.begin(), row.end(), std::back_inserter(values), scene::canonical_value);
+    if (!known.insert(values).second) {
+      fail_variation(text, fmt::format("the value {} is named twice",
+                                       text::shortened(fmt::format("{}", fmt::join(row, ",")))));
+    }
   }
   return variation;
 }

@@ -76,9 +76,13 @@ std::string_view first_characters(std::string_view text, std::size_t count) {
   return text.substr(0, end);
 }
 
+std::string shortened(std::string_view text, std::size_t count) {
+  const std::string_view start = first_characters(text, count);
+  return printable(start) + (start.size() < text.size() ? "..." : "");
+}
+
 std::string shown(std::string_view text) {
-  const std::string_view start = first_characters(text, kShownCharacters);
-  return fmt::format("'{}{}'", printable(start), start.size() < text.size() ? "..." : "");
+  return fmt::format("'{}'", shortened(text, kShownCharacters));
 }
 
 std::string shell_word(std::string_view path) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
@@ -155,15 +156,135 @@ TEST_F(CliTest, AnUnknownOptionIsNamedWithOrWithoutACommand) {
   }
 }
 
-TEST_F(CliTest, TheHelpOfACommandIsPlainText) {
-  for (const char* command : {"run", "resume", "boltzmann", "sweep", "check", "compare", "diff",
-                              "explain", "export", "plot", "render", "report"}) {
+TEST_F(CliTest, TheHelpOfEachCommandIsPlainText) {
+  const std::string all = run({"--help"}).out;
+  std::istringstream lines(all.substr(all.find("Subcommands:")));
+  int commands = 0;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("Exit codes");) {
+    std::string command;
+    if (!line.starts_with("  ") || line.starts_with("   ") ||
+        !(std::istringstream(line) >> command)) {
+      continue;
+    }
     const std::string help = run({command, "--help"}).out;
-    EXPECT_THAT(help, HasSubstr("Usage: clca " + std::string(command)));
+    EXPECT_THAT(help, HasSubstr("Usage: clca " + (command == "help" ? "[OPTIONS]" : command)));
     EXPECT_TRUE(std::none_of(help.begin(), help.end(), [](unsigned char letter) {
       return letter != '\n' && std::iscntrl(letter) != 0;
     })) << command;
+    EXPECT_THAT(help, ::testing::Not(HasSubstr("->"))) << "words and the numbers they stand for";
+    ++commands;
   }
+  EXPECT_GE(commands, 13);
+}
+
+TEST_F(CliTest, ExplainsAQuantityOfARun) {
+  const auto result = run({"explain", "runout_99"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(StartsWith("runout_99: Run-out of 99 %: "), HasSubstr("spacings"),
+                                HasSubstr("run.json")));
+}
+
+TEST_F(CliTest, ASettingWithoutItsEqualsSignIsToldSo) {
+  for (const std::string option : {"--set", "--vary"}) {
+    const auto result = run({"sweep", "wall-removal", option, "rules.inertia", "0.5"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(result.err,
+                AllOf(HasSubstr(option + ": expected KEY="), HasSubstr("found 'rules.inertia'")));
+  }
+}
+
+TEST_F(CliTest, AFolderThatIsNoRunIsCalledSo) {
+  write("small.yaml", kScene);
+  for (const char* command : {"plot", "render", "report", "export"}) {
+    std::vector<std::string> arguments = {command, "."};
+    if (command == std::string("export")) {
+      arguments.insert(arguments.end(), {"--format", "xyz"});
+    }
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 2) << command;
+    EXPECT_THAT(result.err, HasSubstr("is not the folder of a run")) << command;
+  }
+}
+
+TEST_F(CliTest, WithoutPicturesTheirSettingsStayForLater) {
+  std::string scene = kScene;
+  scene.replace(scene.find("  series"), 0, "  trajectory: {every: 20}\n");
+  write("small.yaml", scene);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "with"}).code, 0);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "without", "--frames-every", "0"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_.path() / "without" / "frames"));
+  EXPECT_EQ(testing::bytes_of(folder_.path() / "with" / "scene.yaml"),
+            testing::bytes_of(folder_.path() / "without" / "scene.yaml"));
+  const auto render = run({"render", "without"});
+  EXPECT_EQ(render.code, 0) << render.err;
+  for (const auto& frame : fs::directory_iterator(folder_.path() / "with" / "frames")) {
+    EXPECT_EQ(testing::bytes_of(frame.path()),
+              testing::bytes_of(folder_.path() / "without" / "render" / frame.path().filename()));
+  }
+}
+
+TEST_F(CliTest, PicturesOfALongRunAreListedInTheOrderOfTheirSteps) {
+  write("long.yaml",
+        "clca: 1\nbox: {width: 10, height: 10}\nspecies: {small: {shape: {hexagon: 0}}}\n"
+        "stages: [{name: rest, fill: {region: [0, 0, 10, 2], counts: {small: 1}}, "
+        "until: {steps: 1200000}}]\noutput: {frames: {every: 400000, width: 64, height: 64}}\n");
+  EXPECT_EQ(run({"run", "long.yaml", "-o", "out"}).code, 0);
+  std::vector<std::string> names;
+  for (const auto& frame : fs::directory_iterator(folder_.path() / "out" / "frames")) {
+    names.push_back(frame.path().filename());
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_THAT(names, ::testing::ElementsAre("long-0000000.png", "long-0400000.png",
+                                            "long-0800000.png", "long-1200000.png"));
+}
+
+// A comma for the decimal point, as in Germany. The locale is made here, as few machines have one.
+TEST_F(CliTest, NumbersAreTheSameWithADecimalComma) {
+  write("comma",
+        "comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point \",\"\n"
+        "thousands_sep \".\"\ngrouping 3;3\nEND LC_NUMERIC\n");
+  testing::run_program({"-c", "-i", "comma", "./comma_XX"},
+                       {.folder = folder_.path().string(), .program = "/usr/bin/localedef"});
+  const testing::ProgramSetting comma = {
+      .environment = {{"LOCPATH", folder_.path().string()}, {"LC_ALL", "comma_XX"}}};
+  testing::ProgramSetting printf = comma;
+  printf.program = "/usr/bin/printf";
+  ASSERT_EQ(run({"%.1f", "1,5"}, printf).out, "1,5");
+  std::string scene = kScene;
+  write("small.yaml",
+        scene + "  fields: {cell: 7.5}\nlet: {third: =1/3}\nrules: {inertia: =third*1.5}\n");
+  EXPECT_EQ(run({"check", "small.yaml"}, comma).out, run({"check", "small.yaml"}).out);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "point"}).code, 0);
+  const auto result = run({"run", "small.yaml", "-o", "comma_run"}, comma);
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const char* file : {"scene.yaml", "series.csv", "fields.csv", "profile-flow.csv"}) {
+    EXPECT_EQ(testing::bytes_of(folder_.path() / "point" / file),
+              testing::bytes_of(folder_.path() / "comma_run" / file))
+        << file;
+  }
+  EXPECT_EQ(summary("point")["state_hash"], summary("comma_run")["state_hash"]);
+}
+
+TEST_F(CliTest, AFolderThatCannotBeLockedIsAFailureOfRunAndResume) {
+  write("small.yaml", kScene);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "out"}).code, 0);
+  fs::remove(folder_.path() / "out" / ".clca.lock");
+  fs::create_directory(folder_.path() / "out" / ".clca.lock");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", "small.yaml", "-o", "out"}, {"resume", "out"}}) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_THAT(result.err, HasSubstr("cannot lock out/.clca.lock"));
+  }
+}
+
+TEST_F(CliTest, ALostCheckpointOfTheEndIsCalledSo) {
+  write("small.yaml", kScene);
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "first"}).code, 0);
+  fs::remove(folder_.path() / "first" / "checkpoint.clca");
+  const auto result = run({"check", "small.yaml", "--begin", "first"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("has lost the checkpoint of its end"));
 }
 
 TEST_F(CliTest, ASceneOfTheProgramIsFoundByItsName) {
@@ -173,7 +294,8 @@ TEST_F(CliTest, ASceneOfTheProgramIsFoundByItsName) {
   write("wall-removal", "clca: 1\nboks: 3\n");  // a file of the user comes first
   EXPECT_THAT(run({"check", "wall-removal"}).err, StartsWith("wall-removal:2:1: error: "));
   EXPECT_THAT(run({"check", "wall-remval"}).err,
-              StartsWith("wall-remval:1:1: error: cannot read the file: No such file"));
+              AllOf(StartsWith("wall-remval:1:1: error: cannot read the file: No such file"),
+                    ::testing::EndsWith("; did you mean 'wall-removal'?\n")));
 }
 
 TEST_F(CliTest, ASceneMayComeFromStandardInput) {

@@ -17,8 +17,8 @@ class UnknownKeyError : public text::InputError {
 };
 
 /// What a key means, its values and default, and the keys in it. `path` is as for `--set`
-/// (`rules.inertia`, `walls.motion`, `stages.flow.until`); empty: the top of a scene. Throws
-/// UnknownKeyError.
+/// (`rules.inertia`, `walls.motion`, `stages.flow.until`), or the name of keys anywhere
+/// (`inertia`); empty: the top of a scene. Throws UnknownKeyError.
 std::string explain(std::string_view path);
 
 /// A Markdown table of the keys of these maps, at least one; those of the second and further ones

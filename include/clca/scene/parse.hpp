@@ -28,6 +28,10 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{4} << 20U;
 /// The value is YAML. Errors in it have `--set KEY=VALUE` as location.
 using Override = std::string;
 
+/// The value of an override as a text that is the same for all texts that mean the same: `0.5` of
+/// 0.50 and =1/2. What is no YAML, or depends on names under `let`, stays as it is.
+std::string canonical_value(const std::string& text);
+
 /// A scene of grains, or one of the Boltzmann equation (a block `boltzmann`).
 using AnyScene = std::variant<Scene, BoltzmannScene>;
 

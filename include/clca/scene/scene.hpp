@@ -277,7 +277,7 @@ struct Scene {
   std::vector<Wall> walls;
   std::vector<Source> sources;
   std::vector<Outlet> outlets;
-  std::vector<Probe> probes;  ///< none without Output::series
+  std::vector<Probe> probes;  ///< observed at the steps of Output::series
   std::vector<Line> lines;    ///< likewise
   std::vector<Stage> stages;
   std::vector<Measure> measures;
@@ -285,5 +285,9 @@ struct Scene {
 
   bool operator==(const Scene&) const = default;
 };
+
+/// Of the steps in file names, at least six, so that the names are in the order of the steps. A
+/// stage without a number of steps counts where its `max_steps` is above the default.
+int step_digits(const Scene& scene);
 
 }  // namespace clca::scene

@@ -1,6 +1,7 @@
 #pragma once
 // Checkpoints: everything that a run needs to resume.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -21,14 +22,21 @@ class UnusableCheckpointError : public store::StoreError {
 };
 
 struct Checkpoint {
-  std::string kind;            ///< as RunSummary::kind
-  std::string scene_name;      ///< as RunSummary::scene
-  std::string scene;           ///< resolved, as in scene.yaml
-  std::string summary;         ///< run.json as it was then
-  reflection::Columns fields;  ///< all that the run has changed; empty before its first step
+  std::string kind;        ///< as RunSummary::kind
+  std::string scene_name;  ///< as RunSummary::scene
+  std::string scene;       ///< resolved, as in scene.yaml
+  std::string summary;     ///< run.json as it was then
+  /// All that the run has changed; before its first step only what is wanted of it beside its
+  /// scene, if anything: columns `wanted/...`.
+  reflection::Columns fields;
 
+  static constexpr const char* kWanted = "wanted";
   /// Whether the run has not taken a step yet.
-  bool is_start() const { return fields.empty(); }
+  bool is_start() const {
+    return std::all_of(fields.begin(), fields.end(), [](const auto& column) {
+      return column.first.starts_with(std::string(kWanted) + "/");
+    });
+  }
 };
 
 /// The bytes of a file, which also go from one process to another.

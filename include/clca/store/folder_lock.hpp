@@ -7,10 +7,16 @@
 
 namespace clca::store {
 
-/// Another process is at work in a folder.
-class FolderInUseError : public StoreError {
+/// A folder in which nothing can be written.
+class FolderLockError : public StoreError {
  public:
   using StoreError::StoreError;
+};
+
+/// Another process is at work in a folder.
+class FolderInUseError : public FolderLockError {
+ public:
+  using FolderLockError::FolderLockError;
 };
 
 /// Locks the file `.clca.lock` of a folder. The system releases the lock when the process ends. The
@@ -18,7 +24,7 @@ class FolderInUseError : public StoreError {
 class FolderLock {
  public:
   /// Throws FolderInUseError if another process holds the lock, with its id if known, and
-  /// StoreError if the file cannot be made.
+  /// FolderLockError if the file cannot be made.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;

@@ -15,12 +15,12 @@
 
 namespace clca::store {
 
-/// Name of the picture of a step: `NAME-000120.png`.
-std::string frame_name(const std::string& scene, std::uint64_t step,
+/// Name of the picture of a step: `NAME-000120.png`, for 6 `digits`.
+std::string frame_name(const std::string& scene, std::uint64_t step, int digits,
                        std::string_view ending = ".png");
 /// Picture of a step in the run folder `run`: `frames/NAME-000120.png`.
 std::filesystem::path frame_path(const std::filesystem::path& run, const std::string& scene,
-                                 std::uint64_t step);
+                                 std::uint64_t step, int digits);
 
 // Names in a run folder.
 inline constexpr const char* kSceneFile = "scene.yaml";

@@ -17,6 +17,9 @@ std::string printable(std::string_view text);
 /// The beginning of `text`, at most `count` characters.
 std::string_view first_characters(std::string_view text, std::size_t count);
 
+/// `text`, printable, without what exceeds `count` characters.
+std::string shortened(std::string_view text, std::size_t count = 120);
+
 /// `text` in single quotes, printable, shortened if long.
 std::string shown(std::string_view text);
 

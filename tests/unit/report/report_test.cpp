@@ -75,7 +75,7 @@ stages:
   }
   void write_frame(std::uint64_t step, const std::vector<std::uint8_t>& bytes) const {
     fs::create_directories(run() / "frames");
-    std::ofstream(store::frame_path(run(), "small", step), std::ios::binary)
+    std::ofstream(store::frame_path(run(), "small", step, 6), std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
   }

@@ -282,7 +282,7 @@ TEST(Run, DrawsTheFinalStateAloneWhenAskedAndIsTheSameRun) {
   const fs::path frames = folder.path() / "last" / "frames";
   ASSERT_EQ(std::distance(fs::directory_iterator(frames), fs::directory_iterator()), 1);
   EXPECT_EQ(fs::directory_iterator(frames)->path(),
-            store::frame_path(folder.path() / "last", "small", last.steps));
+            store::frame_path(folder.path() / "last", "small", last.steps, 6));
 }
 
 TEST(Run, AFolderThatCannotBeWrittenIsAnErrorWithItsPath) {

@@ -170,7 +170,7 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "moved, outflow, force, segregation, intruder, convection, found 'profil'; did you mean "
      "'profile'?"},
     {"a measure outside a list", "measure: profile",
-     "scene.yaml:11:10: error: measure: expected a list, found 'profile'"},
+     "scene.yaml:11:10: error: measure: expected a list, found 'profile'; write [profile]"},
     {"output of an unknown kind", "output: {movie: {every: 10}}",
      "scene.yaml:12:10: error: unknown key 'movie' in output (allowed: frames, series, "
      "fields, contacts, trajectory, checkpoint)"},

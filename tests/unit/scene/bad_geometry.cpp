@@ -177,9 +177,9 @@ constexpr auto kBadGeometry = std::to_array<BadScene>({
     {"a name that cannot be one", "probes: {the neck: [0, 0, 10, 10]}",
      "scene.yaml:13:10: error: probes: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, found "
      "'the neck'"},
-    {"probes without rows", "probes: {neck: [0, 0, 10, 10]}\noutput: {}",
+    {"probes without rows", "probes: {neck: [0, 0, 10, 10]}\noutput: {series: none}",
      "scene.yaml:13:9: error: probes: nothing would be written; they have rows at the steps of "
-     "output.series, so give that, or remove them",
+     "output.series, so remove its none, or them",
      Judge::parser},
     {"a line that is a list", "lines: {throat: [0, 0, 10, 10]}",
      "scene.yaml:13:17: error: lines.throat: expected a map, found a list"},
@@ -211,9 +211,10 @@ constexpr auto kBadGeometry = std::to_array<BadScene>({
     {"a line whose name cannot be one", "lines: {the throat: {from: [0, 5], to: [9, 5]}}",
      "scene.yaml:13:9: error: lines: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, found "
      "'the throat'"},
-    {"lines that nothing would observe", "lines: {throat: {from: [0, 5], to: [9, 5]}}\noutput: {}",
+    {"lines that nothing would observe",
+     "lines: {throat: {from: [0, 5], to: [9, 5]}}\noutput: {series: none}",
      "scene.yaml:13:8: error: lines: nothing would be written; they are observed at the steps of "
-     "output.series, so give that, or remove them",
+     "output.series, so remove its none, or them",
      Judge::parser},
 });
 

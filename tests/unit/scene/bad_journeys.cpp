@@ -62,7 +62,7 @@ constexpr auto kBadJourneys = std::to_array<BadScene>({
      "you mean 'right'?",
      Judge::parser},
     {"moved walls outside a list", "stages: [{name: first, sources: [spout], move: right}]",
-     "scene.yaml:10:48: error: stages.first.move: expected a list, found 'right'"},
+     "scene.yaml:10:48: error: stages.first.move: expected a list, found 'right'; write [right]"},
     {"a moved wall twice in one list",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate, plate]}]",

@@ -56,7 +56,7 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
     {"sizes with a tail of giants", "species: {small: {sizes: {law: lognormal, mean: 90, sd: 90}}}",
      "scene.yaml:5:57: error: species.small.sizes.sd: expected less, so that all diameters are up "
      "to "
-     "100; the largest would be 506.9",
+     "100; the largest would be 650.8",
      Judge::parser},
     {"a list of sizes with a mean",
      "species: {small: {sizes: {law: list, diameters: [2], shares: [1], mean: 2}}}",

@@ -114,7 +114,7 @@ constexpr auto kBadStages = std::to_array<BadScene>({
      "right); did you mean 'right'?",
      Judge::parser},
     {"a wall outside a list", "stages: [{name: first, remove: right, sources: [spout]}]",
-     "scene.yaml:10:32: error: stages.first.remove: expected a list, found 'right'"},
+     "scene.yaml:10:32: error: stages.first.remove: expected a list, found 'right'; write [right]"},
     {"a wall twice in one list",
      "stages: [{name: first, remove: [right, right], sources: [spout]}]",
      "scene.yaml:10:40: error: stages.first.remove: 'right' is named twice"},

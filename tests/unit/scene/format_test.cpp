@@ -75,6 +75,23 @@ TEST(Format, ExplainsAKey) {
               EndsWith("none, resistance, free; default: resistance\n"));
 }
 
+TEST(Format, ExplainsAKeyByItsNameWhereverItIs) {
+  EXPECT_EQ(explain("inertia"), explain("rules.inertia") + "\n" + explain("stages.rules.inertia"));
+  EXPECT_EQ(explain("fall_height"), explain("contact.fall_height"));
+  EXPECT_EQ(explain("lines").find("stages"), std::string::npos);  // the one at the top
+}
+
+TEST(Format, LeavesOutWhereToReadOn) {
+  EXPECT_THAT(explain("model"), HasSubstr("friction of contacts\n"));
+  EXPECT_THAT(explain("begin"), HasSubstr("that this one begins with\n"));
+  EXPECT_THAT(explain("box"), HasSubstr("the box that everything happens in\n"));
+}
+
+TEST(Format, SaysADefaultThatIsNoValueInOtherWords) {
+  EXPECT_THAT(explain("output.frames.view"), HasSubstr("; if left out: the whole box\n"));
+  EXPECT_THAT(explain("stages.fill"), HasSubstr("map; default: none\n"));
+}
+
 TEST(Format, ExplainsTheKeysOfAMap) {
   EXPECT_THAT(explain("output.fields"),
               EndsWith("  cell: side of a cell in lattice spacings\n    1 to 1000; default: 8\n\n"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <string>
 
 #include "bad_scenes.hpp"
@@ -47,6 +48,11 @@ TEST(Let, TheResolvedSceneHasTheNumbers) {
 TEST(Let, LargeWholeNumbersHaveNoExponent) {
   EXPECT_EQ(scene_of("seed: =10^15").seed, 1000000000000000U);
   EXPECT_EQ(scene_of("seed: =-0").seed, 0U);
+}
+
+TEST(Let, ConstantsHaveAllTheirDigits) {
+  EXPECT_EQ(scene_of("rules: {inertia: =_pi/4}").rules.inertia, std::numbers::pi / 4);
+  EXPECT_EQ(scene_of("rules: {inertia: =_e/4}").rules.inertia, std::numbers::e / 4);
 }
 
 TEST(Let, ATitleMayBeginWithAnEqualsSign) {

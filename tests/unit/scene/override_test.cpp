@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <string>
 
 #include "bad_scenes.hpp"
+#include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
+#include "scene/sections.hpp"
 
 namespace clca::scene::override_test {
 
@@ -134,6 +137,78 @@ TEST(Override, MayNotNestWithoutBound) {
 TEST(Override, MayNotHoldAValueThatNestsWithoutBound) {
   EXPECT_TRUE(refusal({"rules=" + std::string(50'000, '[')})
                   .ends_with("error: nested deeper than 32 levels"));
+}
+
+TEST(Override, IsShortenedInItsErrors) {
+  const std::string message = refusal({"title=" + std::string(100'000, 'x')});
+  EXPECT_LT(message.size(), 300U) << message;
+  EXPECT_THAT(message, ::testing::StartsWith("--set title=xxx"));
+}
+
+TEST(Override, OfNoneLeavesOutAKeyWhoseDefaultIsNone) {
+  const Scene scene = overridden({"walls=none", "outlets=none", "stages.flow.remove=none"});
+  EXPECT_TRUE(scene.walls.empty());
+  EXPECT_TRUE(scene.outlets.empty());
+  EXPECT_FALSE(overridden({"stages.flow.fill=none"}).stages[1].fill);
+  EXPECT_FALSE(refusal({"species=none"}).empty());
+  EXPECT_FALSE(refusal({"walls='none'"}).empty());
+}
+
+// Whatever else is wrong with it in this scene, such as a map that lacks other keys.
+TEST(Override, OfADefaultThatIsExplainedIsAValueOfTheKey) {
+  int checked = 0;
+  const auto check = [&](const auto& self, const Descriptions& keys, const std::string& above,
+                         bool is_gas) -> void {
+    for (const KeyDescription& key : *keys) {
+      const std::string path = above + key.name;
+      const std::string text = explain((is_gas ? "boltzmann:" : "") + path);
+      const std::string first = text.substr(0, text.find("\n", text.find('\n') + 1));
+      constexpr std::string_view kDefault = "; default: ";
+      if (const std::size_t at = first.find(kDefault); at != std::string::npos) {
+        const std::string set = path + "=" + first.substr(at + kDefault.size());
+        const std::string scene = is_gas                         ? testing::small_gas()
+                                  : !key.model                   ? testing::small_scene()
+                                  : *key.model == Model::contact ? testing::small_contact()
+                                                                 : testing::small_scene();
+        try {
+          parse_any(scene, "scene.yaml", {set});
+        } catch (const SceneError& error) {
+          EXPECT_THAT(error.what(), ::testing::Not(::testing::HasSubstr(path + ": expected")))
+              << set;
+        }
+        ++checked;
+      }
+      if (key.keys != nullptr) {
+        self(self, key.keys, path + (key.is_collection ? ".first." : "."), is_gas);
+      }
+    }
+  };
+  check(check, scene_type().keys, "", false);
+  check(check, boltzmann_type().keys, "", true);
+  EXPECT_GT(checked, 60);
+}
+
+TEST(Override, OfAKeyThatStandsElsewhereNamesItsPlace) {
+  for (const auto& [text, path] :
+       std::map<std::string, std::string>{{"friction=0.3", "contact.friction"},
+                                          {"inertia=0.3", "rules.inertia"},
+                                          {"rules.friction=0.3", "contact.friction"},
+                                          {"inertai=0.3", "rules.inertia"}}) {
+    EXPECT_THAT(refusal({text}), ::testing::EndsWith("; did you mean '" + path + "'?"));
+  }
+  EXPECT_THAT(refusal({"rules.inerta=0"}), ::testing::EndsWith("; did you mean 'inertia'?"));
+}
+
+TEST(CanonicalValue, IsOneForAllFormsOfAValue) {
+  for (const char* text : {"0.5", "0.50", "5e-1", "=1/2", " 0.5"}) {
+    EXPECT_EQ(canonical_value(text), canonical_value("0.5")) << text;
+  }
+  EXPECT_EQ(canonical_value("[1,{a: 0.50}]"), canonical_value("[ 1.0, {a: 0.5} ]"));
+  EXPECT_EQ(canonical_value("~"), canonical_value("null"));
+  EXPECT_NE(canonical_value("'0.5'"), canonical_value("0.5"));
+  EXPECT_NE(canonical_value("settled"), canonical_value("all"));
+  EXPECT_EQ(canonical_value("=L0"), "=L0");
+  EXPECT_EQ(canonical_value("[1"), "[1");
 }
 
 TEST(Override, WithAnErrorNamesItself) {

@@ -292,4 +292,29 @@ TEST(ParseFile, ReadsWhatParseReads) {
   EXPECT_EQ(parse_file(file), parse(testing::small_scene(), "scene.yaml"));
 }
 
+TEST(Parse, ProbesAndLinesHaveASeriesUnlessItIsNone) {
+  for (const char* observed :
+       {"probes: {neck: [0, 0, 10, 10]}", "lines: {throat: {from: [0, 5], to: [9, 5]}}"}) {
+    const std::string text(observed);
+    EXPECT_EQ(scene_with(text + "\noutput: {}").output.series, Series{.every = 1}) << text;
+    EXPECT_EQ(scene_with(text + "\noutput: {series: {every: 7}}").output.series,
+              Series{.every = 7});
+  }
+  EXPECT_FALSE(scene_with("output: {}").output.series);
+}
+
+TEST(Parse, NamesOfFilesHaveTheDigitsOfTheLastStep) {
+  const auto digits = [](const std::string& stages) {
+    return step_digits(scene_with("stages: [" + stages + "]"));
+  };
+  const std::string first =
+      "{name: a, fill: {region: [0, 0, 50, 50], counts: {small: 5}}, "
+      "sources: [spout], until: ";
+  EXPECT_EQ(digits(first + "{steps: 9}}"), 6);
+  EXPECT_EQ(digits(first + "settled}"), 6);
+  EXPECT_EQ(digits(first + "{steps: 999999}}"), 6);
+  EXPECT_EQ(digits(first + "{steps: 999999}}, {name: b, until: {steps: 1}}"), 7);
+  EXPECT_EQ(digits(first + "settled, max_steps: 20000000}"), 8);
+}
+
 }  // namespace clca::scene::parse_test

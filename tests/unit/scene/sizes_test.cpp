@@ -62,20 +62,84 @@ TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
   }
 }
 
-TEST(Sizes, OfFewHexagonsHaveTheMeanOfTheirLaw) {
-  for (const double sd : {0.6, 1.8}) {
-    for (const std::uint64_t kinds : {1U, 4U, 8U, 64U}) {
-      const Sizes sizes = {.law = SizeLaw::lognormal,
-                           .mean = 6,
-                           .sd = sd,
-                           .by = SharesBy::number,
-                           .kinds = kinds,
-                           .diameters = {},
-                           .shares = {},
-                           .shape = RoundShape::hexagon};
-      EXPECT_NEAR(moments_of(size_classes(sizes), false).mean, 6, 0.03) << sd << " " << kinds;
+// A class below 1.05, a single site, would raise it.
+TEST(Sizes, HaveTheMeanOfTheirLawByNumberAndByArea) {
+  struct Law {
+    SizeLaw law;
+    double mean;
+    double sd;
+  };
+  for (const auto& [law, mean, sd] : {Law{SizeLaw::lognormal, 6, 0.6},
+                                      {SizeLaw::lognormal, 6, 1.8},
+                                      {SizeLaw::lognormal, 8, 6},
+                                      {SizeLaw::lognormal, 4, 2},
+                                      {SizeLaw::lognormal, 20, 12},
+                                      {SizeLaw::uniform, 7.3, 0.2},
+                                      {SizeLaw::uniform, 20, 10},
+                                      {SizeLaw::uniform, 3, 0.3}}) {
+    for (const SharesBy by : {SharesBy::number, SharesBy::area}) {
+      for (const RoundShape shape : {RoundShape::hexagon, RoundShape::disc}) {
+        for (const std::uint64_t kinds : {1U, 2U, 8U, 64U}) {
+          const Sizes sizes = {.law = law,
+                               .mean = mean,
+                               .sd = sd,
+                               .by = by,
+                               .kinds = kinds,
+                               .diameters = {},
+                               .shares = {},
+                               .shape = shape};
+          const double found = moments_of(size_classes(sizes), by == SharesBy::area).mean;
+          const bool has_single_sites = law == SizeLaw::lognormal && kinds == 64 && mean < 10;
+          EXPECT_NEAR(found, mean, mean * (has_single_sites ? 0.005 : 1e-6))
+              << mean << " " << sd << " " << static_cast<int>(by) << static_cast<int>(shape) << " "
+              << kinds;
+        }
+      }
     }
   }
+}
+
+TEST(Sizes, OfAClassBetweenTwoHexagonsAreDividedByAreaWhereTheLawIs) {
+  const Scene scene =
+      parse(testing::scene_with(
+                "box: {width: 3000, height: 3000}\nsources: {}\noutlets: {}\nspecies: {g: "
+                "{sizes: {law: uniform, mean: 7.3, sd: 0.2, by: area, kinds: 1}}}\n"
+                "stages: [{name: a, fill: {region: [0, 0, 2900, 2900], counts: {g: "
+                "10000}}}]"),
+            "scene.yaml");
+  // Diameters 6.3874 (37 sites) and 8.2014 (61): 0.4969 / 37 to 0.5031 / 61.
+  EXPECT_EQ(scene.stages[0].fill->counts, (std::vector<std::size_t>{6195, 3805}));
+}
+
+TEST(Sizes, OfWhichACountLeavesNoneAreLeftOut) {
+  const Scene scene = parse(
+      testing::scene_with("box: {width: 900, height: 900}\nsources: {}\noutlets: {}\nspecies: {g: "
+                          "{sizes: {law: lognormal, mean: 5, sd: 1.5, by: area}}}\n"
+                          "stages: [{name: a, fill: {region: [0, 0, 900, 900], counts: {g: "
+                          "500}}}]"),
+      "scene.yaml");
+  double sites = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const auto count = static_cast<double>(scene.stages[0].fill->counts[i]);
+    EXPECT_GT(count, 0);
+    const auto size = static_cast<double>(scene.species[i].shape.size());
+    sites += count * size;
+    sum += count * size * scene.species[i].shape.diameter();
+  }
+  EXPECT_NEAR(sum / sites, 5, 0.05);
+}
+
+TEST(Sizes, OfRareLargeParticlesHaveTheirAreaInAMix) {
+  const Scene scene = parse(
+      testing::scene_with("sources: {}\noutlets: {}\nspecies: {g: {sizes: {law: list, diameters: "
+                          "[1.05, 20.87], shares: [1, 1], by: area}}}\n"
+                          "stages: [{name: a, fill: {region: [0, 0, 100, 50], mix: {g: 1}}}]"),
+      "scene.yaml");
+  const std::vector<std::uint32_t>& mix = scene.stages[0].fill->mix;
+  const std::size_t large = scene.species[1].shape.size();
+  ASSERT_EQ(large, 397U);
+  EXPECT_NEAR(static_cast<double>(mix[0]) / mix[1], static_cast<double>(large), 0.1);
 }
 
 TEST(Sizes, OfAListAreThoseNearestToIt) {
@@ -150,11 +214,11 @@ TEST(Sizes, DivideWeightsOfMixesPicturesAndSources) {
       "  - {name: a, sources: [tap], fill: {region: [0, 0, 100, 50], mix: {small: 1, large: 2}}}\n"
       "  - {name: b, fill: {region: [0, 0, 100, 50], picture: {rows: [AB], pixels: {A: small, B: "
       "large}}}}");
-  const std::vector<std::uint32_t> alike = {667, 333, 1000};
+  const std::vector<std::uint32_t> alike = {666667, 333333, 1000000};
   EXPECT_EQ(scene.sources[0].weights, alike);
-  EXPECT_EQ(scene.stages[0].fill->mix, (std::vector<std::uint32_t>{667, 333, 2000}));
+  EXPECT_EQ(scene.stages[0].fill->mix, (std::vector<std::uint32_t>{333333, 166667, 1000000}));
   const auto& weights = scene.stages[1].fill->picture->weights;
-  EXPECT_EQ(weights.at('A'), (std::vector<std::uint32_t>{667, 333, 0}));
+  EXPECT_EQ(weights.at('A'), (std::vector<std::uint32_t>{666667, 333333, 0}));
   EXPECT_EQ(weights.at('B'), (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
 }

@@ -117,7 +117,7 @@ TEST_F(RunFolderTest, WhereNoRunHasBegunNothingIsMadeToGoOn) {
 TEST_F(RunFolderTest, KeepsFramesUpToAStepWhenARunGoesOn) {
   const RunFolder folder = RunFolder::for_new_run(run());
   const auto frame = [](std::uint64_t step) {
-    return std::string(kFramesFolder) + "/" + frame_name("scene", step);
+    return std::string(kFramesFolder) + "/" + frame_name("scene", step, 6);
   };
   for (const std::uint64_t step : {10U, 20U, 1'000'000U}) {
     folder.files().write(frame(step), "x");

@@ -83,6 +83,13 @@ TEST(Plan, AWrongValueIsRefusedWithItsPlaceWhereverItStandsInTheGrid) {
               ThrowsMessage<scene::SceneError>(StartsWith("--vary walls.right.box=[1,0,2: ")));
 }
 
+TEST(Plan, ARangeWithoutAStepIsToldWhatItLacks) {
+  EXPECT_THAT([] { plan(request({"rules.inertia=0:1"})); },
+              ThrowsMessage<scene::SceneError>(
+                  ::testing::EndsWith("found '0:1'; a range is FIRST:LAST:STEP")));
+  EXPECT_EQ(plan(request({"title=1:2"})).run_count(), 2U);
+}
+
 TEST(Plan, AKeyIsSetInOnePlaceOnlyAndTheSeedNowhereElse) {
   EXPECT_THAT(
       [] { plan(request({"seed=1,2"})); },

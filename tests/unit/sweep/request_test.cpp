@@ -92,6 +92,12 @@ TEST(Variation, ARangeStandsForItsNumbers) {
   EXPECT_THAT(values(parse_variation("L0=20:80:20")), ElementsAre("20", "40", "60", "80"));
   EXPECT_THAT(values(parse_variation("a=0:0.9:0.3")), ElementsAre("0", "0.3", "0.6", "0.9"));
   EXPECT_THAT(values(parse_variation("a=5:-1:-2.5,7")), ElementsAre("5", "2.5", "0", "7"));
+  EXPECT_THAT(values(parse_variation("a=10000000000000:10000000000003:1")),
+              ElementsAre("10000000000000", "10000000000001", "10000000000002", "10000000000003"));
+  EXPECT_THAT(values(parse_variation("a=-0.2:0.1:0.1")), ElementsAre("-0.2", "-0.1", "0", "0.1"));
+  EXPECT_THAT(values(parse_variation("a=1e-7:3e-7:1e-7")),
+              ElementsAre("0.0000001", "0.0000002", "0.0000003"));
+  EXPECT_THAT(values(parse_variation("a=0:1000:500")), ElementsAre("0", "500", "1000"));
   EXPECT_THAT(values(parse_variation("a=1:2:3:4,1:2,a:1:2")),
               ElementsAre("1:2:3:4", "1:2", "a:1:2"));
 }
@@ -117,6 +123,9 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
       {"a=1,", "a value is missing"},
       {"a=1,2,1", "the value 1 is named twice"},
       {"a=1,0:2:1", "the value 1 is named twice"},
+      {"a=0.5,0.50,5e-1", "the value 0.50 is named twice"},
+      {"a=0.5,=1/2", "the value =1/2 is named twice"},
+      {"a=[1,2],[1, 2.0]", "the value [1, 2.0] is named twice"},
       {"a=0:1:0", "0:1:0: expected FIRST:LAST:STEP with a step from the first towards the last"},
       {"a=0:1:-1", "expected FIRST:LAST:STEP"},
       {"a=0:1:1e-9", "at most 100000 values"},
@@ -132,6 +141,15 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
     EXPECT_THAT([&] { parse_variation(given); },
                 ThrowsMessage<scene::SceneError>(
                     AllOf(StartsWith("--vary " + text + ": error: "), HasSubstr(reason))));
+  }
+}
+
+TEST(Variation, IsShortenedInItsErrors) {
+  try {
+    parse_variation("a=" + std::string(10'000, 'x') + ",");
+    FAIL();
+  } catch (const scene::SceneError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 300U);
   }
 }
 

@@ -52,6 +52,21 @@ TEST(Tables, HaveARowForEachRunAndForEachMeasure) {
       "0,flow,clogged,0.5,0.7071067811865476,0.5,2,0,1,0.21132486540518713,0.7886751345948129\n");
 }
 
+TEST(Tables, HaveNoFormulas) {
+  Plan plan = bare_plan(5, 1);
+  const std::vector<std::string> values = {"=1+1", "-2+3", "@a", "-0.5", "+x"};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    plan.variants[i].values = {values[i]};
+  }
+  const std::string table = runs_table(plan, std::vector<Result>(5));
+  for (const char* row : {"\n'=1+1,1,", "\n'-2+3,1,", "\n'@a,1,", "\n-0.5,1,", "\n'+x,1,"}) {
+    EXPECT_THAT(table, ::testing::HasSubstr(row));
+  }
+  const std::string measures =
+      measures_table(plan, std::vector<Result>(5, done({{"slope", 40.5}})));
+  EXPECT_THAT(measures, ::testing::HasSubstr("\n'=1+1,flow,"));
+}
+
 TEST(Tables, HaveWhatLeftUntilAClogFromAllRunsAlsoThoseThatDidNotClog) {
   const Plan plan = bare_plan(1, 4);
   const std::string measures = measures_table(
