@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "measure/rounding.hpp"
@@ -27,8 +28,9 @@ std::size_t nearest_part(double part, std::size_t count) {
 /// Adds the shares of a path from `from` to `to`, in cells, at which it crosses an edge.
 void add_crossings(double from, double to, std::vector<double>& shares) {
   const auto [low, high] = std::minmax(from, to);
-  for (double edge = std::floor(low) + 1; edge < high; ++edge) {
-    shares.push_back((edge - from) / (to - from));
+  const auto end = static_cast<std::int64_t>(std::ceil(high));
+  for (auto edge = static_cast<std::int64_t>(std::floor(low)) + 1; edge < end; ++edge) {
+    shares.push_back((static_cast<double>(edge) - from) / (to - from));
   }
 }
 
