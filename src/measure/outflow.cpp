@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "grains/internal/outlet.hpp"
-#include "measure/check_occupancy.hpp"
 
 namespace clca::measure {
 
@@ -33,31 +32,6 @@ std::vector<std::uint64_t> discharged_particles(const grains::State& state, std:
     }
   }
   return counts;
-}
-
-bool blocked(const grains::State& state, const grains::Occupancy& occupancy,
-             std::span<const grains::Outlet> outlets) {
-  check_occupancy(state, occupancy);
-  const lattice::Lattice& lattice = state.lattice;
-  bool hanging = false;
-  for (const grains::Outlet& outlet : outlets) {
-    for (int column = 0; column < lattice.columns(); ++column) {
-      lattice::Site site = {column, 0};
-      if (lattice::position(site).x() < outlet.region.left ||
-          lattice::position(site).x() >= outlet.region.right) {
-        continue;
-      }
-      while (site.row < lattice.rows() && (lattice::position(site).y() < outlet.region.bottom ||
-                                           occupancy.owner(lattice.index(site)) == grains::kFree)) {
-        ++site.row;
-      }
-      if (site.row == lattice.rows()) {
-        return false;
-      }
-      hanging = hanging || grains::is_particle(occupancy.owner(lattice.index(site)));
-    }
-  }
-  return hanging;
 }
 
 void Outflow::add(Discharge total) {

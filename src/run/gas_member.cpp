@@ -63,14 +63,15 @@ statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
                                         kGasDegrees);
 }
 
-double relative_temperature(double temperature, double start) {
-  return start > 0 ? temperature / start : std::numeric_limits<double>::quiet_NaN();
+double rotational_unit(double translational, double rotational) {
+  return rotational > 0 ? rotational : translational;
 }
 
 std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool sheared) const {
+  const boltzmann::Moments& first = start.moments;
   std::vector<GasColumn> columns = {
-      {"t_tr", relative_temperature(moments.translational, start.moments.translational)},
-      {"t_rot", relative_temperature(moments.rotational, start.moments.rotational)},
+      {"t_tr", moments.translational / first.translational},
+      {"t_rot", moments.rotational / rotational_unit(first.translational, first.rotational)},
       {"collisions", collisions},
       {"a2_tr", moments.a2_translational},
       {"a2_rot", moments.a2_rotational},

@@ -41,8 +41,8 @@ boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution);
 
 statistics::Bins bins_of(const scene::BoltzmannScene& scene);
 
-/// Ratio to the value at time 0; NaN if that is zero.
-double relative_temperature(double temperature, double start);
+/// Unit of rotational temperatures: that of time 0, or the translational one if there is no spin.
+double rotational_unit(double translational, double rotational);
 
 /// One quantity of a row of series.csv.
 struct GasColumn {

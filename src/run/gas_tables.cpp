@@ -149,8 +149,9 @@ std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<Ga
       since = time.time;
       if (time.in_series) {
         Row row = begin_row(scene, one.restitution);
-        row.insert(row.end(), {time.time, now.translational,
-                               relative_temperature(now.rotational, start.rotational)});
+        row.insert(row.end(),
+                   {time.time, now.translational,
+                    now.rotational / rotational_unit(start.translational, start.rotational)});
         table.add_row(std::move(row));
       }
     }

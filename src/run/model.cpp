@@ -146,6 +146,16 @@ contact::Vessel Model::vessel() const {
   return contact != nullptr ? contact->vessel() : contact::Vessel();
 }
 
+lattice::Direction Model::down() const {
+  if (const auto* automaton = std::get_if<automaton::Automaton>(&model_)) {
+    return automaton->rules().gravity;
+  }
+  const Eigen::Vector2d gravity = contact::gravity_direction(vessel());
+  return *std::ranges::max_element(lattice::kDirections, {}, [&](lattice::Direction direction) {
+    return gravity.dot(lattice::position(unit(direction)));
+  });
+}
+
 Model::Report Model::step() {
   return std::visit(
       [](auto& model) {

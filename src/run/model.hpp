@@ -67,6 +67,8 @@ class Model {
   std::vector<Eigen::Vector2d> velocities() const;
   /// Upright and at rest for the automaton.
   contact::Vessel vessel() const;
+  /// The lattice direction nearest to gravity.
+  lattice::Direction down() const;
 
   Report step();
   grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "clca/measure/clogging.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
@@ -77,7 +78,7 @@ void add_rate(Results& results, const std::string& of, const measure::Outflow& o
 
 /// Of each outlet and species, where there are several.
 void add_outflow_apart(Results& results, const scene::Scene& scene, const Model& model,
-                       const StageHistory& history) {
+                       const StageHistory& history, const std::vector<bool>& clogged) {
   const grains::State& state = model.state();
   std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
   std::transform(particles.begin(), particles.end(), history.discharged_at_start.begin(),
@@ -93,9 +94,7 @@ void add_outflow_apart(Results& results, const scene::Scene& scene, const Model&
   for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
     const std::string of = "." + scene.outlets[outlet].name;
     add_rate(results, of, history.outlets[outlet], scene::conversion(scene));
-    results.emplace_back("clogged" + of,
-                         history.settled && measure::blocked(model.state(), model.occupancy(),
-                                                             {&state.outlets[outlet], 1}));
+    results.emplace_back("clogged" + of, bool{clogged[outlet]});
   }
 }
 
@@ -103,15 +102,19 @@ void add_outflow(Results& results, const scene::Scene& scene, const Model& model
                  const StageHistory& history) {
   add_rate(results, "", history.outflow, scene::conversion(scene));
   const grains::State& state = model.state();
-  if (!state.outlets.empty()) {
-    results.emplace_back("discharged",
-                         static_cast<double>(history.outflow.during_stage().particles));
-    results.emplace_back("discharged_share", history.discharged_share());
-    results.emplace_back(
-        "clogged", history.settled && measure::blocked(state, model.occupancy(), state.outlets));
-    if (counts_apart(scene)) {
-      add_outflow_apart(results, scene, model, history);
-    }
+  if (state.outlets.empty()) {
+    return;
+  }
+  std::vector<bool> clogged;
+  for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
+    clogged.push_back(history.settled &&
+                      measure::clogged(state, model.occupancy(), outlet, model.down()));
+  }
+  results.emplace_back("discharged", static_cast<double>(history.outflow.during_stage().particles));
+  results.emplace_back("discharged_share", history.discharged_share());
+  results.emplace_back("clogged", std::find(clogged.begin(), clogged.end(), true) != clogged.end());
+  if (counts_apart(scene)) {
+    add_outflow_apart(results, scene, model, history, clogged);
   }
 }
 

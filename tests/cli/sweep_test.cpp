@@ -116,7 +116,7 @@ TEST_F(SweepCommandTest, WrongCallsAreOneLineAndExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"small.yaml", "--seeds", "4..1"}, "--seeds 4..1: error: "},
       {{"small.yaml", "--seeds", "1,1"}, "--seeds 1,1: error: "},
-      {{"small.yaml", "--vary", "rules.inertia"}, "--vary rules.inertia: error: "},
+      {{"small.yaml", "--vary", "rules.inertia"}, "clca: error: --vary: expected KEY=V1,V2,..., "},
       {{"small.yaml", "--vary", "rules.inertia=0,2"}, "--vary rules.inertia=2: error: "},
       {{"small.yaml", "--vary", "seed=1,2"}, "--vary seed=1: error: "},
       {{"small.yaml", "--set", "rules.inertia=2"}, "--set rules.inertia=2: error: "},

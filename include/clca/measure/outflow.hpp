@@ -2,10 +2,8 @@
 // Discharge through outlets over time.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/reflection/reflection.hpp"
 
@@ -30,12 +28,6 @@ Discharge discharge(const grains::Outlet& outlet);
 /// of the next. `species`: how many there are. Throws std::invalid_argument if one that has left
 /// lies in no outlet.
 std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species);
-
-/// True if a particle covers every column that opens into one of the `outlets`; at rest this means
-/// that they are clogged.
-/// Throws std::invalid_argument if the occupancy belongs to another box.
-bool blocked(const grains::State& state, const grains::Occupancy& occupancy,
-             std::span<const grains::Outlet> outlets);
 
 /// Records a discharge in a stage, step by step.
 class Outflow {

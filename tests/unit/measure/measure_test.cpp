@@ -238,40 +238,5 @@ TEST(Outflow, OfNothingIsZero) {
   EXPECT_EQ(outflow.sites_per_step(), 0);
 }
 
-/// A floor at row 10 with an orifice of columns 8 to 12, and an outlet under it.
-State silo() {
-  State state = empty_state(20, 40);
-  state.kinds = {{Shape::hexagon(2), 0}};
-  grains::Wall floor;
-  for (int column = 0; column < 20; ++column) {
-    if (column < 8 || column > 12) {
-      floor.sites.push_back({column, 10});
-    }
-  }
-  state.walls = {floor};
-  state.outlets = {{.region = {0, 0, 30, 8}}};
-  return state;
-}
-
-TEST(Blocked, OnlyWhenSomethingHangsOverEveryOpenColumn) {
-  State state = silo();
-  EXPECT_FALSE(blocked(state, grains::Occupancy(state), state.outlets));  // empty: nothing hangs
-  state.particles = {{.column = 8, .row = 14}};                           // over columns 6 to 10
-  EXPECT_FALSE(blocked(state, grains::Occupancy(state), state.outlets));
-  state.particles.push_back({.column = 13, .row = 14});  // over columns 11 to 15
-  EXPECT_TRUE(blocked(state, grains::Occupancy(state), state.outlets));
-}
-
-TEST(Blocked, IsSaidOfEachOutlet) {
-  State state = silo();
-  state.walls.clear();
-  state.outlets = {{.region = {0, 0, 8, 8}}, {.region = {8, 0, 30, 8}}};
-  state.particles = {{.column = 2, .row = 14}, {.column = 7, .row = 14}};  // columns 0 to 9
-  const grains::Occupancy occupancy(state);
-  EXPECT_TRUE(blocked(state, occupancy, {&state.outlets[0], 1}));
-  EXPECT_FALSE(blocked(state, occupancy, {&state.outlets[1], 1}));
-  EXPECT_FALSE(blocked(state, occupancy, state.outlets));
-}
-
 }  // namespace
 }  // namespace clca::measure::measure_test

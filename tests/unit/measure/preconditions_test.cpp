@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "clca/measure/clogging.hpp"
 #include "clca/measure/convection.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/field_grid.hpp"
@@ -70,7 +71,7 @@ TEST(Contacts, AreLookedUpInTheOccupancyOfTheirState) {
   const Occupancy other(testing::empty_state(4, 4));
   EXPECT_THROW(contacts(state, other), std::invalid_argument);
   EXPECT_THROW(force_summary(state, other, {}), std::invalid_argument);
-  EXPECT_THROW(blocked(state, other, state.outlets), std::invalid_argument);
+  EXPECT_THROW(clogged(state, other, 0, lattice::Direction::down), std::invalid_argument);
 }
 
 TEST(Contacts, OfParticlesThatAreNotThereAreRefused) {
