@@ -32,10 +32,10 @@ class Search {
         outlet_(outlet),
         up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {}
 
-  /// `past_particles`: only walls are in the way.
+  /// `past_particles`: only walls and the sides of the box are in the way.
   Ways ways(std::uint16_t kind, bool past_particles) const {
     const auto stops = [&](grains::Owner owner) {
-      return past_particles ? grains::is_wall(owner) : owner != grains::kFree;
+      return owner != grains::kFree && !(past_particles && grains::is_particle(owner));
     };
     Ways result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
     std::vector<Site> places = inside(kind);
