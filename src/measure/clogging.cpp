@@ -32,13 +32,15 @@ class Search {
         outlet_(outlet),
         up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {}
 
-  /// `past_particles`: only walls and the sides of the box are in the way.
+  /// `past_particles`: only walls and the sides of the box are in the way. Places above another
+  /// outlet do not count: from there a particle falls into that one.
   Ways ways(std::uint16_t kind, bool past_particles) const {
     const auto stops = [&](grains::Owner owner) {
       return owner != grains::kFree && !(past_particles && grains::is_particle(owner));
     };
+    const std::vector<bool> above_others = this->above_others(kind);
     Ways result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
-    std::vector<Site> places = inside(kind);
+    std::vector<Site> places = inside(kind, outlet_);
     std::erase_if(places, [&](Site site) {
       return any_owner(site, footprints_.of(kind, site.column).body, stops);
     });
@@ -56,10 +58,10 @@ class Search {
           continue;
         }
         ends = false;
-        Site next = site + unit(direction);
-        next.column = state_.lattice.wrapped(next.column);
-        if (!result.from[state_.lattice.index(next)]) {
-          result.from[state_.lattice.index(next)] = true;
+        const Site next = moved(site, direction);
+        const std::size_t place = state_.lattice.index(next);
+        if (!result.from[place] && !above_others[place]) {
+          result.from[place] = true;
           places.push_back(next);
         }
       }
@@ -79,18 +81,46 @@ class Search {
     });
   }
 
-  /// Where a particle would lie wholly inside the outlet and the box.
-  std::vector<Site> inside(std::uint16_t kind) const {
+  Site moved(Site site, lattice::Direction direction) const {
+    const Site next = site + unit(direction);
+    return {state_.lattice.wrapped(next.column), next.row};
+  }
+
+  /// Places from which a particle falls straight into another outlet, past all particles.
+  std::vector<bool> above_others(std::uint16_t kind) const {
+    const auto stops = [](grains::Owner owner) {
+      return owner != grains::kFree && !grains::is_particle(owner);
+    };
+    std::vector<bool> result(state_.lattice.index_count(), false);
+    for (std::size_t other = 0; other < state_.outlets.size(); ++other) {
+      if (other == outlet_) {
+        continue;
+      }
+      for (Site site : inside(kind, other)) {
+        while (!result[state_.lattice.index(site)]) {
+          result[state_.lattice.index(site)] = true;
+          if (any_owner(site, footprints_.of(kind, site.column).lead[index_of(up_[0])], stops)) {
+            break;
+          }
+          site = moved(site, up_[0]);
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Where a particle would lie wholly inside an outlet and the box.
+  std::vector<Site> inside(std::uint16_t kind, std::size_t outlet) const {
     const lattice::Lattice& lattice = state_.lattice;
     const auto& sites = state_.kinds[kind].shape.sites();
     std::vector<Site> result;
     for (int column = 0; column < lattice.columns(); ++column) {
       for (int row = 0; row < lattice.rows(); ++row) {
         const Site site = {column, row};
-        if (state_.outlets[outlet_].region.contains(lattice::position(site)) &&
+        if (state_.outlets[outlet].region.contains(lattice::position(site)) &&
             std::all_of(sites.begin(), sites.end(),
                         [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
-            outlet_around(state_, {.column = column, .row = row, .kind = kind}) == outlet_) {
+            outlet_around(state_, {.column = column, .row = row, .kind = kind}) == outlet) {
           result.push_back(site);
         }
       }

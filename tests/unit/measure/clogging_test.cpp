@@ -30,65 +30,72 @@ void add_wall(State& state, int left, int right, int bottom, int top) {
   state.walls.push_back(wall);
 }
 
-/// A floor at row 10 with an orifice of columns 8 to 12, and an outlet under it.
+constexpr std::uint16_t kPoint = 1;  // a site
+constexpr std::uint16_t kBlock = 2;  // thirteen columns
+constexpr std::uint16_t kSmall = 3;  // three columns
+
+/// A floor at row 10 with an orifice of columns 6 to 16, and an outlet under it.
 State silo() {
-  State state = testing::empty_state(20, 40);
-  state.kinds = {{Shape::hexagon(2), 0}, {Shape::hexagon(0), 1}, {Shape::hexagon(3), 2}};
-  add_wall(state, 0, 7, 10, 10);
-  add_wall(state, 13, 19, 10, 10);
+  State state = testing::empty_state(24, 40);
+  state.kinds = {{Shape::hexagon(2), 0},
+                 {Shape::hexagon(0), 1},
+                 {Shape::hexagon(6), 2},
+                 {Shape::hexagon(1), 3}};
+  add_wall(state, 0, 5, 10, 10);
+  add_wall(state, 17, 23, 10, 10);
   state.outlets = {{.region = {0, 0, 30, 8}}};
   return state;
 }
 
-TEST(Clogged, OnlyWhenNoneCanFallFromAbove) {
+TEST(Clogged, ByAnArch) {
   State state = silo();
   EXPECT_FALSE(is_clogged(state));  // empty
-  state.particles = {{.column = 8, .row = 14}};
-  EXPECT_FALSE(is_clogged(state));  // beside it is room
-  state.particles.push_back({.column = 13, .row = 14});
+  state.particles = {{.column = 5, .row = 14}, {.column = 15, .row = 14}};
+  EXPECT_FALSE(is_clogged(state));  // another one would pass between them
+  state.particles.push_back({.column = 10, .row = 14});
   EXPECT_TRUE(is_clogged(state));
   EXPECT_FALSE(is_clogged(state, 0, Direction::up));
 }
 
 TEST(Clogged, NotByAHeapBesideTheOrifice) {
   State state = silo();
-  // At rest on the floor, three high: the way down along their slope leads through the orifice.
+  // At rest on the floor: the way down along their slope leads through the orifice.
   state.particles = {{.column = 2, .row = 13},
                      {.column = 2, .row = 18},
                      {.column = 2, .row = 23},
-                     {.column = 17, .row = 13},
-                     {.column = 17, .row = 18}};
+                     {.column = 20, .row = 13},
+                     {.column = 20, .row = 18}};
   EXPECT_FALSE(is_clogged(state));
 }
 
 TEST(Clogged, AlsoBesideAnInsertThatCoversTheOrifice) {
   State state = silo();
-  add_wall(state, 5, 15, 22, 23);
-  EXPECT_FALSE(is_clogged(state));
-  state.particles = {{.column = 2, .row = 20}};  // between the insert and the side of the box
-  EXPECT_TRUE(is_clogged(state));                // though the other way is open
-  state.particles.push_back({.column = 18, .row = 20});
-  EXPECT_TRUE(is_clogged(state));
+  add_wall(state, 7, 15, 22, 23);
+  state.particles = {{.column = 1, .row = 21, .kind = kSmall}};
+  EXPECT_FALSE(is_clogged(state));  // there is room beside it
+  state.particles.push_back({.column = 4, .row = 21, .kind = kSmall});
+  EXPECT_TRUE(is_clogged(state));  // though on the other side of the insert nothing hangs
 }
 
 TEST(Clogged, NotByThoseThatTheOrificeIsTooNarrowFor) {
   State state = silo();
-  state.particles = {{.column = 10, .row = 15, .kind = 2}};
+  state.particles = {{.column = 11, .row = 14, .kind = kBlock}};
   EXPECT_FALSE(is_clogged(state));
-  state.particles.push_back({.column = 10, .row = 25, .kind = 1});  // which would pass
+  state.particles.push_back({.column = 11, .row = 22, .kind = kPoint});  // which would pass
   EXPECT_TRUE(is_clogged(state));
-  state.particles.back() = {.column = 0, .row = 11, .kind = 1};  // on the floor
+  state.particles.back() = {.column = 0, .row = 11, .kind = kPoint};  // on the floor
   EXPECT_FALSE(is_clogged(state));
 }
 
 TEST(Clogged, IsSaidOfEachOutlet) {
-  State state = testing::empty_state(40, 40);
+  State state = testing::empty_state(48, 40);
   state.kinds = {{Shape::hexagon(2), 0}};
-  add_wall(state, 0, 7, 10, 10);
-  add_wall(state, 13, 27, 10, 10);
-  add_wall(state, 33, 39, 10, 10);
-  state.outlets = {{.region = {0, 0, 16, 8}}, {.region = {16, 0, 40, 8}}};
-  state.particles = {{.column = 8, .row = 14}, {.column = 13, .row = 14}};
+  add_wall(state, 0, 5, 10, 10);
+  add_wall(state, 17, 29, 10, 10);
+  add_wall(state, 41, 47, 10, 10);
+  state.outlets = {{.region = {0, 0, 20, 8}}, {.region = {20, 0, 42, 8}}};
+  state.particles = {
+      {.column = 5, .row = 14}, {.column = 10, .row = 14}, {.column = 15, .row = 14}};
   EXPECT_TRUE(is_clogged(state, 0));
   EXPECT_FALSE(is_clogged(state, 1));
   EXPECT_THROW(is_clogged(state, 2), std::out_of_range);
