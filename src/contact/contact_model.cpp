@@ -134,13 +134,12 @@ void check_valid(const State& state) {
   std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
   for (const Contact& contact : state.contacts) {
     const bool with_grain = grains::is_particle(contact.other);
-    const bool there =
-        contact.upper < grains &&
-        (with_grain ? static_cast<std::size_t>(contact.other) < grains &&
-                          contact.upper != static_cast<std::uint32_t>(contact.other)
-                    : is_side(contact.other) ||
-                          (grains::is_wall(contact.other) &&
-                           grains::wall_number(contact.other) < state.grains.walls.size()));
+    const bool there = contact.upper < grains &&
+                       (with_grain ? static_cast<std::size_t>(contact.other) < grains &&
+                                         contact.upper != static_cast<std::uint32_t>(contact.other)
+                                   : is_side(contact.other) || (grains::is_wall(contact.other) &&
+                                                                grains::wall_number(contact.other) <
+                                                                    state.grains.walls.size()));
     if (!there) {
       fail("a contact is not one of two bodies");
     }
