@@ -150,7 +150,7 @@ void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
 std::string meaning(const KeyDescription& key) {
   // A link at the end says where to read on.
   std::string about = key.about;
-  const std::size_t link = about.rfind("[");
+  const std::size_t link = about.rfind('[');
   if (about.ends_with(")") && link != std::string::npos && link >= 2 &&
       about.find("](", link) != std::string::npos && about[link - 1] == ' ' &&
       (about[link - 2] == ':' || about[link - 2] == ';')) {

@@ -23,8 +23,9 @@ std::vector<PlacedKey> all_keys(const Descriptions& top) {
     }
   };
   add(top, "");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto [key, path] = all[i];
+  std::size_t next = 0;
+  while (next < all.size()) {
+    const auto [key, path] = all[next++];
     if (key->keys != nullptr) {
       add(key->keys, key->is_collection ? path + ".NAME" : path);
     }
