@@ -4,9 +4,8 @@
 
 #include "clca/boltzmann/scheme.hpp"
 
+namespace clca::boltzmann {
 namespace {
-
-using namespace clca::boltzmann;
 
 constexpr Law kLaw = {.restitution = 0.5, .friction = 0.3, .roughness = 0};
 constexpr std::uint64_t kSeed = 1982;
@@ -49,3 +48,5 @@ BENCHMARK(ogawa_kato)
     ->ArgsProduct({{10'000}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+}  // namespace clca::boltzmann

@@ -14,7 +14,8 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace store = clca::store;
 using Bytes = std::vector<std::uint8_t>;
 using Texts = std::vector<std::string>;
 

@@ -7,7 +7,8 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace image = clca::image;
 
 constexpr std::size_t kMaxPixels = 1U << 16U;
 

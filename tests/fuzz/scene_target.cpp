@@ -13,7 +13,9 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace scene = clca::scene;
+namespace testing = clca::testing;
 
 bool is_amount(double bytes) {
   return std::isfinite(bytes) && bytes >= 0;

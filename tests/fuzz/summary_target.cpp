@@ -9,7 +9,8 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace store = clca::store;
 
 std::optional<std::string> read_and_written(const fuzz::ScratchFile& file) {
   try {

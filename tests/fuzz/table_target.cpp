@@ -8,7 +8,8 @@
 
 namespace {
 
-using namespace clca;
+namespace fuzz = clca::fuzz;
+namespace store = clca::store;
 
 std::string written(const store::ReadTable& read) {
   store::Table table(read.names);

@@ -20,7 +20,11 @@
 
 namespace {
 
-using namespace clca;
+namespace automaton = clca::automaton;
+namespace fuzz = clca::fuzz;
+namespace grains = clca::grains;
+namespace run = clca::run;
+namespace store = clca::store;
 
 constexpr std::size_t kWalls = 2;
 constexpr store::Layout kLayout = {.walls = kWalls};

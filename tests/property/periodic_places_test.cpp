@@ -1,9 +1,11 @@
 // Random scenes in periodic boxes, by both models: every place that a run writes lies in the box.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
