@@ -17,9 +17,11 @@ using lattice::Site;
 
 /// The places from which a particle can fall into an outlet.
 struct Ways {
-  std::vector<bool> from;        ///< by index of the reference site
-  bool none = true;              ///< not even inside the outlet is room
-  bool end_at_particle = false;  ///< somewhere there is no way further up, below a particle
+  std::vector<bool> from;  ///< by index of the reference site
+  bool none = true;        ///< not even inside the outlet is room
+  /// Somewhere below the top of the box there is no way further up, as particles are in one.
+  bool end_at_particle = false;
+  bool reach_top = false;  ///< of the box
 };
 
 class Search {
@@ -53,8 +55,11 @@ class Search {
       places.pop_back();
       const auto& lead = footprints_.of(kind, site.column).lead;
       bool ends = true;
+      bool below_particle = false;
       for (const lattice::Direction direction : up_) {
         if (any_owner(site, lead[index_of(direction)], stops)) {
+          below_particle =
+              below_particle || any_owner(site, lead[index_of(direction)], grains::is_particle);
           continue;
         }
         ends = false;
@@ -65,9 +70,10 @@ class Search {
           places.push_back(next);
         }
       }
-      result.end_at_particle =
-          result.end_at_particle ||
-          (ends && any_owner(site, lead[index_of(up_[0])], grains::is_particle));
+      const bool at_top = any_owner(site, lead[index_of(up_[0])],
+                                    [](grains::Owner owner) { return owner == grains::kBorder; });
+      result.reach_top = result.reach_top || at_top;
+      result.end_at_particle = result.end_at_particle || (ends && below_particle && !at_top);
     }
     return result;
   }
@@ -157,11 +163,11 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
     if (places[kind].empty()) {
       continue;
     }
-    const std::vector<bool> could_fall = search.ways(kind, true).from;
+    const Ways past = search.ways(kind, true);
     if (std::any_of(places[kind].begin(), places[kind].end(),
-                    [&](Site site) { return could_fall[state.lattice.index(site)]; })) {
+                    [&](Site site) { return past.from[state.lattice.index(site)]; })) {
       const Ways now = search.ways(kind, false);
-      return now.none || now.end_at_particle;
+      return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
     }
   }
   return false;

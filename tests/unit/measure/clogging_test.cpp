@@ -77,6 +77,41 @@ TEST(Clogged, AlsoBesideAnInsertThatCoversTheOrifice) {
   EXPECT_TRUE(is_clogged(state));  // though on the other side of the insert nothing hangs
 }
 
+TEST(Clogged, AlsoByOneThatFillsTheWayBesideAnInsert) {
+  State state = silo();
+  add_wall(state, 5, 23, 22, 23);
+  state.particles = {
+      {.column = 2, .row = 21}};  // straight above the places beside it is the insert
+  EXPECT_TRUE(is_clogged(state));
+  state.particles = {{.column = 2, .row = 13}};  // on the floor
+  EXPECT_FALSE(is_clogged(state));
+}
+
+TEST(Clogged, AlsoByAHeapBelowAHopperThatReachesUpToIt) {
+  State state = testing::empty_state(25, 40);
+  state.kinds = {{Shape::hexagon(2), 0}, {Shape::hexagon(5), 1}};
+  grains::Wall hopper;
+  for (int k = 0; k < 8; ++k) {
+    for (const int row : {10 + k, 11 + k}) {
+      hopper.sites.push_back({7 - k, row});
+      hopper.sites.push_back({17 + k, row});
+    }
+  }
+  state.walls = {hopper};
+  state.outlets = {{.region = {0, 0, 30, 6}}};
+  state.particles = {{.column = 12, .row = 30}};
+  EXPECT_FALSE(is_clogged(state));
+  state.particles.push_back({.column = 12, .row = 6, .kind = 1});  // too large for the outlet
+  EXPECT_TRUE(is_clogged(state));
+}
+
+TEST(Clogged, NotByAHeapInAClosedBox) {
+  State state = silo();
+  add_wall(state, 0, 23, 35, 35);
+  state.particles = {{.column = 2, .row = 13}, {.column = 20, .row = 13}};
+  EXPECT_FALSE(is_clogged(state));
+}
+
 TEST(Clogged, NotByThoseThatTheOrificeIsTooNarrowFor) {
   State state = silo();
   state.particles = {{.column = 11, .row = 14, .kind = kBlock}};
