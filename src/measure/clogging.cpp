@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
-#include "grains/internal/footprint.hpp"
 #include "grains/internal/outlet.hpp"
 #include "measure/check_occupancy.hpp"
 
@@ -17,61 +17,65 @@ using lattice::Site;
 
 /// The places from which a particle can fall into an outlet.
 struct Ways {
-  std::vector<bool> from;  ///< by index of the reference site
+  std::vector<bool> from;  ///< by index of the first site of the shape, which lies in the box
   bool none = true;        ///< not even inside the outlet is room
   /// Somewhere below the top of the box there is no way further up, as particles are in one.
   bool end_at_particle = false;
   bool reach_top = false;  ///< of the box
 };
 
+/// The ways of particles of one kind.
 class Search {
  public:
-  Search(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
-         lattice::Direction down)
+  Search(const grains::State& state, const grains::Occupancy& occupancy, std::uint16_t kind,
+         std::size_t outlet, lattice::Direction down)
       : state_(state),
         occupancy_(occupancy),
-        footprints_(state, {}),
+        kind_(kind),
+        sites_(state.kinds[kind].shape.sites()),
         outlet_(outlet),
-        up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {}
+        up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {
+    for (std::size_t way = 0; way < up_.size(); ++way) {
+      lead_[way] = state.kinds[kind].shape.lead(up_[way]);
+    }
+  }
+
+  /// Of a particle with this reference site, which may lie outside the box.
+  std::size_t place(Site site) const { return index(site + sites_.front()); }
 
   /// `past_particles`: only walls and the sides of the box are in the way. Places above another
   /// outlet do not count: from there a particle falls into that one.
-  Ways ways(std::uint16_t kind, bool past_particles) const {
+  Ways ways(bool past_particles) const {
     const auto stops = [&](grains::Owner owner) {
       return owner != grains::kFree && !(past_particles && grains::is_particle(owner));
     };
-    const std::vector<bool> above_others = this->above_others(kind);
+    const std::vector<bool> above_others = this->above_others();
     Ways result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
-    std::vector<Site> places = inside(kind, outlet_);
-    std::erase_if(places, [&](Site site) {
-      return any_owner(site, footprints_.of(kind, site.column).body, stops);
-    });
+    std::vector<Site> places = inside(outlet_);
+    std::erase_if(places, [&](Site site) { return any_owner(site, sites_, stops); });
     result.none = places.empty();
     for (const Site site : places) {
-      result.from[state_.lattice.index(site)] = true;
+      result.from[place(site)] = true;
     }
     while (!places.empty()) {
       const Site site = places.back();
       places.pop_back();
-      const auto& lead = footprints_.of(kind, site.column).lead;
       bool ends = true;
       bool below_particle = false;
-      for (const lattice::Direction direction : up_) {
-        if (any_owner(site, lead[index_of(direction)], stops)) {
-          below_particle =
-              below_particle || any_owner(site, lead[index_of(direction)], grains::is_particle);
+      for (std::size_t way = 0; way < up_.size(); ++way) {
+        if (any_owner(site, lead_[way], stops)) {
+          below_particle = below_particle || any_owner(site, lead_[way], grains::is_particle);
           continue;
         }
         ends = false;
-        const Site next = moved(site, direction);
-        const std::size_t place = state_.lattice.index(next);
-        if (!result.from[place] && !above_others[place]) {
-          result.from[place] = true;
+        const Site next = moved(site, up_[way]);
+        if (!result.from[place(next)] && !above_others[place(next)]) {
+          result.from[place(next)] = true;
           places.push_back(next);
         }
       }
-      const bool at_top = any_owner(site, lead[index_of(up_[0])],
-                                    [](grains::Owner owner) { return owner == grains::kBorder; });
+      const bool at_top =
+          any_owner(site, lead_[0], [](grains::Owner owner) { return owner == grains::kBorder; });
       result.reach_top = result.reach_top || at_top;
       result.end_at_particle = result.end_at_particle || (ends && below_particle && !at_top);
     }
@@ -79,11 +83,14 @@ class Search {
   }
 
  private:
+  std::size_t index(Site site) const {
+    return state_.lattice.index({state_.lattice.wrapped(site.column), site.row});
+  }
+
   template <class Test>
-  bool any_owner(Site site, const std::vector<lattice::Offset>& offsets, Test test) const {
-    const std::size_t place = state_.lattice.index(site);
-    return std::any_of(offsets.begin(), offsets.end(), [&](lattice::Offset offset) {
-      return test(occupancy_.owner(state_.lattice.at(place, site.column, offset)));
+  bool any_owner(Site site, const std::vector<lattice::Axial>& parts, Test test) const {
+    return std::any_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+      return test(occupancy_.owner(index(site + part)));
     });
   }
 
@@ -93,7 +100,7 @@ class Search {
   }
 
   /// Places from which a particle falls straight into another outlet, past all particles.
-  std::vector<bool> above_others(std::uint16_t kind) const {
+  std::vector<bool> above_others() const {
     const auto stops = [](grains::Owner owner) {
       return owner != grains::kFree && !grains::is_particle(owner);
     };
@@ -102,10 +109,10 @@ class Search {
       if (other == outlet_) {
         continue;
       }
-      for (Site site : inside(kind, other)) {
-        while (!result[state_.lattice.index(site)]) {
-          result[state_.lattice.index(site)] = true;
-          if (any_owner(site, footprints_.of(kind, site.column).lead[index_of(up_[0])], stops)) {
+      for (Site site : inside(other)) {
+        while (!result[place(site)]) {
+          result[place(site)] = true;
+          if (any_owner(site, lead_[0], stops)) {
             break;
           }
           site = moved(site, up_[0]);
@@ -115,18 +122,17 @@ class Search {
     return result;
   }
 
-  /// Where a particle would lie wholly inside an outlet and the box.
-  std::vector<Site> inside(std::uint16_t kind, std::size_t outlet) const {
+  /// Reference sites of particles that lie wholly inside an outlet and the box.
+  std::vector<Site> inside(std::size_t outlet) const {
     const lattice::Lattice& lattice = state_.lattice;
-    const auto& sites = state_.kinds[kind].shape.sites();
     std::vector<Site> result;
     for (int column = 0; column < lattice.columns(); ++column) {
       for (int row = 0; row < lattice.rows(); ++row) {
-        const Site site = {column, row};
-        if (state_.outlets[outlet].region.contains(lattice::position(site)) &&
-            std::all_of(sites.begin(), sites.end(),
+        const Site site = Site{column, row} + (lattice::Axial() - sites_.front());
+        if (std::all_of(sites_.begin(), sites_.end(),
                         [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
-            outlet_around(state_, {.column = column, .row = row, .kind = kind}) == outlet) {
+            outlet_around(state_, {.column = site.column, .row = site.row, .kind = kind_}) ==
+                outlet) {
           result.push_back(site);
         }
       }
@@ -136,9 +142,11 @@ class Search {
 
   const grains::State& state_;
   const grains::Occupancy& occupancy_;
-  grains::FootprintTable footprints_;
+  std::uint16_t kind_;
+  const std::vector<lattice::Axial>& sites_;
   std::size_t outlet_;
-  std::array<lattice::Direction, 3> up_;  // straight first
+  std::array<lattice::Direction, 3> up_;             // straight first
+  std::array<std::vector<lattice::Axial>, 3> lead_;  // along these
 };
 
 }  // namespace
@@ -147,11 +155,10 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
              lattice::Direction down) {
   check_occupancy(state, occupancy);
   static_cast<void>(state.outlets.at(outlet));
-  const Search search(state, occupancy, outlet, down);
   std::vector<std::vector<Site>> places(state.kinds.size());
   for (const grains::Particle& particle : state.particles) {
     if (particle.present) {
-      places[particle.kind].push_back({state.lattice.wrapped(particle.column), particle.row});
+      places[particle.kind].push_back(particle.site());
     }
   }
   std::vector<std::uint16_t> kinds(state.kinds.size());
@@ -163,10 +170,11 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
     if (places[kind].empty()) {
       continue;
     }
-    const Ways past = search.ways(kind, true);
+    const Search search(state, occupancy, kind, outlet, down);
+    const Ways past = search.ways(true);
     if (std::any_of(places[kind].begin(), places[kind].end(),
-                    [&](Site site) { return past.from[state.lattice.index(site)]; })) {
-      const Ways now = search.ways(kind, false);
+                    [&](Site site) { return past.from[search.place(site)]; })) {
+      const Ways now = search.ways(false);
       return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
     }
   }

@@ -150,10 +150,7 @@ lattice::Direction Model::down() const {
   if (const auto* automaton = std::get_if<automaton::Automaton>(&model_)) {
     return automaton->rules().gravity;
   }
-  const Eigen::Vector2d gravity = contact::gravity_direction(vessel());
-  return *std::ranges::max_element(lattice::kDirections, {}, [&](lattice::Direction direction) {
-    return gravity.dot(lattice::position(unit(direction)));
-  });
+  return contact::down(vessel());
 }
 
 Model::Report Model::step() {

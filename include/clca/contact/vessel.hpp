@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "clca/lattice/direction.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::contact {
@@ -73,6 +74,8 @@ Angle angle_after(const Vessel& vessel, std::uint64_t steps);
 
 /// Unit vector of gravity without shaking.
 Eigen::Vector2d gravity_direction(const Vessel& vessel);
+/// The lattice direction nearest to it, in whole numbers.
+lattice::Direction down(const Vessel& vessel);
 
 /// Throws std::invalid_argument for a vessel that none of these functions can make.
 void check_valid(const Vessel& vessel);

@@ -28,9 +28,6 @@ struct Acceleration {
 /// The direction of gravity, without shaking.
 UnitVector gravity_unit(const Vessel& vessel);
 
-/// The lattice direction nearest to it.
-lattice::Direction down(const Vessel& vessel);
-
 /// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre of rotation:
 /// only the direction of gravity turns.
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic);

@@ -122,6 +122,16 @@ TEST(Clogged, NotByThoseThatTheOrificeIsTooNarrowFor) {
   EXPECT_FALSE(is_clogged(state));
 }
 
+TEST(Clogged, WhereverTheReferenceSiteLies) {
+  State state = testing::empty_state(24, 40);
+  state.kinds = {{Shape::hexagon(6), 0}, {Shape({{6, -3}}), 1}};  // a site six columns to the right
+  add_wall(state, 0, 9, 10, 10);
+  add_wall(state, 11, 23, 10, 10);
+  state.outlets = {{.region = {8.2, 0, 9.1, 8}}};  // column 10
+  state.particles = {{.column = 10, .row = 17}, {.column = 4, .row = 25, .kind = 1}};
+  EXPECT_TRUE(is_clogged(state));
+}
+
 TEST(Clogged, IsSaidOfEachOutlet) {
   State state = testing::empty_state(48, 40);
   state.kinds = {{Shape::hexagon(2), 0}};
