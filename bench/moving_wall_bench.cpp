@@ -33,7 +33,7 @@ class Work {
   template <class Done>
   void run(automaton::Automaton& automaton, Done done) {
     const auto particles = static_cast<double>(automaton.state().particles.size());
-    automaton::StepReport report;
+    grains::StepReport report;
     for (std::uint64_t step = 0; step < kMaxSteps && !report.settled && !done(); ++step) {
       report = automaton.step();
       moves_ += static_cast<double>(report.moved);

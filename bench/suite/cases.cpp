@@ -13,7 +13,7 @@ namespace clca::bench {
 namespace {
 
 using automaton::Automaton;
-using automaton::StepReport;
+using grains::StepReport;
 
 constexpr std::uint64_t kSampledSteps = 32;  // one of so many
 constexpr double kIdleSeconds = 5e-3;
@@ -22,7 +22,6 @@ constexpr std::uint64_t kIdleSteps = 16;  // between looks at the clock
 void add(Work& work, const StepReport& report, double seconds) {
   ++work.steps;
   work.moved += report.moved;
-  work.looked_at += report.examined;
   work.seconds += seconds;
 }
 
@@ -95,9 +94,8 @@ grains::State start(Case a_case, std::size_t particles) {
 
 Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
-  Automaton automaton(
-      std::move(start), {.ties = variant.ties},
-      {.threads = variant.threads, .sleeping = variant.sleeping, .profile = variant.profile});
+  Automaton automaton(std::move(start), {.ties = variant.ties},
+                      {.threads = variant.threads, .sleeping = variant.sleeping}, variant.profile);
   std::optional<Traffic> traffic;
   if (sampled) {
     traffic.emplace(automaton.state());

@@ -30,7 +30,6 @@ struct Variant {
 struct Work {
   std::uint64_t steps = 0;
   std::uint64_t moved = 0;
-  std::uint64_t looked_at = 0;
   double seconds = 0;
 };
 

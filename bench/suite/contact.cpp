@@ -52,7 +52,7 @@ ContactModel model_of(Case a_case, const grains::State& start, ContactSetting se
   contact::State state = {.grains = start};
   state.velocities.resize(start.particles.size());
   state.remainders.resize(start.particles.size());
-  return {std::move(state), parameters, {.profile = profile}};
+  return {std::move(state), parameters, {}, profile};
 }
 
 /// Adds one run to the measurement.
@@ -67,7 +67,7 @@ void run(const grains::State& start, std::uint64_t most_steps, contact::Profile*
   }
   const double begin = processor_seconds();
   while (one.steps < most_steps && !one.at_rest) {
-    const contact::StepReport report = model.step();
+    const grains::StepReport report = model.step();
     ++one.steps;
     one.moved += report.moved;
     one.at_rest = report.settled;

@@ -38,13 +38,11 @@ std::vector<Cell> with_key(const Measurement& one, const std::vector<Cell>& furt
 struct Rates {
   Rates(const Work& work, std::size_t particles)
       : effective(static_cast<double>(particles) * static_cast<double>(work.steps) / work.seconds),
-        looked_at(static_cast<double>(work.looked_at) / work.seconds),
         moving_share(static_cast<double>(work.moved) /
                      (static_cast<double>(particles) * static_cast<double>(work.steps))),
         seconds_per_move(work.moved > 0 ? work.seconds / static_cast<double>(work.moved) : NAN) {}
 
   double effective;  // particle-updates per second
-  double looked_at;  // particles per second
   double moving_share;
   double seconds_per_move;
 };
@@ -88,17 +86,17 @@ std::vector<Phase> phases(const Measurement& one, const Machine& machine) {
 }  // namespace
 
 store::Table automaton_table(const std::vector<Measurement>& measurements) {
-  store::Table table(with_key({"steps", "at_rest", "runs", "step_s_best", "step_s_median",
-                               "step_s_worst", "moved", "looked_at", "moving_share",
-                               "effective_per_s", "looked_at_per_s", "ns_per_move", "speedup"}));
+  store::Table table(
+      with_key({"steps", "at_rest", "runs", "step_s_best", "step_s_median", "step_s_worst", "moved",
+                "moving_share", "effective_per_s", "ns_per_move", "speedup"}));
   for (const Measurement& one : measurements) {
     const Work& work = one.work();
     const Rates rates(work, one.particles);
     const Run& run = one.runs.front();
     table.add_row(with_key(
         one, {work.steps, std::uint64_t{run.at_rest ? 1U : 0U}, std::uint64_t{one.runs.size()},
-              one.best(), one.median(), one.worst(), work.moved, work.looked_at, rates.moving_share,
-              rates.effective, rates.looked_at, rates.seconds_per_move / kNano, one.speedup}));
+              one.best(), one.median(), one.worst(), work.moved, rates.moving_share,
+              rates.effective, rates.seconds_per_move / kNano, one.speedup}));
   }
   return table;
 }
@@ -161,20 +159,20 @@ store::Table profile_table(const std::vector<Measurement>& measurements) {
 std::string markdown(const std::vector<Measurement>& measurements) {
   std::string text =
       "| case | particles | threads | ties | sleeping | steps | at rest | moving | ms a step "
-      "(median, worst) | updates/s | looked at/s | ns a move | against 1 thread |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "(median, worst) | updates/s | ns a move | against 1 thread |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Measurement& one : measurements) {
     const Work& work = one.work();
     const Rates rates(work, one.particles);
     const std::string cost =
         work.moved > 0 ? fmt::format("{:.1f}", rates.seconds_per_move / kNano) : "";
     text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.4g} ({:.3g}, {:.3g}) | {:.3g} | {:.3g} | "
+        "| {} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.4g} ({:.3g}, {:.3g}) | {:.3g} | "
         "{} | {:.2f} |\n",
         name(one.a_case), one.particles, one.variant.threads, name(one.variant.ties),
         one.variant.sleeping ? "on" : "off", work.steps, one.runs.front().at_rest ? "yes" : "no",
         rates.moving_share, 1e3 * one.best(), 1e3 * one.median(), 1e3 * one.worst(),
-        rates.effective, rates.looked_at, cost, one.speedup);
+        rates.effective, cost, one.speedup);
   }
   return text;
 }

@@ -39,7 +39,7 @@ std::size_t take(std::vector<bool>& lines) {
 }  // namespace
 
 Traffic::Traffic(const State& state)
-    : footprints_(state, {}),
+    : footprints_(state),
       bit_lines_high_(static_cast<std::size_t>(state.lattice.rows()) / kLineRows + 2),
       owners_(state.lattice.index_count() / kOwnersInALine + 1),
       bits_((static_cast<std::size_t>(state.lattice.columns()) / kLineColumns + 2) *

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "clca/random/draw.hpp"
-#include "grains/internal/filling.hpp"
-#include "grains/internal/footprint.hpp"
+#include "grains/filling.hpp"
 #include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
@@ -100,8 +99,9 @@ using Accept = std::function<bool(lattice::Site)>;
 
 class Deposit {
  public:
-  Deposit(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region)
-      : state_(state), occupancy_(occupancy), region_(region), footprints_(state, {}) {
+  Deposit(Box& box, const lattice::Rectangle& region)
+      : box_(box), state_(box.state), region_(region) {
+    const State& state = box.state;
     rooms_.reserve(state.kinds.size());
     for (const Kind& kind : state.kinds) {
       rooms_.push_back(room_of(kind.shape));
@@ -139,7 +139,7 @@ class Deposit {
         if (!accept({state_.lattice.wrapped(particle.column), particle.row})) {
           continue;
         }
-        insert(state_, occupancy_, particle);
+        insert(box_, particle);
         raise_surface(particle);
         return true;
       }
@@ -183,7 +183,7 @@ class Deposit {
   int highest_taken(int column) const {
     int row = state_.lattice.rows() - 1;
     while (row >= 0 && (lattice::position(lattice::Site{column, row}).y() >= region_.top ||
-                        !occupancy_.taken(state_.lattice.index({column, row})))) {
+                        !box_.occupancy.taken(state_.lattice.index({column, row})))) {
       --row;
     }
     return row;
@@ -209,13 +209,10 @@ class Deposit {
     if (!inside(particle, direction)) {
       return false;
     }
-    const lattice::Lattice& lattice = state_.lattice;
-    const std::size_t place = lattice.index(particle.site());
-    const int column = lattice.wrapped(particle.column);
-    const auto& lead = footprints_.of(particle).lead[index_of(direction)];
-    return std::none_of(lead.begin(), lead.end(), [&](lattice::Offset offset) {
-      return occupancy_.taken(lattice.at(place, column, offset));
-    });
+    bool free = true;
+    box_.for_each_index(particle, box_.footprints.of(particle).lead[index_of(direction)],
+                        [&](std::size_t index) { free = free && !box_.occupancy.taken(index); });
+    return free;
   }
 
   bool inside(const Particle& particle, Direction direction) const {
@@ -227,9 +224,7 @@ class Deposit {
   void roll_down(Particle& particle, std::uint32_t id) const {
     CoinFlips coins(state_.seed, id);
     while (const auto direction = way_down(particle, coins)) {
-      const lattice::Site target = particle.site() + unit(*direction);
-      particle.column = target.column;
-      particle.row = target.row;
+      particle = moved(particle, *direction);
     }
   }
 
@@ -256,10 +251,9 @@ class Deposit {
     }
   }
 
-  State& state_;
-  OccupancyTable& occupancy_;
+  Box& box_;
+  const State& state_;
   lattice::Rectangle region_;
-  FootprintTable footprints_;
   std::vector<Room> rooms_;   // of each kind
   std::vector<int> surface_;  // of each column: above the highest taken row
   // Of the region: the sum of the heights of the highest taken sites, and the columns.
@@ -283,15 +277,16 @@ bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint
 
 }  // namespace
 
-FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+FillResult deposit_in(Box& box, const lattice::Rectangle& region,
                       std::span<const std::size_t> counts) {
+  State& state = box.state;
   const std::size_t first = state.particles.size();
   std::vector<std::size_t> left(counts.begin(), counts.end());
   std::uint64_t all_left = std::accumulate(left.begin(), left.end(), std::uint64_t{0});
   state.particles.reserve(first + all_left);
   state.origins.reserve(first + all_left);
   FillResult result{.placed = std::vector<std::size_t>(counts.size(), 0), .complete = true};
-  Deposit deposit(state, occupancy, region);
+  Deposit deposit(box, region);
   while (all_left > 0) {
     const std::size_t species = draw_species(state, left);
     if (place_one(deposit, state, kinds_of(state, species), [](lattice::Site) { return true; })) {
@@ -303,15 +298,15 @@ FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Re
       result.complete = false;
     }
   }
-  renumber(state, occupancy, first);
+  renumber(box, first);
   return result;
 }
 
-FillResult deposit_mixture(State& state, OccupancyTable& occupancy,
-                           const lattice::Rectangle& region, const Parts& parts,
+FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
                            std::optional<double> level) {
+  const State& state = box.state;
   FillResult result{.placed = std::vector<std::size_t>(parts.weights.front().size(), 0)};
-  Deposit deposit(state, occupancy, region);
+  Deposit deposit(box, region);
   // A part that has no room may get some where another one grows beneath it.
   std::size_t full = 0;
   for (std::size_t part = 0; full < parts.weights.size() && !(level && deposit.level() >= *level);

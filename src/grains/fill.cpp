@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "clca/random/draw.hpp"
-#include "grains/internal/filling.hpp"
+#include "grains/filling.hpp"
 #include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
@@ -52,7 +52,8 @@ class Trials {
   Trials(std::vector<Trial> trials, std::uint32_t key) : trials_(std::move(trials)), key_(key) {}
 
   /// False if there is no position left.
-  bool place_one(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region) {
+  bool place_one(Box& box, const lattice::Rectangle& region) {
+    const State& state = box.state;
     while (tried_ < trials_.size()) {
       const std::uint64_t bits =
           random::draw(state.seed, tried_, key_, random::Purpose::fill_position);
@@ -60,8 +61,8 @@ class Trials {
       const Trial& trial = trials_[tried_++];
       const Particle particle = {
           .column = trial.site.column, .row = trial.site.row, .kind = trial.kind};
-      if (lies_inside(state, particle, region) && fits(state, occupancy, particle)) {
-        insert(state, occupancy, particle);
+      if (lies_inside(state, particle, region) && fits(box, particle)) {
+        insert(box, particle);
         return true;
       }
     }
@@ -79,9 +80,9 @@ std::uint32_t next_id(const State& state) {
 }
 
 /// Places particles drawn by the weights on these sites until one has no room.
-void fill_part(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
-               const std::vector<lattice::Site>& sites, const std::vector<std::size_t>& weights,
-               std::vector<std::size_t>& placed) {
+void fill_part(Box& box, const lattice::Rectangle& region, const std::vector<lattice::Site>& sites,
+               const std::vector<std::size_t>& weights, std::vector<std::size_t>& placed) {
+  const State& state = box.state;
   std::vector<Trials> trials;
   for (std::size_t species = 0; species < weights.size(); ++species) {
     const std::vector<std::uint16_t> kinds =
@@ -90,7 +91,7 @@ void fill_part(State& state, OccupancyTable& occupancy, const lattice::Rectangle
                         next_id(state) + static_cast<std::uint32_t>(species));
   }
   std::size_t species = draw_species(state, weights);
-  while (trials[species].place_one(state, occupancy, region)) {
+  while (trials[species].place_one(box, region)) {
     ++placed[species];
     species = draw_species(state, weights);
   }
@@ -132,8 +133,9 @@ void check_counts(const State& state, std::span<const std::size_t> counts) {
   }
 }
 
-FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+FillResult fill_region(Box& box, const lattice::Rectangle& region,
                        std::span<const std::size_t> counts) {
+  const State& state = box.state;
   const std::size_t first = state.particles.size();
   const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
   FillResult result;
@@ -143,23 +145,23 @@ FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::R
       continue;
     }
     Trials trials(all_trials(sites, kinds_of(state, species)), next_id(state));
-    while (result.placed[species] < counts[species] && trials.place_one(state, occupancy, region)) {
+    while (result.placed[species] < counts[species] && trials.place_one(box, region)) {
       ++result.placed[species];
     }
     result.complete = result.complete && result.placed[species] == counts[species];
   }
-  renumber(state, occupancy, first);
+  renumber(box, first);
   return result;
 }
 
-FillResult fill_with(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
-                     const Mixture& mixture) {
+FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
+  const State& state = box.state;
   check_parts(state, mixture);
   const std::size_t first = state.particles.size();
   const Parts parts = parts_of(region, mixture);
   FillResult result;
   if (mixture.deposited) {
-    result = deposit_mixture(state, occupancy, region, parts, mixture.level);
+    result = deposit_mixture(box, region, parts, mixture.level);
   } else {
     result.placed.resize(mixture.parts.front().size(), 0);
     const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
@@ -167,10 +169,10 @@ FillResult fill_with(State& state, OccupancyTable& occupancy, const lattice::Rec
       std::vector<lattice::Site> own;
       std::copy_if(sites.begin(), sites.end(), std::back_inserter(own),
                    [&](lattice::Site site) { return parts.part_at(site) == part; });
-      fill_part(state, occupancy, region, own, parts.weights[part], result.placed);
+      fill_part(box, region, own, parts.weights[part], result.placed);
     }
   }
-  renumber(state, occupancy, first);
+  renumber(box, first);
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::grains {
 
@@ -30,8 +30,7 @@ struct Parts {
 };
 
 /// See fill_with.
-FillResult deposit_mixture(State& state, OccupancyTable& occupancy,
-                           const lattice::Rectangle& region, const Parts& parts,
+FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
                            std::optional<double> level);
 
 }  // namespace clca::grains

@@ -17,11 +17,12 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
   return kinds;
 }
 
-bool fits(const State& state, const OccupancyTable& occupancy, const Particle& particle) {
-  const auto& parts = state.shape(particle).sites();
+bool fits(const Box& box, const Particle& particle) {
+  const lattice::Lattice& lattice = box.state.lattice;
+  const auto& parts = box.state.shape(particle).sites();
   return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
     const lattice::Site site = particle.site() + part;
-    return state.lattice.contains(site) && !occupancy.taken(state.lattice.index(site));
+    return lattice.contains(site) && !box.occupancy.taken(lattice.index(site));
   });
 }
 
@@ -34,13 +35,11 @@ bool lies_inside(const State& state, const Particle& particle, const lattice::Re
   });
 }
 
-void insert(State& state, OccupancyTable& occupancy, const Particle& particle) {
-  const auto id = static_cast<Owner>(state.particles.size());
-  for (const lattice::Axial part : state.shape(particle).sites()) {
-    occupancy.take(state.lattice.index(particle.site() + part), id);
-  }
-  state.particles.push_back(particle);
-  state.origins.push_back(particle.site());
+void insert(Box& box, const Particle& particle) {
+  const auto id = static_cast<Owner>(box.state.particles.size());
+  box.for_each_index(particle, [&](std::size_t index) { box.occupancy.take(index, id); });
+  box.state.particles.push_back(particle);
+  box.state.origins.push_back(particle.site());
 }
 
 std::size_t draw_species(const State& state, std::span<const std::size_t> weights) {
@@ -55,16 +54,15 @@ std::size_t draw_species(const State& state, std::span<const std::size_t> weight
   return species;
 }
 
-void renumber(State& state, OccupancyTable& occupancy, std::size_t first) {
-  const auto begin = state.particles.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(begin, state.particles.end(),
+void renumber(Box& box, std::size_t first) {
+  std::vector<Particle>& particles = box.state.particles;
+  std::sort(particles.begin() + static_cast<std::ptrdiff_t>(first), particles.end(),
             [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
-  for (std::size_t id = first; id < state.particles.size(); ++id) {
-    const Particle& particle = state.particles[id];
-    state.origins[id] = particle.site();
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      occupancy.take(state.lattice.index(particle.site() + part), static_cast<Owner>(id));
-    }
+  for (std::size_t id = first; id < particles.size(); ++id) {
+    box.state.origins[id] = particles[id].site();
+    box.for_each_index(particles[id], [&](std::size_t index) {
+      box.occupancy.take(index, static_cast<Owner>(id));
+    });
   }
 }
 

@@ -7,18 +7,18 @@
 
 #include "clca/grains/state.hpp"
 #include "clca/lattice/region.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::grains {
 
 /// True if all sites of the particle are in the box and free.
-bool fits(const State& state, const OccupancyTable& occupancy, const Particle& particle);
+bool fits(const Box& box, const Particle& particle);
 
 /// True if every site of the particle is in the region.
 bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region);
 
-/// Appends the particle, which must fit, and enters it in `occupancy`.
-void insert(State& state, OccupancyTable& occupancy, const Particle& particle);
+/// Appends the particle, which must fit.
+void insert(Box& box, const Particle& particle);
 
 /// The kinds of a species: one for each orientation.
 std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
@@ -28,6 +28,6 @@ std::size_t draw_species(const State& state, std::span<const std::size_t> weight
 
 /// Renumbers the particles from `first` on, column by column from the left, upwards, so that
 /// neighbours in the box are neighbours in memory.
-void renumber(State& state, OccupancyTable& occupancy, std::size_t first);
+void renumber(Box& box, std::size_t first);
 
 }  // namespace clca::grains

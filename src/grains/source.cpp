@@ -1,9 +1,8 @@
-#include "grains/internal/source.hpp"
-
 #include <algorithm>
 #include <numeric>
 
 #include "clca/random/draw.hpp"
+#include "grains/internal/box.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
@@ -27,7 +26,8 @@ std::uint16_t draw_kind(const State& state, const Source& source, std::uint32_t 
 }
 
 /// Tries every site of the source once, starting at a random one.
-bool emit_one(State& state, OccupancyTable& occupancy, Source& source, std::uint32_t number) {
+bool emit_one(Box& box, Source& source, std::uint32_t number) {
+  const State& state = box.state;
   Particle particle;
   particle.kind = draw_kind(state, source, number);
   const std::uint64_t bits = random::draw(state.seed, state.step + source.emitted, number,
@@ -37,8 +37,8 @@ bool emit_one(State& state, OccupancyTable& occupancy, Source& source, std::uint
     const lattice::Site site = source.sites[(start + i) % source.sites.size()];
     particle.column = site.column;
     particle.row = site.row;
-    if (fits(state, occupancy, particle)) {
-      insert(state, occupancy, particle);
+    if (fits(box, particle)) {
+      insert(box, particle);
       ++source.emitted;
       return true;
     }
@@ -47,10 +47,10 @@ bool emit_one(State& state, OccupancyTable& occupancy, Source& source, std::uint
 }
 
 /// False if the source is exhausted or the particle does not fit.
-bool run_source(State& state, OccupancyTable& occupancy, Source& source, std::uint32_t number) {
+bool run_source(Box& box, Source& source, std::uint32_t number) {
   source.credit = std::min(source.credit, kOne) + source.rate;
   while (source.credit >= kOne && !source.exhausted()) {
-    if (!emit_one(state, occupancy, source, number)) {
+    if (!emit_one(box, source, number)) {
       return false;
     }
     source.credit -= kOne;
@@ -60,16 +60,15 @@ bool run_source(State& state, OccupancyTable& occupancy, Source& source, std::ui
 
 }  // namespace
 
-SourceReport run_sources(State& state, OccupancyTable& occupancy) {
-  SourceReport report;
-  for (std::size_t number = 0; number < state.sources.size(); ++number) {
-    Source& source = state.sources[number];
+bool run_sources(Box& box) {
+  bool waits = false;
+  for (std::size_t number = 0; number < box.state.sources.size(); ++number) {
+    Source& source = box.state.sources[number];
     if (source.open && !source.exhausted()) {
-      const bool waits = run_source(state, occupancy, source, static_cast<std::uint32_t>(number));
-      report.waiting = report.waiting || waits;
+      waits = run_source(box, source, static_cast<std::uint32_t>(number)) || waits;
     }
   }
-  return report;
+  return waits;
 }
 
 }  // namespace clca::grains

@@ -1,6 +1,6 @@
-#include "grains/internal/wall.hpp"
-
 #include <algorithm>
+
+#include "grains/internal/box.hpp"
 
 namespace clca::grains {
 
@@ -14,17 +14,15 @@ std::vector<std::size_t> places_now(const State& state, const Wall& wall) {
   return places;
 }
 
-/// Gives the sites of a removed wall to other walls that cover them.
-void leave_to_others(const State& state, OccupancyTable& occupancy,
-                     std::vector<std::size_t>& vacated) {
-  std::sort(vacated.begin(), vacated.end());
-  for (std::size_t other = 0; other < state.walls.size(); ++other) {
-    if (!state.walls[other].present) {
+/// Gives the sites of a removed wall, in ascending order, to other walls that cover them.
+void leave_to_others(Box& box, const std::vector<std::size_t>& vacated) {
+  for (std::size_t other = 0; other < box.state.walls.size(); ++other) {
+    if (!box.state.walls[other].present) {
       continue;
     }
-    for (const std::size_t place : places_now(state, state.walls[other])) {
+    for (const std::size_t place : places_now(box.state, box.state.walls[other])) {
       if (std::binary_search(vacated.begin(), vacated.end(), place)) {
-        occupancy.take(place, wall_code(other));
+        box.occupancy.take(place, wall_code(other));
       }
     }
   }
@@ -32,32 +30,31 @@ void leave_to_others(const State& state, OccupancyTable& occupancy,
 
 }  // namespace
 
-std::vector<std::size_t> remove_wall(State& state, OccupancyTable& occupancy, std::size_t number) {
-  Wall& wall = state.walls.at(number);
+void remove_wall(Box& box, std::size_t number) {
+  Wall& wall = box.state.walls.at(number);
   const Owner code = wall_code(number);
   wall.present = false;
   std::vector<std::size_t> vacated;
-  for (const std::size_t place : places_now(state, wall)) {
-    if (occupancy.has(place, code) && occupancy.remove(place, code)) {
+  for (const std::size_t place : places_now(box.state, wall)) {
+    if (box.occupancy.has(place, code) && box.occupancy.remove(place, code)) {
       vacated.push_back(place);
     }
   }
-  leave_to_others(state, occupancy, vacated);
-  std::erase_if(vacated, [&](std::size_t place) { return occupancy.taken(place); });
-  return vacated;
+  std::sort(vacated.begin(), vacated.end());
+  leave_to_others(box, vacated);
 }
 
-bool insert_wall(State& state, OccupancyTable& occupancy, std::size_t number) {
-  Wall& wall = state.walls.at(number);
+bool insert_wall(Box& box, std::size_t number) {
+  Wall& wall = box.state.walls.at(number);
   if (wall.present) {
     return true;
   }
-  const std::vector<std::size_t> places = places_now(state, wall);
+  const std::vector<std::size_t> places = places_now(box.state, wall);
   const auto moves = [&](Owner owner) {
-    return is_wall(owner) && state.walls[wall_number(owner)].motion.has_value();
+    return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
   };
   const bool blocked = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
-    const Owner owner = occupancy.owner(place);
+    const Owner owner = box.occupancy.owner(place);
     return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
   if (blocked) {
@@ -65,9 +62,9 @@ bool insert_wall(State& state, OccupancyTable& occupancy, std::size_t number) {
   }
   wall.present = true;
   for (const std::size_t place : places) {
-    const Owner owner = occupancy.owner(place);
+    const Owner owner = box.occupancy.owner(place);
     if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
-      occupancy.take(place, wall_code(number));
+      box.occupancy.take(place, wall_code(number));
     }
   }
   return true;

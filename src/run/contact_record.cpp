@@ -92,12 +92,12 @@ void ContactRecord::begin_stage() {
 }
 
 void ContactRecord::after_step(const scene::Stage& stage, const Model& model,
-                               const Model::Report& report, std::uint64_t steps_in_stage) {
+                               std::uint64_t steps_in_stage) {
   pictures_.begin_step(steps_in_stage);
   frames_.begin_step(steps_in_stage);
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
   const bool ends_soon = (has_tables_ || is_shown) &&
-                         may_end_soon(stage, steps_in_stage, sampling_.window, report.quiet);
+                         may_end_soon(stage, steps_in_stage, sampling_.window, model.quiet());
   if (!ends_soon && !stage_.is_empty()) {
     stage_.clear();
   }

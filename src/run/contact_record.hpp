@@ -41,8 +41,7 @@ class ContactRecord {
 
   void begin_stage();
   /// Call after each step with its report.
-  void after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
-                  std::uint64_t steps_in_stage);
+  void after_step(const scene::Stage& stage, const Model& model, std::uint64_t steps_in_stage);
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.

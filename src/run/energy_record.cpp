@@ -30,9 +30,9 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   growth_ = 0;
 }
 
-void EnergyRecord::after_step(const Model& model, const Model::Report& report,
+void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange& exchange,
                               std::uint64_t steps_in_stage) {
-  exchanged_ += report.exchange;
+  exchanged_ += exchange;
   if (steps_in_stage % kEvery == 0) {
     look(model);
   }

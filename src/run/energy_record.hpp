@@ -13,8 +13,9 @@ namespace clca::run {
 class EnergyRecord {
  public:
   void begin_stage(const scene::Stage& stage, const Model& model);
-  /// Call after each step with its report.
-  void after_step(const Model& model, const Model::Report& report, std::uint64_t steps_in_stage);
+  /// Call after each step; `exchange`: of the step.
+  void after_step(const Model& model, const contact::EnergyExchange& exchange,
+                  std::uint64_t steps_in_stage);
   /// Updates the balance at the end of a stage.
   void end_stage(const Model& model);
 

@@ -46,8 +46,8 @@ CombinedWalls combined(const grains::State& state, const measure::ForceSummary& 
 void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
                const std::vector<double>& surface_at_start, const ForceRecord& record) {
   const grains::State& state = model.state();
-  const auto contacts = measure::contacts(state, model.occupancy());
-  const auto summary = measure::force_summary(state, model.occupancy(), contacts);
+  const auto contacts = measure::contacts(state, model.grains().occupancy());
+  const auto summary = measure::force_summary(state, model.grains().occupancy(), contacts);
   const auto distribution = record.distribution(contacts);
   const CombinedWalls walls = combined(state, summary, surface_at_start);
   const auto add = [&](const char* name, const store::MeasureValue& value) {
@@ -69,10 +69,10 @@ void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
 std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
                                      const std::vector<double>& surface_at_start) {
   const grains::State& state = model.state();
-  const auto contacts = measure::contacts(state, model.occupancy());
+  const auto contacts = measure::contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;
   for (const measure::WallForce& wall :
-       measure::force_summary(state, model.occupancy(), contacts).walls) {
+       measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
     const grains::Wall& one = state.walls[wall.wall];
     if (!is_stalled(one)) {
       continue;

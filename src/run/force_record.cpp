@@ -25,7 +25,7 @@ std::string name_of(const scene::Scene& scene, grains::Owner owner) {
 
 void ForceRecord::after_step(const Model& model, std::uint64_t steps_in_stage) {
   if (sampling_ && steps_in_stage % sampling_->every == 0) {
-    average_.add(measure::contacts(model.state(), model.occupancy()));
+    average_.add(measure::contacts(model.state(), model.grains().occupancy()));
   }
 }
 

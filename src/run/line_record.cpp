@@ -44,7 +44,7 @@ void LineRecord::observe(const Model& model) {
     velocities = last_.velocities(state);
   }
   for (std::size_t line = 0; line < lines_.size(); ++line) {
-    lines_[line].observe(last_, state, model.occupancy(), velocities, sums_[line]);
+    lines_[line].observe(last_, state, model.grains().occupancy(), velocities, sums_[line]);
   }
   last_ = measure::Snapshot(state);
 }

@@ -17,22 +17,12 @@ constexpr const char* kState = "state";
 using AnyModel = std::variant<automaton::Automaton, contact::ContactModel>;
 using AnyRules = std::variant<automaton::Rules, contact::Parameters>;
 
-AnyModel make_model(const scene::Scene& scene, const AnyRules& rules, ModelState state,
-                    const Model::Options& options) {
+AnyModel make_model(const AnyRules& rules, ModelState state, const grains::Options& options) {
   if (auto* grains = std::get_if<grains::State>(&state)) {
-    automaton::Options model = {.threads = options.threads, .reference = options.reference};
-    model.parallel_from = options.parallel_from.value_or(model.parallel_from);
-    return automaton::Automaton(std::move(*grains), std::get<automaton::Rules>(rules), model);
+    return automaton::Automaton(std::move(*grains), std::get<automaton::Rules>(rules), options);
   }
-  std::vector<std::optional<double>> friction;
-  for (const scene::Wall& wall : scene.walls) {
-    friction.push_back(wall.friction);
-  }
-  contact::Options model = {
-      .wall_friction = friction, .reference = options.reference, .threads = options.threads};
-  model.split_from = options.parallel_from.value_or(model.split_from);
   return contact::ContactModel(std::get<contact::State>(std::move(state)),
-                               std::get<contact::Parameters>(rules), model);
+                               std::get<contact::Parameters>(rules), options);
 }
 
 AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
@@ -90,21 +80,18 @@ bool has_vessel(const scene::Scene& scene) {
                      [](const scene::Stage& stage) { return stage.vessel.has_value(); });
 }
 
-Model::Model(const scene::Scene& scene, ModelState state, const Options& options)
+Model::Model(const scene::Scene& scene, ModelState state, const grains::Options& options)
     : scene_(scene),
       options_(options),
       rules_(rules_in(scene, {})),
-      model_(make_model(scene, rules_, std::move(state), options)) {}
+      model_(make_model(rules_, std::move(state), options)) {}
 
-const grains::State& Model::state() const {
-  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact->grains();
-  }
-  return std::get<automaton::Automaton>(model_).state();
+const grains::Model& Model::grains() const {
+  return std::visit([](const auto& model) -> const grains::Model& { return model; }, model_);
 }
 
-grains::Occupancy Model::occupancy() const {
-  return std::visit([](const auto& model) { return model.occupancy(); }, model_);
+grains::Model& Model::grains() {
+  return std::visit([](auto& model) -> grains::Model& { return model; }, model_);
 }
 
 std::uint64_t Model::hash() const {
@@ -146,56 +133,14 @@ contact::Vessel Model::vessel() const {
   return contact != nullptr ? contact->vessel() : contact::Vessel();
 }
 
-lattice::Direction Model::down() const {
-  if (const auto* automaton = std::get_if<automaton::Automaton>(&model_)) {
-    return automaton->rules().gravity;
-  }
-  return contact::down(vessel());
+bool Model::quiet() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr && contact->quiet();
 }
 
-Model::Report Model::step() {
-  return std::visit(
-      [](auto& model) {
-        const auto report = model.step();
-        Report result = {
-            .moved = report.moved, .emitted = report.emitted, .settled = report.settled};
-        if constexpr (std::is_same_v<decltype(report), const contact::StepReport>) {
-          result.quiet = report.quiet;
-          result.exchange = report.exchange;
-        }
-        return result;
-      },
-      model_);
-}
-
-grains::FillResult Model::fill(const lattice::Rectangle& region,
-                               std::span<const std::size_t> counts) {
-  return std::visit([&](auto& model) { return model.fill(region, counts); }, model_);
-}
-
-grains::FillResult Model::deposit(const lattice::Rectangle& region,
-                                  std::span<const std::size_t> counts) {
-  return std::visit([&](auto& model) { return model.deposit(region, counts); }, model_);
-}
-
-grains::FillResult Model::fill(const lattice::Rectangle& region, const grains::Mixture& mixture) {
-  return std::visit([&](auto& model) { return model.fill(region, mixture); }, model_);
-}
-
-void Model::remove_wall(std::size_t wall) {
-  std::visit([&](auto& model) { model.remove_wall(wall); }, model_);
-}
-
-bool Model::insert_wall(std::size_t wall) {
-  return std::visit([&](auto& model) { return model.insert_wall(wall); }, model_);
-}
-
-void Model::set_motion(std::size_t wall, bool active) {
-  std::visit([&](auto& model) { model.set_motion(wall, active); }, model_);
-}
-
-void Model::set_source(std::size_t source, bool open) {
-  std::visit([&](auto& model) { model.set_source(source, open); }, model_);
+contact::EnergyExchange Model::exchange() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr ? contact->exchange() : contact::EnergyExchange();
 }
 
 void Model::set_vessel(const scene::Stage& stage) {
@@ -211,12 +156,8 @@ void Model::set_rules(const scene::Stage& stage) {
   }
   // Beside the old one, which the summary of the run needs if there is no memory for another.
   ModelState state = std::visit([](auto& model) { return ModelState(model.state()); }, model_);
-  model_ = make_model(scene_, rules, std::move(state), options_);
+  model_ = make_model(rules, std::move(state), options_);
   rules_ = rules;
-}
-
-void Model::mark_origins() {
-  std::visit([](auto& model) { model.mark_origins(); }, model_);
 }
 
 }  // namespace clca::run

@@ -38,25 +38,12 @@ bool has_vessel(const scene::Scene& scene);
 
 class Model {
  public:
-  struct Options {
-    int threads = 1;
-    bool reference = false;                         ///< steps as the model is defined
-    std::optional<std::size_t> parallel_from = {};  ///< see RunOptions
-  };
-  struct Report {
-    std::size_t moved = 0;
-    std::size_t emitted = 0;
-    bool settled = false;
-    // Contact model only; see contact::StepReport.
-    bool quiet = false;
-    contact::EnergyExchange exchange = {};
-  };
-
   /// Throws as the models do.
-  Model(const scene::Scene& scene, ModelState state, const Options& options);
+  Model(const scene::Scene& scene, ModelState state, const grains::Options& options);
 
-  const grains::State& state() const;
-  grains::Occupancy occupancy() const;
+  const grains::Model& grains() const;
+  grains::Model& grains();
+  const grains::State& state() const { return grains().grains(); }
   std::uint64_t hash() const;
   /// Saves the state for saved_state().
   void save(reflection::Columns& columns) const;
@@ -67,26 +54,18 @@ class Model {
   std::vector<Eigen::Vector2d> velocities() const;
   /// Upright and at rest for the automaton.
   contact::Vessel vessel() const;
-  /// The lattice direction nearest to gravity.
-  lattice::Direction down() const;
+  /// See contact::ContactModel::quiet; false for the automaton.
+  bool quiet() const;
+  contact::EnergyExchange exchange() const;
 
-  Report step();
-  grains::FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  grains::FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  grains::FillResult fill(const lattice::Rectangle& region, const grains::Mixture& mixture);
-  void remove_wall(std::size_t wall);
-  bool insert_wall(std::size_t wall);
-  void set_motion(std::size_t wall, bool active);
-  void set_source(std::size_t source, bool open);
   /// Sets the vessel motion of a stage; no effect for the automaton.
   void set_vessel(const scene::Stage& stage);
   /// Sets what a stage has in place of the rules or the friction of the scene.
   void set_rules(const scene::Stage& stage);
-  void mark_origins();
 
  private:
   const scene::Scene& scene_;
-  Options options_;
+  grains::Options options_;
   std::variant<automaton::Rules, contact::Parameters> rules_;
   std::variant<automaton::Automaton, contact::ContactModel> model_;
 };

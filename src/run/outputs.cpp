@@ -228,8 +228,8 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
     write("stress", stress_csv(state, forces, records.cycles().cell()));
   }
   if (requests(scene::Measure::force) && records.forces()) {
-    const auto contacts = measure::contacts(state, model.occupancy());
-    const auto summary = measure::force_summary(state, model.occupancy(), contacts);
+    const auto contacts = measure::contacts(state, model.grains().occupancy());
+    const auto summary = measure::force_summary(state, model.grains().occupancy(), contacts);
     write("contacts", records.forces()->contacts_csv(scene_, contacts));
     write("forces", distribution_csv(records.forces()->distribution(contacts)));
     write("loads", loads_csv(scene_, state, contacts));

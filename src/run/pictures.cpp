@@ -22,7 +22,7 @@ void Pictures::draw(const Model& model, const Records& records, const store::Run
     forces = records.contacts()->of_picture(model);
   }
   CapturedFrame frame = painter_.capture({.state = state,
-                                          .occupancy = model.occupancy(),
+                                          .occupancy = model.grains().occupancy(),
                                           .cycles = &records.cycles(),
                                           .forces = forces ? &*forces : nullptr,
                                           .angle = model.vessel().angle},

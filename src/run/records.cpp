@@ -58,7 +58,7 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
   }
 }
 
-void Records::after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
+void Records::after_step(const scene::Stage& stage, const Model& model,
                          std::uint64_t steps_in_stage) {
   cycles_.after_step(model.state(), model.vessel());
   if (fields_) {
@@ -71,8 +71,8 @@ void Records::after_step(const scene::Stage& stage, const Model& model, const Mo
     forces_->after_step(model, steps_in_stage);
   }
   if (contacts_) {
-    contacts_->after_step(stage, model, report, steps_in_stage);
-    energy_->after_step(model, report, steps_in_stage);
+    contacts_->after_step(stage, model, steps_in_stage);
+    energy_->after_step(model, model.exchange(), steps_in_stage);
   }
 }
 

@@ -20,8 +20,7 @@ class Records {
   explicit Records(const scene::Scene& scene);
 
   void begin_stage(const scene::Stage& stage, const Model& model);
-  void after_step(const scene::Stage& stage, const Model& model, const Model::Report& report,
-                  std::uint64_t steps_in_stage);
+  void after_step(const scene::Stage& stage, const Model& model, std::uint64_t steps_in_stage);
   void end_stage(const Model& model);
 
   const CycleRecord& cycles() const { return cycles_; }

@@ -92,8 +92,8 @@ class Run : public RunBase {
         conversion_(scene::conversion(scene)),
         model_(scene, std::move(state),
                {.threads = options.threads,
-                .reference = options.reference,
-                .parallel_from = options.parallel_from}),
+                .parallel_from = options.parallel_from,
+                .reference = options.reference}),
         outputs_(scene, model_.state(), options),
         records_(scene),
         checkpoint_writer_(scene.output.checkpoint) {}
@@ -231,7 +231,7 @@ StageEnd Run::run_steps() {
 
 void Run::step() {
   step_clock_.start();
-  const Model::Report report = model_.step();
+  const grains::StepReport report = model_.grains().step();
   step_clock_.stop();
   ++history_.steps;
   history_.resting = report.settled;
@@ -239,7 +239,7 @@ void Run::step() {
   add_discharge(history_, model_.state(), &measure::Outflow::add);
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
-  records_.after_step(stage(), model_, report, history_.steps);
+  records_.after_step(stage(), model_, history_.steps);
   warn_of_energy();
   history_.cycles = records_.cycles().cycles();
   outputs_.after_step(stage(), model_, records_, history_.steps, report.moved);

@@ -87,7 +87,8 @@ std::vector<std::uint64_t> indices(const Model& model) {
   if (state.pushes.empty()) {
     return sites;
   }
-  for (const measure::OverlapContact& contact : measure::contacts(state, model.occupancy())) {
+  for (const measure::OverlapContact& contact :
+       measure::contacts(state, model.grains().occupancy())) {
     if (contact.source) {
       sites[*contact.source] += static_cast<std::uint64_t>(contact.sites);
     }

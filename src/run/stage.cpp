@@ -13,7 +13,7 @@ namespace {
 void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
   if (const auto mixture = scene::mixture_of(fill)) {
-    const grains::FillResult result = model.fill(fill.region, *mixture);
+    const grains::FillResult result = model.grains().fill(fill.region, *mixture);
     if (std::all_of(result.placed.begin(), result.placed.end(),
                     [](std::size_t placed) { return placed == 0; })) {
       throw SceneRunError(
@@ -24,8 +24,8 @@ void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
     return;
   }
   const grains::FillResult result = fill.method == scene::FillMethod::deposition
-                                        ? model.deposit(fill.region, fill.counts)
-                                        : model.fill(fill.region, fill.counts);
+                                        ? model.grains().deposit(fill.region, fill.counts)
+                                        : model.grains().fill(fill.region, fill.counts);
   if (result.complete) {
     return;
   }
@@ -44,7 +44,7 @@ void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
 
 void insert_walls(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.insert) {
-    if (!model.insert_wall(wall)) {
+    if (!model.grains().insert_wall(wall)) {
       throw SceneRunError(fmt::format(
           "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
           "it, or insert it before they come",
@@ -70,22 +70,22 @@ bool has_stalled(const grains::State& state) {
 void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
   model.set_rules(stage);
   for (const std::size_t wall : stage.remove) {
-    model.remove_wall(wall);
+    model.grains().remove_wall(wall);
   }
   insert_walls(model, scene, stage);
   if (stage.fill) {
     fill(model, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    model.set_source(source, contains(stage.sources, source));
+    model.grains().set_source(source, contains(stage.sources, source));
   }
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     if (scene.walls[wall].motion) {
-      model.set_motion(wall, contains(stage.move, wall));
+      model.grains().set_motion(wall, contains(stage.move, wall));
     }
   }
   model.set_vessel(stage);
-  model.mark_origins();
+  model.grains().mark_origins();
 }
 
 std::string to_text(StageEnd end) {

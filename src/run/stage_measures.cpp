@@ -107,8 +107,8 @@ void add_outflow(Results& results, const scene::Scene& scene, const Model& model
   }
   std::vector<bool> clogged;
   for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
-    clogged.push_back(history.settled &&
-                      measure::clogged(state, model.occupancy(), outlet, model.down()));
+    clogged.push_back(history.settled && measure::clogged(state, model.grains().occupancy(), outlet,
+                                                          model.grains().down()));
   }
   results.emplace_back("discharged", static_cast<double>(history.outflow.during_stage().particles));
   results.emplace_back("discharged_share", history.discharged_share());

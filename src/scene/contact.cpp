@@ -56,12 +56,17 @@ contact::Parameters contact_parameters(const Scene& scene) {
   if (parameters.fall_height == 0) {
     parameters.fall_height = estimated_fall(scene);
   }
+  for (const Wall& wall : scene.walls) {
+    parameters.friction_by_wall.push_back(wall.friction);
+  }
   return parameters;
 }
 
 contact::Parameters contact_parameters(const Scene& scene, const Stage& stage) {
-  contact::Parameters parameters = stage.contact.value_or(scene.contact);
-  parameters.fall_height = contact_parameters(scene).fall_height;
+  const contact::Parameters of_scene = contact_parameters(scene);
+  contact::Parameters parameters = stage.contact.value_or(of_scene);
+  parameters.fall_height = of_scene.fall_height;
+  parameters.friction_by_wall = of_scene.friction_by_wall;
   return parameters;
 }
 

@@ -24,7 +24,7 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
     run::prepare_stage(model, scene, scene.stages[stage]);
     writer.add(model.state(), stage, true, {.velocities = model.velocities()});
     for (int step = 1; step <= steps; ++step) {
-      const bool settled = model.step().settled;
+      const bool settled = model.grains().step().settled;
       if (step % every == 0 || step == steps || settled) {
         writer.add(model.state(), stage, false, {.velocities = model.velocities()});
       }

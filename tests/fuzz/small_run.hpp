@@ -46,7 +46,7 @@ inline std::vector<SmallFrame> small_run() {
     frames.push_back({model.state(), stage, true});
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {
-      model.step();
+      model.grains().step();
       if (step % kEvery == 0) {
         frames.push_back({model.state(), stage, false});
       }

@@ -38,8 +38,8 @@ class Pushing {
   }
 
   /// Pushes until nothing changes, looks every 20 steps and at the end, and returns the last step.
-  automaton::StepReport push() {
-    automaton::StepReport report;
+  grains::StepReport push() {
+    grains::StepReport report;
     for (int step = 1; step < kMost && !report.settled; ++step) {
       report = automaton_.step();
       if (step % 20 == 0 || report.settled) {

@@ -59,8 +59,8 @@ RC_GTEST_PROP(AutomatonProperty, StripsOfColumnsChangeNothing, ()) {
   Automaton threaded =
       start.automaton({.threads = threads, .parallel_from = *rc::gen::inRange<std::size_t>(0, 40)});
   for (int step = 0; step < 60; ++step) {
-    const automaton::StepReport report = plain.step();
-    RC_ASSERT(threaded.step().examined == report.examined);
+    plain.step();
+    threaded.step();
     RC_ASSERT(threaded.state() == plain.state());
   }
   RC_ASSERT(threaded.occupancy() == plain.occupancy());
@@ -80,7 +80,7 @@ RC_GTEST_PROP(AutomatonProperty, NothingOverlapsAndNothingIsLost, ()) {
 RC_GTEST_PROP(AutomatonProperty, HeightsFallWhileAnythingMovesAndTheEndIsAFixedPoint, ()) {
   Automaton automaton = any_state(true).automaton();
   long long before = potential(automaton.state(), automaton.rules());
-  automaton::StepReport report;
+  grains::StepReport report;
   do {
     report = automaton.step();
     const long long after = potential(automaton.state(), automaton.rules());

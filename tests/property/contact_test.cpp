@@ -12,7 +12,7 @@ namespace clca::contact_test {
 namespace {
 
 using contact::ContactModel;
-using contact::StepReport;
+using grains::StepReport;
 using testing::any_contact_run;
 using testing::ContactRun;
 
@@ -49,7 +49,7 @@ RC_GTEST_PROP(ContactProperty, SeveralThreadsChangeNothing, ()) {
     run.step(one, step);
   }
   ContactModel several =
-      run.model_from(one.state(), {.threads = testing::within(2, 4), .split_from = 1});
+      run.model_from(one.state(), {.threads = testing::within(2, 4), .parallel_from = 1});
   for (int step = alone; step < alone + kTogether; ++step) {
     RC_ASSERT(run.step(one, step).moved == run.step(several, step).moved);
     RC_ASSERT(one.state() == several.state());

@@ -13,7 +13,6 @@ namespace clca::testing {
 struct ContactRun {
   contact::State state;  ///< grains that have been filled in, perhaps in motion
   contact::Parameters parameters;
-  std::vector<std::optional<double>> wall_friction;
   // Steps before which something happens; what comes later than the last step, or is -1, does not.
   int wall_goes = 0;
   int wall_comes = 0;
@@ -22,16 +21,15 @@ struct ContactRun {
   int vessel_moves = 0;
   contact::Vessel vessel = {};
 
-  contact::ContactModel model(contact::Options options = {}) const {
+  contact::ContactModel model(const contact::Options& options = {}) const {
     return model_from(state, options);
   }
   contact::ContactModel model_from(const contact::State& from,
-                                   contact::Options options = {}) const {
-    options.wall_friction = wall_friction;
+                                   const contact::Options& options = {}) const {
     return contact::ContactModel(from, parameters, options);
   }
   /// One step, and before it what is due. `number` counts from 0.
-  contact::StepReport step(contact::ContactModel& model, int number) const {
+  grains::StepReport step(contact::ContactModel& model, int number) const {
     if (!state.grains.walls.empty()) {
       if (number == wall_goes) {
         model.remove_wall(0);
@@ -148,11 +146,10 @@ inline ContactRun any_contact_run(bool open, int steps, bool wide = false) {
     add_moving_wall(grains, lattice::Direction::down, MovingWalls::rigid);
   }
   ContactRun run{.state = {.grains = std::move(grains)},
-                 .parameters = any_contact_parameters(hexagons),
-                 .wall_friction = {}};
+                 .parameters = any_contact_parameters(hexagons)};
   for (std::size_t wall = 0; wall < run.state.grains.walls.size(); ++wall) {
-    run.wall_friction.push_back(*rc::gen::arbitrary<bool>() ? std::optional(within(0, 20) / 10.0)
-                                                            : std::nullopt);
+    run.parameters.friction_by_wall.push_back(
+        *rc::gen::arbitrary<bool>() ? std::optional(within(0, 20) / 10.0) : std::nullopt);
   }
   if (open && *rc::gen::arbitrary<bool>()) {
     add_source(run.state.grains);

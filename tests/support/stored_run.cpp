@@ -16,7 +16,7 @@ store::RunSummary run_and_store(const scene::Scene& scene, const std::filesystem
     writer.add(model.state(), stage, true, {.velocities = model.velocities()});
     const std::uint64_t steps = summary.stages[stage].steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {
-      model.step();
+      model.grains().step();
       if (step % every == 0 || step == steps) {
         writer.add(model.state(), stage, false, {.velocities = model.velocities()});
       }

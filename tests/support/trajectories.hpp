@@ -71,7 +71,7 @@ inline void play(const scene::Scene& scene, std::uint64_t every,
     take(model.state(), stage, true);
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {
-      model.step();
+      model.grains().step();
       if (step % every == 0 || step == steps) {
         take(model.state(), stage, false);
       }

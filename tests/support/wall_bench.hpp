@@ -10,21 +10,20 @@ namespace clca::testing {
 
 class WallBench {
  public:
-  explicit WallBench(grains::State state)
-      : world(std::move(state), automaton::Rules()), walls(world.state) {}
+  explicit WallBench(grains::State start) : state(std::move(start)) {}
 
   /// Lets the walls take one step.
-  automaton::StepReport advance() {
-    automaton::StepReport report;
-    walls.advance(world, report);
-    ++world.state.step;
-    return report;
+  automaton::WallMoves advance() {
+    const automaton::WallMoves moves = advance_walls(world);
+    ++state.step;
+    return moves;
   }
-  lattice::Site site(std::size_t id) const { return world.state.particles[id].site(); }
-  const grains::Travel& travel(std::size_t wall) const { return world.state.walls[wall].travel; }
+  lattice::Site site(std::size_t id) const { return state.particles[id].site(); }
+  const grains::Travel& travel(std::size_t wall) const { return state.walls[wall].travel; }
 
-  automaton::World world;
-  automaton::MovingWalls walls;
+  grains::State state;
+  grains::Box box{state};
+  automaton::World world{box, automaton::Rules()};
 };
 
 /// A wall that goes one site a step.

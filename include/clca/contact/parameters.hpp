@@ -2,6 +2,8 @@
 // Parameters of the contact model.
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace clca::contact {
 
@@ -11,6 +13,8 @@ enum class Rolling : std::uint8_t { none, resistance, free };
 struct Parameters {
   double friction = 0.4;       ///< between grains
   double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
+  /// By wall: a friction of its own. May be shorter than the list of walls.
+  std::vector<std::optional<double>> friction_by_wall = {};
   Rolling rolling = Rolling::resistance;
   /// For Rolling::resistance; multiplied by the radius, as in discrete element models.
   double rolling_friction = 0.5;

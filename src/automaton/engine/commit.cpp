@@ -16,6 +16,10 @@ std::size_t place_of(const lattice::Lattice& lattice, const MoveProposal& propos
   return lattice.at(lattice.index(proposal.site), proposal.site.column, offset);
 }
 
+std::size_t offset_of(std::int32_t offset) {
+  return static_cast<std::size_t>(std::ptrdiff_t{offset});
+}
+
 void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
   const grains::Owner owner = world.occupancy.owner_shared(place);
   if (grains::is_particle(owner)) {
@@ -24,36 +28,40 @@ void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
 }
 
 void wake_by_sites(const World& world, StripWorker& worker, const MoveProposal& proposal,
-                   const grains::Footprint& footprint) {
+                   const WindowedFootprint& footprint) {
   for (const lattice::Offset offset : footprint.wake[proposal.move]) {
     wake_owner(world, worker, place_of(world.state.lattice, proposal, offset));
   }
 }
 
 void change_sites(World& world, StripWorker& worker, const MoveProposal& proposal,
-                  const grains::Footprint& footprint) {
+                  const WindowedFootprint& footprint) {
   grains::OccupancyTable& occupancy = world.occupancy;
   if (footprint.one_window) {
-    const grains::MoveWindow& window = footprint.windows[proposal.move];
+    const MoveWindow& window = footprint.windows[proposal.move];
     occupancy.flip(corner(proposal, footprint), window.swapped, proposal.access);
     const std::uint64_t sites = proposal.taken & window.wake;
     worker.to_wake.add_if(sites != 0, {footprint.corner_from(proposal.site), sites});
   } else {
     wake_by_sites(world, worker, proposal, footprint);
-    for (const grains::WindowMask& swapped : footprint.swapped_masks[proposal.move]) {
+    for (const WindowMask& swapped : footprint.swapped_masks[proposal.move]) {
       occupancy.flip(occupancy.corner(swapped.corner(proposal.site)), swapped.sites,
                      proposal.access);
     }
   }
   const std::size_t place = world.state.lattice.index(proposal.site);
-  for (const grains::Exchanges& exchanges : footprint.exchanges[proposal.move]) {
-    occupancy.exchange_owners_shared(place, exchanges, static_cast<grains::Owner>(proposal.id));
+  for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
+    for (const Exchange exchange : exchanges) {
+      occupancy.set_owner_shared(place + offset_of(exchange.entered),
+                                 static_cast<grains::Owner>(proposal.id));
+      occupancy.set_owner_shared(place + offset_of(exchange.left), grains::kFree);
+    }
   }
 }
 
 /// The same across the periodic boundary.
 void change_sites_one_by_one(World& world, StripWorker& worker, const MoveProposal& proposal,
-                             const grains::Footprint& footprint) {
+                             const WindowedFootprint& footprint) {
   wake_by_sites(world, worker, proposal, footprint);
   const auto change = [&](const std::vector<lattice::Offset>& offsets, grains::Owner owner) {
     for (const lattice::Offset offset : offsets) {
@@ -113,7 +121,7 @@ void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal
 // The other moves may or may not have been carried out yet: only particles that stay where they are
 // need to be woken, as movers are awake anyway, and their sites keep their owners.
 void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
-  const grains::Footprint& footprint = world_.footprints.of(proposal.kind, proposal.site.column);
+  const WindowedFootprint& footprint = footprints_.of(proposal.kind, proposal.site.column);
   if (wraps(proposal.site)) {
     change_sites_one_by_one(world_, worker, proposal, footprint);
   } else {

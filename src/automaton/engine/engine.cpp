@@ -6,6 +6,9 @@ namespace clca::automaton {
 
 namespace {
 
+/// Steps with fewer awake particles run on one thread.
+constexpr std::size_t kParallelFrom = 4096;
+
 void clear(std::vector<Proposals>& all) {
   for (Proposals& proposals : all) {
     proposals.falling.clear();
@@ -15,14 +18,17 @@ void clear(std::vector<Proposals>& all) {
 
 }  // namespace
 
-Engine::Engine(World& world, const Options& options)
-    : world_(world),
-      options_(options),
-      decisions_(world),
-      reservations_(world.state.lattice),
-      strips_(world.state.lattice, world.footprints, static_cast<std::size_t>(options.threads)),
+Engine::Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile)
+    : Steps(std::move(initial), rules),
+      threads_(options.threads),
+      parallel_from_(options.parallel_from.value_or(kParallelFrom)),
+      sleeping_(options.sleeping),
+      profile_(profile),
+      footprints_(state_, candidate_directions(rules)),
+      reservations_(state_.lattice),
+      strips_(state_.lattice, footprints_, static_cast<std::size_t>(options.threads)),
       workers_(static_cast<std::size_t>(options.threads)),
-      examined_(world.state.particles.size()) {
+      examined_(state_.particles.size()) {
   for (std::size_t strip = 0; strip < workers_.size(); ++strip) {
     StripWorker& worker = workers_[strip];
     worker.strip = strip;
@@ -32,17 +38,17 @@ Engine::Engine(World& world, const Options& options)
   }
 }
 
-std::size_t Engine::advance() {
+std::size_t Engine::move_particles() {
   begin_step();
   wake_changed();
-  if (!options_.sleeping) {
+  if (!sleeping_) {
     wake_all();
   }
   assign_strips();
-  grains::PhaseClock clock(options_.profile);
+  grains::PhaseClock clock(profile_);
   parallel::FirstFailure failure;
   if (in_parallel_) {
-#pragma omp parallel num_threads(options_.threads)
+#pragma omp parallel num_threads(threads_)
     run_phases(clock, failure);
     failure.rethrow();
   } else {
@@ -62,6 +68,23 @@ std::size_t Engine::advance() {
   nothing_moved_ = moved == 0 && quiet_;
   world_.changes.by_others = false;
   return moved;
+}
+
+void Engine::append_moved(std::vector<std::uint32_t>& ids) const {
+  for (const StripWorker& worker : busy()) {
+    for (const Proposals& proposals : worker.proposals) {
+      for (const auto* list : {&proposals.falling, &proposals.sloping}) {
+        for (const MoveProposal& proposal : *list) {
+          if (proposal.move != grains::kRest) {
+            ids.push_back(proposal.id);
+          }
+        }
+      }
+    }
+  }
+  for (const MoveProposal& proposal : pushed_) {
+    ids.push_back(proposal.id);
+  }
 }
 
 // Each phase reads what all threads have written in the one before.
@@ -165,7 +188,7 @@ void Engine::wake_all() {
 }
 
 void Engine::assign_strips() {
-  in_parallel_ = workers_.size() > 1 && examined_ >= options_.parallel_from && !overlaps_;
+  in_parallel_ = workers_.size() > 1 && examined_ >= parallel_from_ && !overlaps_;
   for (StripWorker& worker : workers_) {
     worker.inner_before = worker.inner;
   }

@@ -15,41 +15,13 @@
 
 namespace clca::automaton {
 
-/// Comes to the same states as ReferenceStep. Only particles that may have gained a free direction
+/// Comes to the same states as Reference. Only particles that may have gained a free direction
 /// are examined, only moves that conflict with others are sorted, and each thread works on a strip
 /// of the box. "Why the parallel step equals the sequential one" in docs/model.md says why that is
 /// enough.
-class Engine {
+class Engine final : public Steps {
  public:
-  Engine(World& world, const Options& options);
-
-  /// Returns how many moved.
-  std::size_t advance();
-
-  /// Particles that the last step looked at.
-  std::size_t examined() const { return examined_; }
-
-  /// True when no particle that overlaps had moved in the step before the last.
-  bool was_quiet() const { return quiet_; }
-
-  /// Calls `visit` with the id of each particle that moved in the last step.
-  template <class Visit>
-  void for_each_moved(Visit visit) const {
-    for (const StripWorker& worker : busy()) {
-      for (const Proposals& proposals : worker.proposals) {
-        for (const auto* list : {&proposals.falling, &proposals.sloping}) {
-          for (const MoveProposal& proposal : *list) {
-            if (proposal.move != grains::kRest) {
-              visit(proposal.id);
-            }
-          }
-        }
-      }
-    }
-    for (const MoveProposal& proposal : pushed_) {
-      visit(proposal.id);
-    }
-  }
+  Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile);
 
  private:
   using Corner = grains::Bitboard::Corner;
@@ -76,6 +48,10 @@ class Engine {
   }
   /// Whether a particle there has to be handled site by site, as windows do not wrap.
   bool wraps(lattice::Site site) const { return strips_.at_periodic_boundary(site); }
+
+  std::size_t move_particles() override;
+  bool was_quiet() const override { return quiet_; }
+  void append_moved(std::vector<std::uint32_t>& ids) const override;
 
   // Before the phases.
   /// Keeps only the proposals of the last step, if they still tell where their particles are.
@@ -129,9 +105,11 @@ class Engine {
   void wake_neighbours(StripWorker& worker);
   void finish(StripWorker& worker);
 
-  World& world_;
-  Options options_;
-  Decisions decisions_;
+  int threads_;
+  std::size_t parallel_from_;
+  bool sleeping_;
+  Profile* profile_;
+  WindowedFootprints footprints_;
   SiteReservations reservations_;
   Strips strips_;
   std::vector<StripWorker> workers_;
@@ -153,7 +131,7 @@ class Engine {
 template <class Visit>
 [[gnu::always_inline]] inline void Engine::for_each_lead(const MoveProposal& proposal,
                                                          Visit visit) const {
-  const grains::Footprint& footprint = world_.footprints.of(proposal.kind, proposal.site.column);
+  const WindowedFootprint& footprint = footprints_.of(proposal.kind, proposal.site.column);
   if (wraps(proposal.site)) {
     const lattice::Lattice& lattice = world_.state.lattice;
     const std::size_t place = lattice.index(proposal.site);
@@ -164,7 +142,7 @@ template <class Visit>
   } else if (footprint.one_window) {
     visit(corner(proposal, footprint), footprint.windows[proposal.move].lead);
   } else {
-    for (const grains::WindowMask& lead : footprint.lead_masks[proposal.move]) {
+    for (const WindowMask& lead : footprint.lead_masks[proposal.move]) {
       visit(world_.occupancy.corner(lead.corner(proposal.site)), lead.sites);
     }
   }

@@ -9,7 +9,7 @@ namespace clca::automaton {
 // All have chosen their direction from the state at the start of the step when the first one moves.
 void Engine::move_overlapping() {
   // Where nothing has moved or changed since all that overlap chose to rest, they rest again.
-  if (nothing_moved_ && !world_.changes.by_others && options_.sleeping) {
+  if (nothing_moved_ && !world_.changes.by_others && sleeping_) {
     return;
   }
   propose_overlapping();
@@ -48,7 +48,7 @@ void Engine::propose_overlapping() {
 MoveProposal Engine::overlapping_proposal(std::uint32_t id, grains::Move move) const {
   const grains::Particle& particle = world_.state.particles[id];
   const lattice::Site site = site_of(particle);
-  const grains::Footprint& footprint = world_.footprints.of(particle);
+  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.column);
   const bool by_window = footprint.one_window && !wraps(site);
   const std::size_t byte =
       by_window ? world_.occupancy.corner(footprint.corner_from(site)).byte : 0;

@@ -91,14 +91,14 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
 
 grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
-  const grains::Footprint& footprint = world_.footprints.of(particle.kind, particle.site.column);
+  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
   return decisions_.active().provisional(
       particle.id, particle.previous, world_.state.step, [&](lattice::Direction to) {
         if (wraps(particle.site)) {
           return world_.is_free(world_.state.particles[particle.id], to);
         }
         const auto& lead = footprint.lead_masks[index_of(to)];
-        return std::none_of(lead.begin(), lead.end(), [&](const grains::WindowMask& mask) {
+        return std::none_of(lead.begin(), lead.end(), [&](const WindowMask& mask) {
           const Corner at = occupancy.corner(mask.corner(particle.site));
           return (occupancy.window(at) & mask.sites) != 0;
         });
@@ -109,7 +109,7 @@ grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const
                                                    const AwakeParticle& particle) {
   ++worker.examined;
   const std::size_t strip = in_parallel_ ? strips_.of(particle.site) : 0;
-  const grains::Footprint& footprint = world_.footprints.of(particle.kind, particle.site.column);
+  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
   const bool wraps = this->wraps(particle.site);
   Corner at;
   std::uint64_t taken = 0;

@@ -8,10 +8,10 @@
 #include "automaton/engine/awake_set.hpp"
 #include "automaton/engine/reusable_buffer.hpp"
 #include "automaton/engine/strips.hpp"
+#include "automaton/engine/windowed_footprint.hpp"
 #include "automaton/rule/update_order.hpp"
 #include "clca/grains/state.hpp"
 #include "grains/internal/bitboard.hpp"
-#include "grains/internal/footprint.hpp"
 
 namespace clca::automaton {
 
@@ -57,7 +57,7 @@ inline bool operator<(const QueuedMove& one, const QueuedMove& other) {
 
 /// Where the one window of the proposal lies.
 inline grains::Bitboard::Corner corner(const MoveProposal& proposal,
-                                       const grains::Footprint& footprint) {
+                                       const WindowedFootprint& footprint) {
   return {.byte = proposal.byte,
           .column = grains::Bitboard::column_in_block(footprint.corner_from(proposal.site))};
 }

@@ -19,13 +19,13 @@ void include(Reach& reach, lattice::Site corner) {
   reach.up = std::max(reach.up, corner.row + grains::kWindow - 1);
 }
 
-Reach reach_of(const grains::FootprintTable& footprints) {
+Reach reach_of(const WindowedFootprints& footprints) {
   Reach reach;
-  for (const grains::Footprint& footprint : footprints.all()) {
+  for (const WindowedFootprint& footprint : footprints.all()) {
     include(reach, footprint.corner);
     for (const auto* masks : {&footprint.lead_masks, &footprint.swapped_masks}) {
-      for (const std::vector<grains::WindowMask>& of_move : *masks) {
-        for (const grains::WindowMask& mask : of_move) {
+      for (const std::vector<WindowMask>& of_move : *masks) {
+        for (const WindowMask& mask : of_move) {
           include(reach, mask.corner({}));
         }
       }
@@ -76,7 +76,7 @@ std::uint64_t work_at(const std::vector<int>& cuts, const std::vector<std::uint6
 
 }  // namespace
 
-Strips::Strips(const lattice::Lattice& lattice, const grains::FootprintTable& footprints,
+Strips::Strips(const lattice::Lattice& lattice, const WindowedFootprints& footprints,
                std::size_t count)
     : reach_(reach_of(footprints)) {
   // Particles on both sides reach over a cut, and from there to the end of a word of bits.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "grains/internal/footprint.hpp"
+#include "automaton/engine/windowed_footprint.hpp"
 
 namespace clca::automaton {
 
@@ -48,8 +48,7 @@ struct Reach {
 /// other there.
 class Strips {
  public:
-  Strips(const lattice::Lattice& lattice, const grains::FootprintTable& footprints,
-         std::size_t count);
+  Strips(const lattice::Lattice& lattice, const WindowedFootprints& footprints, std::size_t count);
 
   /// Which strip the particles of a (wrapped) site belong to.
   std::size_t of(lattice::Site site) const {

@@ -43,7 +43,7 @@ const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Own
 
 int shared_sites(const World& world, std::uint32_t id) {
   int sum = 0;
-  world.for_each_place(world.state.particles[id], [&](std::size_t place) {
+  world.box.for_each_index(world.state.particles[id], [&](std::size_t place) {
     // A wall is the first owner of a place, so this is one only if both are particles.
     const bool two = world.occupancy.second_owner(place) != grains::kFree;
     sum += two && grains::is_particle(world.occupancy.owner(place)) ? 1 : 0;

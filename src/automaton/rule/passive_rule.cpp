@@ -140,8 +140,8 @@ bool PassiveRule::has_room(std::uint32_t id, Direction direction) const {
   const grains::State& state = world_.state;
   const grains::Particle& here = state.particles[id];
   bool room = true;
-  world_.for_each_place(
-      here, world_.footprints.of(here).lead[index_of(direction)], [&](std::size_t place) {
+  world_.box.for_each_index(
+      here, world_.box.footprints.of(here).lead[index_of(direction)], [&](std::size_t place) {
         const grains::Owner owner = world_.occupancy.owner(place);
         const bool closed =
             owner == grains::kBorder ||

@@ -1,34 +1,42 @@
 #include "automaton/rule/step.hpp"
 
-#include "automaton/rule/retreat.hpp"
-#include "grains/internal/outlet.hpp"
+#include <algorithm>
+
+#include "automaton/rule/moving_walls.hpp"
 
 namespace clca::automaton {
 
-grains::Move Decisions::provisional(std::uint32_t id) {
-  // The passive rule, for those that something has been pushed onto.
-  if (!PushList::onto(world_.state, id).empty()) {
-    return passive_.provisional(id);
-  }
-  // Back from those that it has pushed itself, where they rest.
-  if (const auto back = retreat(world_, id)) {
-    return *back;
-  }
-  // Else the active rule.
-  return active_.provisional(
-      id, world_.state.particles[id].previous, world_.state.step,
-      [&](lattice::Direction direction) { return is_free(world_, id, direction); });
+using grains::StepReport;
+
+Steps::Steps(grains::State initial, const Rules& rules)
+    : state_(std::move(initial)), box_(state_), world_(box_, rules), decisions_(world_) {}
+
+// Sources and outlets are shared by all models, see grains::step.
+void Steps::before_sources() {
+  // 1. Moving walls take the step that their motion asks for, if they can.
+  wall_moved_ = advance_walls(world_).moved > 0;
+  // 2. Open sources emit.
 }
 
-bool Decisions::move(std::uint32_t id, lattice::Direction direction) {
-  if (!is_free(world_, id, direction)) {
-    return false;
-  }
-  world_.move(id, direction);
-  return true;
+bool Steps::advance(StepReport& report) {
+  // 3. Every particle chooses a provisional direction. 4. Movers have their turn.
+  report.moved = move_particles();
+
+  // The end: settled when no later step can change anything.
+  const bool settled = report.moved == 0 && !wall_moved_ && was_quiet() && walls_are_still(world_);
+  end_step_of_walls(world_, report.moved > 0);
+  ++state_.step;
+  return settled;
+  // 5. Outlets remove particles that have moved and now lie wholly inside.
 }
 
-std::size_t ReferenceStep::advance() {
+std::vector<std::uint32_t> Steps::moved() const {
+  std::vector<std::uint32_t> ids = world_.carried;
+  append_moved(ids);
+  return ids;
+}
+
+std::size_t Reference::move_particles() {
   moved_.clear();
   // 3. Every particle chooses a provisional direction, from the state at this moment alone.
   choose_provisional_directions();
@@ -40,11 +48,10 @@ std::size_t ReferenceStep::advance() {
   return moved_.size();
 }
 
-void ReferenceStep::choose_provisional_directions() {
+void Reference::choose_provisional_directions() {
   grains::State& state = world_.state;
   pushed_.clear();
   others_.clear();
-  examined_ = 0;
   quiet_ = true;
   std::vector<std::uint32_t> resting;  // known to others only when all have chosen
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
@@ -52,7 +59,6 @@ void ReferenceStep::choose_provisional_directions() {
     if (!particle.present) {
       continue;
     }
-    ++examined_;
     quiet_ = quiet_ && !(world_.pushes.overlapping(id) && particle.previous != grains::kRest);
     const grains::Move move = decisions_.provisional(id);
     if (move == grains::kRest) {
@@ -68,8 +74,8 @@ void ReferenceStep::choose_provisional_directions() {
   }
 }
 
-void ReferenceStep::give_turns(std::vector<ProposedMove>& movers,
-                               bool (Decisions::*move)(std::uint32_t, lattice::Direction)) {
+void Reference::give_turns(std::vector<ProposedMove>& movers,
+                           bool (Decisions::*move)(std::uint32_t, lattice::Direction)) {
   std::sort(movers.begin(), movers.end(),
             [](const ProposedMove& one, const ProposedMove& other) { return one.key < other.key; });
   for (const ProposedMove& mover : movers) {
@@ -81,14 +87,6 @@ void ReferenceStep::give_turns(std::vector<ProposedMove>& movers,
       world_.state.particles[id].previous = grains::kRest;
     }
   }
-}
-
-bool remove_at_outlet(World& world, std::uint32_t id) {
-  if (!count_at_outlet(world.state, id)) {
-    return false;
-  }
-  world.remove(id);
-  return true;
 }
 
 }  // namespace clca::automaton

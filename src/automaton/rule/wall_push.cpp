@@ -12,7 +12,7 @@ namespace {
 using grains::PushedCluster;
 
 PushedCluster cluster_of(const World& world, const WallStep& step) {
-  return {world.state, world.occupancy, world.footprints, step};
+  return {world.box, step};
 }
 
 /// Returns false when the way is barred.

@@ -2,7 +2,7 @@
 // One step of one wall: what it does with the particles in its way.
 
 #include "automaton/rule/world.hpp"
-#include "grains/internal/wall_step.hpp"
+#include "grains/internal/pushed_cluster.hpp"
 
 namespace clca::automaton {
 

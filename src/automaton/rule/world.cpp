@@ -16,11 +16,11 @@ bool contains(const std::vector<Overlap>& overlaps, grains::Owner owner) {
 
 }  // namespace
 
-World::World(grains::State initial, const Rules& given_rules)
-    : state(std::move(initial)),
+World::World(grains::Box& around, const Rules& given_rules)
+    : box(around),
+      state(around.state),
+      occupancy(around.occupancy),
       rules(given_rules),
-      occupancy(state),
-      footprints(state, candidate_directions(rules)),
       pushes(state),
       separation(state) {
   state.origins.resize(state.particles.size());
@@ -37,8 +37,8 @@ void World::include_new(std::size_t first) {
 
 bool World::is_free(const grains::Particle& particle, lattice::Direction direction) const {
   bool free = true;
-  for_each_place(particle, footprints.of(particle).lead[index_of(direction)],
-                 [&](std::size_t place) { free = free && !occupancy.taken(place); });
+  box.for_each_index(particle, box.footprints.of(particle).lead[index_of(direction)],
+                     [&](std::size_t place) { free = free && !occupancy.taken(place); });
   return free;
 }
 
@@ -57,7 +57,7 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
       ++found->sites;
     }
   };
-  for_each_place(at, [&](std::size_t place) {
+  box.for_each_index(at, [&](std::size_t place) {
     count(occupancy.owner(place));
     count(occupancy.second_owner(place));
   });
@@ -69,14 +69,14 @@ void World::move(std::uint32_t id, lattice::Direction direction) {
   const auto owner = static_cast<grains::Owner>(id);
   const std::vector<Overlap> before =
       pushes.overlapping(id) ? overlaps(id, particle) : std::vector<Overlap>();
-  const grains::Footprint& footprint = footprints.of(particle);
-  for_each_place(particle, footprint.trail[index_of(direction)], [&](std::size_t place) {
+  const grains::Footprint& footprint = box.footprints.of(particle);
+  box.for_each_index(particle, footprint.trail[index_of(direction)], [&](std::size_t place) {
     if (occupancy.remove(place, owner)) {
       changes.vacated.push_back(place);
     }
   });
-  for_each_place(particle, footprint.lead[index_of(direction)],
-                 [&](std::size_t place) { occupancy.add(place, owner); });
+  box.for_each_index(particle, footprint.lead[index_of(direction)],
+                     [&](std::size_t place) { occupancy.add(place, owner); });
   particle = moved(particle, direction);
   particle.previous = static_cast<grains::Move>(direction);
   changes.particles.push_back(id);
@@ -106,14 +106,14 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
   const std::size_t d = index_of(direction);
   for (const std::uint32_t id : ids) {
     const grains::Particle& particle = state.particles[id];
-    for_each_place(particle, footprints.of(particle).trail[d], [&](std::size_t place) {
+    box.for_each_index(particle, box.footprints.of(particle).trail[d], [&](std::size_t place) {
       occupancy.remove(place, static_cast<grains::Owner>(id));
       changes.vacated.push_back(place);
     });
   }
   for (const std::uint32_t id : ids) {
     grains::Particle& particle = state.particles[id];
-    for_each_place(particle, footprints.of(particle).lead[d], [&](std::size_t place) {
+    box.for_each_index(particle, box.footprints.of(particle).lead[d], [&](std::size_t place) {
       occupancy.add(place, static_cast<grains::Owner>(id));
     });
     particle = moved(particle, direction);
@@ -122,19 +122,23 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
   carried.insert(carried.end(), ids.begin(), ids.end());
 }
 
-void World::remove(std::uint32_t id) {
-  grains::Particle& particle = state.particles[id];
+void World::let_go(std::uint32_t id) {
+  const grains::Particle& particle = state.particles[id];
   for (const Overlap& one : overlaps(id, particle)) {
     forget_push(id, one.owner);
   }
-  for_each_place(particle, [&](std::size_t place) {
-    if (occupancy.remove(place, static_cast<grains::Owner>(id))) {
-      changes.vacated.push_back(place);
-    }
-  });
-  particle.present = false;
-  particle.previous = grains::kRest;
+  box.for_each_index(particle, [&](std::size_t index) { changes.vacated.push_back(index); });
   changes.by_others = true;
+}
+
+void World::reload() {
+  const std::vector<grains::Push> all = state.pushes;
+  for (const grains::Push& push : all) {
+    if (grains::is_wall(push.pusher) && !state.walls[grains::wall_number(push.pusher)].present) {
+      pushes.forget(state, push.pushed, push.pusher);
+    }
+  }
+  include_new(0);
 }
 
 }  // namespace clca::automaton

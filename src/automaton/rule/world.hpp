@@ -1,5 +1,5 @@
 #pragma once
-// A state and what follows from it: who occupies each site and who overlaps.
+// A box, and who overlaps in it.
 
 #include <cstdint>
 #include <span>
@@ -8,8 +8,7 @@
 #include "automaton/rule/push_list.hpp"
 #include "clca/automaton/rules.hpp"
 #include "clca/grains/state.hpp"
-#include "grains/internal/footprint.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::automaton {
@@ -38,26 +37,11 @@ struct Changes {
 
 class World {
  public:
-  /// Throws std::invalid_argument when the state is not valid (see OccupancyTable).
-  World(grains::State initial, const Rules& given_rules);
+  /// The box must outlive the world.
+  World(grains::Box& around, const Rules& given_rules);
 
   /// Takes in particles that were added to the state from id `first` on.
   void include_new(std::size_t first);
-
-  /// The particle's sites, or others seen from its reference site, as places in memory.
-  template <class Visit>
-  void for_each_place(const grains::Particle& particle, Visit visit) const {
-    for_each_place(particle, footprints.of(particle).body, visit);
-  }
-  template <class Visit>
-  void for_each_place(const grains::Particle& particle, const std::vector<lattice::Offset>& offsets,
-                      Visit visit) const {
-    const std::size_t place = state.lattice.index(particle.site());
-    const int column = state.lattice.wrapped(particle.column);
-    for (const lattice::Offset offset : offsets) {
-      visit(state.lattice.at(place, column, offset));
-    }
-  }
 
   /// Whether all lead sites are free.
   bool is_free(const grains::Particle& particle, lattice::Direction direction) const;
@@ -69,13 +53,16 @@ class World {
   void move(std::uint32_t id, lattice::Direction direction);
   /// Moves many by one site at once; they may be in each other's way. Adds them to `carried`.
   void move_together(std::span<const std::uint32_t> ids, lattice::Direction direction);
-  /// Removes a particle for good.
-  void remove(std::uint32_t id);
+  /// Forgets what a particle shares with others, as it will be taken out.
+  void let_go(std::uint32_t id);
+  /// Particles or walls were changed by something else than steps: forgets the pushes of walls that
+  /// are gone.
+  void reload();
 
-  grains::State state;
+  grains::Box& box;
+  grains::State& state;               // of the box
+  grains::OccupancyTable& occupancy;  // of the box
   Rules rules;
-  grains::OccupancyTable occupancy;
-  grains::FootprintTable footprints;
   PushList pushes;
   grains::Separation separation;
   std::vector<std::uint32_t> carried;  ///< particles that walls have moved in this step
@@ -85,13 +72,5 @@ class World {
   void forget_ended_pushes(std::uint32_t id, const std::vector<Overlap>& before);
   void forget_push(std::uint32_t id, grains::Owner other);
 };
-
-/// The particle one step further.
-inline grains::Particle moved(grains::Particle particle, lattice::Direction direction) {
-  const lattice::Site target = particle.site() + unit(direction);
-  particle.column = target.column;
-  particle.row = target.row;
-  return particle;
-}
 
 }  // namespace clca::automaton

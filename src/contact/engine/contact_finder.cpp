@@ -34,12 +34,10 @@ bool is_wall_or_side(grains::Owner owner) {
 
 }  // namespace
 
-ContactFinder::ContactFinder(const State& state, const grains::OccupancyTable& occupancy,
-                             const grains::FootprintTable& footprints, const Rule& rule,
+ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule,
                              const parallel::Threads& threads)
-    : state_(state.grains),
-      occupancy_(occupancy),
-      footprints_(footprints),
+    : state_(box.state),
+      box_(box),
       rule_(rule),
       threads_(threads),
       normals_(static_cast<std::size_t>(threads.count), NormalTable(state_.kinds)),
@@ -157,7 +155,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots, std
   grains::Owner before = grains::kFree;
   for (const lattice::Offset offset :
        rings_[2U * grain.kind + (lattice::is_odd(grain.column) ? 1U : 0U)]) {
-    const grains::Owner owner = occupancy_.owner(lattice.at(place, column, offset));
+    const grains::Owner owner = box_.occupancy.owner(lattice.at(place, column, offset));
     if (owner == before) {
       continue;
     }
@@ -194,7 +192,7 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
-  std::vector<Touch> walls = wall_touches(state_, occupancy_, footprints_, id);
+  std::vector<Touch> walls = wall_touches(box_, id);
   slots.change_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
     if (!is_wall_or_side(slot.other)) {

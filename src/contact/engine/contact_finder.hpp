@@ -10,8 +10,7 @@
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/touching.hpp"
-#include "grains/internal/footprint.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::contact {
 
@@ -20,9 +19,7 @@ namespace clca::contact {
 class ContactFinder {
  public:
   /// All outlive the finder.
-  ContactFinder(const State& state, const grains::OccupancyTable& occupancy,
-                const grains::FootprintTable& footprints, const Rule& rule,
-                const parallel::Threads& threads);
+  ContactFinder(const grains::Box& box, const Rule& rule, const parallel::Threads& threads);
 
   /// Groups of contacts that sort() may make.
   static std::size_t max_groups(const lattice::Lattice& lattice, const parallel::Threads& threads);
@@ -58,8 +55,7 @@ class ContactFinder {
   void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
-  const grains::OccupancyTable& occupancy_;
-  const grains::FootprintTable& footprints_;
+  const grains::Box& box_;
   const Rule& rule_;
   parallel::Threads threads_;
   lattice::Direction down_ = lattice::Direction::down;

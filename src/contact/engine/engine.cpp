@@ -10,36 +10,61 @@
 
 namespace clca::contact {
 
-Engine::Engine(State& state, grains::OccupancyTable& occupancy,
-               const grains::FootprintTable& footprints, const grains::WallEdges& edges,
-               const Rule& rule, const parallel::Threads& threads, Profile* profile)
-    : state_(state),
-      rule_(rule),
-      threads_(threads),
+namespace {
+
+/// Fewer grains are not worth a thread.
+constexpr std::size_t kSplitFrom = 1024;
+
+parallel::Threads threads_for(const grains::Options& options) {
+  return {.count = options.threads, .min_per_thread = options.parallel_from.value_or(kSplitFrom)};
+}
+
+}  // namespace
+
+Engine::Engine(State initial, const Parameters& parameters, const grains::Options& options,
+               Profile* profile)
+    : Steps(std::move(initial), parameters),
+      threads_(threads_for(options)),
       profile_(profile),
       clock_(profile),
       batch_(fastest_functions()),
-      finder_(state, occupancy, footprints, rule, threads),
-      slots_(state.grains.walls.size(), ContactFinder::max_groups(state.grains.lattice, threads)),
-      mover_(state, occupancy, footprints, edges, threads),
+      finder_(box_, rule_, threads_),
+      slots_(state_.grains.walls.size(),
+             ContactFinder::max_groups(state_.grains.lattice, threads_)),
+      mover_(state_, box_, threads_),
       first_grain_(slots_.batches().first_grain()),
-      may_move_(threads) {
-  reload();
+      may_move_(threads_) {
+  load();
 }
 
-void Engine::add_grains() {
+void Engine::added(std::size_t first) {
+  Steps::added(first);
   const std::size_t grains = state_.grains.particles.size();
-  for (std::size_t id = bodies_.size() - first_grain_; id < grains; ++id) {
+  for (std::size_t id = first; id < grains; ++id) {
     changed_.push_back(static_cast<std::uint32_t>(id));
   }
   bodies_.resize(first_grain_ + grains);
   slots_.add_grains(grains);
 }
 
-void Engine::remove_grain(std::uint32_t id) {
+void Engine::removing(std::uint32_t id) {
+  Steps::removing(id);
   velocity(id) = {};
   changed_.push_back(id);
   mover_.remove_grain(id);
+}
+
+void Engine::reloaded() {
+  write_back();
+  Steps::reloaded();
+  load();
+}
+
+void Engine::load() {
+  load_bodies();
+  finder_.load(state_.contacts, slots_);
+  mover_.clear();
+  look_at_all();
 }
 
 void Engine::load_bodies() {
@@ -49,19 +74,13 @@ void Engine::load_bodies() {
   }
 }
 
-void Engine::reload() {
-  load_bodies();
-  finder_.load(state_.contacts, slots_);
-  mover_.clear();
-  look_at_all();
-}
-
 void Engine::look_at_all() {
   changed_.resize(state_.grains.particles.size());
   std::iota(changed_.begin(), changed_.end(), 0U);
 }
 
-void Engine::step() {
+std::size_t Engine::move_grains() {
+  written_back_ = false;
   clock_ = grains::PhaseClock(profile_);
   update_contacts();
   set_walls();
@@ -71,6 +90,7 @@ void Engine::step() {
   sweep_contacts();
   advance_and_move();
   clock_.end(&Profile::moves);
+  return moved_.size();
 }
 
 void Engine::update_contacts() {
@@ -177,8 +197,9 @@ void Engine::advance_and_move() {
                         continue;
                       }
                       at_rest =
-                          advance(remainders[id], motions[id].velocity,
-                                  slots_.touches_anything(static_cast<std::uint32_t>(id)), slow) &&
+                          contact::advance(remainders[id], motions[id].velocity,
+                                           slots_.touches_anything(static_cast<std::uint32_t>(id)),
+                                           slow) &&
                           at_rest;
                       near[count] = static_cast<std::uint32_t>(id);  // overwritten unless counted
                       count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
@@ -204,6 +225,10 @@ void Engine::advance_and_move() {
 }
 
 void Engine::write_back() {
+  if (written_back_) {
+    return;
+  }
+  written_back_ = true;
   write_back_velocities();
   state_.contacts.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {

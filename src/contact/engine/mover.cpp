@@ -9,13 +9,8 @@ namespace clca::contact {
 
 using lattice::Direction;
 
-Mover::Mover(State& state, grains::OccupancyTable& occupancy,
-             const grains::FootprintTable& footprints, const grains::WallEdges& edges,
-             const parallel::Threads& threads)
-    : state_(state),
-      threads_(threads),
-      moves_(state, occupancy, footprints, edges),
-      tries_(threads) {}
+Mover::Mover(State& state, grains::Box& box, const parallel::Threads& threads)
+    : state_(state), threads_(threads), moves_(state, box), tries_(threads) {}
 
 void Mover::clear() {
   waiting_.clear();

@@ -15,9 +15,8 @@ namespace clca::contact {
 /// in between it is not looked at. It may wait in several directions, in each for one other body.
 class Mover {
  public:
-  /// All outlive the mover.
-  Mover(State& state, grains::OccupancyTable& occupancy, const grains::FootprintTable& footprints,
-        const grains::WallEdges& edges, const parallel::Threads& threads);
+  /// Both outlive the mover.
+  Mover(State& state, grains::Box& box, const parallel::Threads& threads);
 
   /// Nobody waits any more: there are other grains, or walls.
   void clear();

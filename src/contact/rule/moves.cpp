@@ -12,24 +12,14 @@ void SiteMoves::begin() {
   beside_walls_.clear();
 }
 
-template <class Visit>
-void SiteMoves::for_each_place(const grains::Particle& grain,
-                               const std::vector<lattice::Offset>& offsets, Visit visit) const {
-  const lattice::Lattice& lattice = state_.grains.lattice;
-  const std::size_t place = lattice.index(grain.site());
-  const int column = lattice.wrapped(grain.column);
-  for (const lattice::Offset offset : offsets) {
-    visit(lattice.at(place, column, offset));
-  }
-}
-
 grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const {
   const grains::Particle& grain = state_.grains.particles[id];
   const lattice::Lattice& lattice = state_.grains.lattice;
   const std::size_t place = lattice.index(grain.site());
   const int column = lattice.wrapped(grain.column);
-  for (const lattice::Offset offset : footprints_.of(grain).lead[lattice::index_of(direction)]) {
-    const grains::Owner owner = occupancy_.owner(lattice.at(place, column, offset));
+  for (const lattice::Offset offset :
+       box_.footprints.of(grain).lead[lattice::index_of(direction)]) {
+    const grains::Owner owner = box_.occupancy.owner(lattice.at(place, column, offset));
     if (owner != grains::kFree) {
       return owner;
     }
@@ -45,18 +35,16 @@ void SiteMoves::move(std::uint32_t id, Direction direction) {
 // The two halves of a move.
 void SiteMoves::leave(std::uint32_t id, Direction direction) {
   const grains::Particle& grain = state_.grains.particles[id];
-  for_each_place(grain, footprints_.of(grain).trail[lattice::index_of(direction)],
-                 [&](std::size_t place) { occupancy_.release(place); });
+  box_.for_each_index(grain, box_.footprints.of(grain).trail[lattice::index_of(direction)],
+                      [&](std::size_t place) { box_.occupancy.release(place); });
 }
 
 void SiteMoves::enter(std::uint32_t id, Direction direction) {
   grains::Particle& grain = state_.grains.particles[id];
-  for_each_place(
-      grain, footprints_.of(grain).lead[lattice::index_of(direction)],
-      [&](std::size_t place) { occupancy_.take(place, static_cast<grains::Owner>(id)); });
-  const lattice::Site target = grain.site() + unit(direction);
-  grain.column = target.column;
-  grain.row = target.row;
+  box_.for_each_index(
+      grain, box_.footprints.of(grain).lead[lattice::index_of(direction)],
+      [&](std::size_t place) { box_.occupancy.take(place, static_cast<grains::Owner>(id)); });
+  grain = grains::moved(grain, direction);
   if (grain.previous == grains::kRest) {
     moved_.push_back(id);
   }
@@ -69,7 +57,7 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
   bool any = false;
   for (WallMove& wall : walls) {
     if (wall.desired != 0 && !wall.done && wall.direction(state_.grains) == direction) {
-      wall.done = push(edges_.step_of(state_.grains, wall.wall, wall.desired), pushed);
+      wall.done = push(box_.edges.step_of(state_.grains, wall.wall, wall.desired), pushed);
       any = any || wall.done;
     }
   }
@@ -77,12 +65,12 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
 }
 
 bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
-  grains::PushedCluster cluster(state_.grains, occupancy_, footprints_, step);
+  grains::PushedCluster cluster(box_, step);
   if (!cluster.gather([](std::uint32_t) { return false; })) {
     return false;
   }
   for (const std::size_t place : step.leaves) {
-    occupancy_.release(place);
+    box_.occupancy.release(place);
   }
   for (const std::uint32_t id : cluster.ids()) {
     leave(id, step.direction);
@@ -92,7 +80,7 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
     follow_push(state_.remainders[id], step.direction);
   }
   for (const std::size_t place : step.enters) {
-    occupancy_.take(place, grains::wall_code(step.wall));
+    box_.occupancy.take(place, grains::wall_code(step.wall));
   }
   note_neighbours(step.enters);
   note_neighbours(step.leaves);
@@ -105,7 +93,7 @@ void SiteMoves::note_neighbours(const std::vector<std::size_t>& places) {
   for (const std::size_t place : places) {
     for (const Direction direction : lattice::kDirections) {
       const grains::Owner owner =
-          occupancy_.owner(lattice.index(lattice.site(place) + unit(direction)));
+          box_.occupancy.owner(lattice.index(lattice.site(place) + unit(direction)));
       if (grains::is_particle(owner)) {
         beside_walls_.push_back(static_cast<std::uint32_t>(owner));
       }

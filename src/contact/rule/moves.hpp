@@ -7,19 +7,15 @@
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/walls.hpp"
-#include "grains/internal/footprint.hpp"
-#include "grains/internal/occupancy_table.hpp"
-#include "grains/internal/wall_step.hpp"
+#include "grains/internal/pushed_cluster.hpp"
 
 namespace clca::contact {
 
 /// Moves grains and walls by single sites and records the moves.
 class SiteMoves {
  public:
-  /// All references must outlive this object.
-  SiteMoves(State& state, grains::OccupancyTable& occupancy,
-            const grains::FootprintTable& footprints, const grains::WallEdges& edges)
-      : state_(state), occupancy_(occupancy), footprints_(footprints), edges_(edges) {}
+  /// Both must outlive this object; the box is that of the state.
+  SiteMoves(State& state, grains::Box& box) : state_(state), box_(box) {}
 
   /// Starts a step: clears the record and all `previous` moves.
   void begin();
@@ -41,18 +37,13 @@ class SiteMoves {
   const std::vector<std::uint32_t>& beside_walls() const { return beside_walls_; }
 
  private:
-  template <class Visit>
-  void for_each_place(const grains::Particle& grain, const std::vector<lattice::Offset>& offsets,
-                      Visit visit) const;
   void leave(std::uint32_t id, lattice::Direction direction);
   void enter(std::uint32_t id, lattice::Direction direction);
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
   void note_neighbours(const std::vector<std::size_t>& places);
 
   State& state_;
-  grains::OccupancyTable& occupancy_;
-  const grains::FootprintTable& footprints_;
-  const grains::WallEdges& edges_;
+  grains::Box& box_;
   std::vector<std::uint32_t> moved_;
   std::vector<std::uint32_t> beside_walls_;
 };

@@ -1,7 +1,12 @@
 #include "contact/rule/step.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
+#include "clca/contact/contact_model.hpp"
+#include "clca/random/draw.hpp"
+#include "contact/energy_of.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/moves.hpp"
@@ -115,50 +120,136 @@ bool advance_all(State& state, const Rule& rule) {
   return at_rest;
 }
 
+/// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
+/// vertically.
+void scatter(State& state, std::size_t first) {
+  for (std::size_t id = first; id < state.remainders.size(); ++id) {
+    const std::uint64_t bits =
+        random::draw(state.grains.seed, state.grains.step, static_cast<std::uint32_t>(id),
+                     random::Purpose::source_remainder);
+    state.remainders[id].x =
+        static_cast<std::int32_t>(random::below(bits, kSpacing)) - kSpacing / 2;
+  }
+}
+
+/// Grains that are at rest.
+void add_motions(State& state) {
+  state.velocities.resize(state.grains.particles.size());
+  state.remainders.resize(state.grains.particles.size());
+}
+
+State valid(State state) {
+  if (state.grains.step == 0 && state.wall_remainders.empty()) {
+    state.wall_remainders.resize(state.grains.walls.size());
+  }
+  check_valid(state);
+  return state;
+}
+
+double gravity_in(const lattice::Lattice& box, Parameters parameters) {
+  if (parameters.fall_height == 0) {
+    parameters.fall_height = default_fall_height(box.size().y());
+  }
+  return contact::gravity(parameters);
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& occupancy,
-                                          const grains::FootprintTable& footprints,
-                                          const grains::WallEdges& edges, const Rule& rule,
-                                          NormalTable& normals) {
-  const lattice::Direction down = contact::down(state.vessel);
+Steps::Steps(State initial, const Parameters& parameters)
+    : state_(valid(std::move(initial))),
+      box_(state_.grains),
+      gravity_(gravity_in(state_.grains.lattice, parameters)),
+      rule_(make_rule(state_.grains, parameters, gravity_)) {}
+
+void Steps::added(std::size_t first) {
+  add_motions(state_);
+  scatter(state_, first);
+  for (std::size_t id = first; id < state_.grains.particles.size(); ++id) {
+    exchange_.sources += energy_of(state_, id, gravity_).sum();
+  }
+}
+
+bool Steps::advance(grains::StepReport& report) {
+  const std::vector<double> walls = wall_positions(state_);
+  const Vessel vessel = state_.vessel;
+  report.moved = move_grains();
+  if (wall_positions(state_) != walls) {
+    exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_);
+  }
+  if (vessel.moves() || !state_.grains.outlets.empty()) {
+    write_back_velocities();
+  }
+  if (vessel.moves()) {
+    exchange_.vessel = vessel_work(state_, vessel, gravity_);
+  }
+  if (report.emitted > 0) {
+    state_.quiet_steps = 0;  // what is new still has to fall
+  }
+  return state_.quiet_steps >= kQuietSteps && walls_rest(state_);
+}
+
+void Steps::removing(std::uint32_t id) {
+  exchange_.outlets += energy_of(state_, id, gravity_).sum();
+  state_.velocities[id] = {};
+  state_.remainders[id] = {};
+}
+
+void Steps::reloaded() {
+  add_motions(state_);
+  state_.changed = true;
+  state_.quiet_steps = 0;
+}
+
+void Steps::set_vessel(const Vessel& vessel) {
+  check_valid(vessel);
+  state_.changed = state_.changed || contact::down(vessel) != down();
+  state_.vessel = vessel;
+  state_.quiet_steps = 0;
+}
+
+Reference::Reference(State initial, const Parameters& parameters)
+    : Steps(std::move(initial), parameters), normals_(state_.grains.kinds) {}
+
+// Sources and outlets are shared by all models, see grains::step.
+std::size_t Reference::move_grains() {
+  const lattice::Direction down = this->down();
 
   // 1. Who touches whom; the contacts in order.
   std::vector<Touch> contacts = next_contacts(
-      state.grains, state.contacts, touches(state.grains, occupancy, footprints, down, normals),
-      down, sorts_contacts(state));
-  state.changed = false;
-  Contacts all(state, rule);
+      state_.grains, state_.contacts, touches(box_, down, normals_), down, sorts_contacts(state_));
+  state_.changed = false;
+  Contacts all(state_, rule_);
 
   // 2. New contacts bounce.
-  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule.restitution);
+  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule_.restitution);
 
   // 3. Gravity and the vessel.
-  accelerate_all(state, rule);
+  accelerate_all(state_, rule_);
 
   // 4. The impulses of the last step, once more.
-  apply_all(all, contacts, rule);
+  apply_all(all, contacts, rule_);
 
   // 5. Sweeps over the contacts change the impulses and the velocities.
-  sweep(all, contacts, bounce, rule);
-  state.contacts.clear();
-  std::transform(contacts.begin(), contacts.end(), std::back_inserter(state.contacts),
+  sweep(all, contacts, bounce, rule_);
+  state_.contacts.clear();
+  std::transform(contacts.begin(), contacts.end(), std::back_inserter(state_.contacts),
                  [](const Touch& touch) { return touch.contact; });
 
   // 6. Remainders of grains, 7. and of walls.
-  const bool at_rest = advance_all(state, rule);
-  std::vector<WallMove> walls = advance_walls(state);
+  const bool at_rest = advance_all(state_, rule_);
+  std::vector<WallMove> walls = advance_walls(state_);
 
   // 8. Grains and walls whose remainder is large enough move by a site, if there is room.
-  SiteMoves moves(state, occupancy, footprints, edges);
-  move_all(moves, state, down, walls);
+  SiteMoves moves(state_, box_);
+  move_all(moves, state_, down, walls);
+  moved_ = moves.moved();
 
   // 9. Remainders of grains that were held up are cut.
-  std::for_each(state.remainders.begin(), state.remainders.end(), cut);
+  std::for_each(state_.remainders.begin(), state_.remainders.end(), cut);
 
   // 10. Walls and vessel end the step.
-  end_step(state, walls, at_rest && moves.moved().empty());
-  return moves.moved();
+  end_step(state_, walls, at_rest && moved_.empty());
+  return moved_.size();
 }
 
 }  // namespace clca::contact

@@ -4,39 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "clca/contact/energy.hpp"
 #include "clca/contact/state.hpp"
-#include "contact/rule/bodies.hpp"
-#include "contact/rule/contact_law.hpp"
 #include "contact/rule/normal_table.hpp"
-#include "grains/internal/footprint.hpp"
-#include "grains/internal/occupancy_table.hpp"
-#include "grains/internal/wall_step.hpp"
+#include "contact/rule/rule.hpp"
+#include "grains/internal/mechanics.hpp"
 
 namespace clca::contact {
-
-/// Constants of a run, as integers. Ratios in 2^-16.
-struct Rule {
-  std::int32_t gravity = 0;  ///< in 2^-23 lattice spacings per step squared
-  std::int32_t restitution = 0;
-  int sweeps = 2;
-  std::int32_t friction = 0;                     ///< between grains
-  std::int32_t side_friction = 0;                ///< of the sides of the box
-  std::vector<std::int32_t> wall_friction = {};  ///< by wall
-  LawConstants law = {};
-  Bodies bodies;
-
-  std::int32_t friction_with(grains::Owner other) const {
-    if (grains::is_particle(other)) {
-      return friction;
-    }
-    return is_side(other) ? side_friction : wall_friction[grains::wall_number(other)];
-  }
-};
-
-/// Speed below which a grain counts as resting: twice what gravity gives in a step.
-inline std::int32_t slow_speed(const Rule& rule) {
-  return 2 * rule.gravity;
-}
 
 /// Whether this step sorts the contacts anew.
 inline bool sorts_contacts(const State& state) {
@@ -44,10 +18,63 @@ inline bool sorts_contacts(const State& state) {
   return state.changed || state.grains.step % kEvery == 0;
 }
 
-/// One step without sources and outlets. Returns the ids of moved grains, without duplicates.
-std::vector<std::uint32_t> reference_step(State& state, grains::OccupancyTable& occupancy,
-                                          const grains::FootprintTable& footprints,
-                                          const grains::WallEdges& edges, const Rule& rule,
-                                          NormalTable& normals);
+/// A step but for the moves themselves: new grains, and the energy that is exchanged.
+class Steps : public grains::Mechanics {
+ public:
+  /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy) or
+  /// a parameter is out of range.
+  Steps(State initial, const Parameters& parameters);
+
+  /// Everything of it is true after write_back().
+  const State& state() const { return state_; }
+  /// In lattice spacings per step squared.
+  double gravity() const { return gravity_; }
+  /// In the last step.
+  const EnergyExchange& exchange() const { return exchange_; }
+  /// Throws std::invalid_argument for an invalid vessel.
+  void set_vessel(const Vessel& vessel);
+  /// Sets velocities and contacts of the state.
+  virtual void write_back() {}
+
+  grains::Box& box() final { return box_; }
+  lattice::Direction down() const final { return contact::down(state_.vessel); }
+  void before_sources() final { exchange_ = {}; }
+  void added(std::size_t first) override;
+  bool advance(grains::StepReport& report) final;
+  void removing(std::uint32_t id) override;
+  void reloaded() override;
+  void motion_set() final { state_.quiet_steps = 0; }
+
+ protected:
+  /// Everything else of a step. Returns how many grains moved.
+  virtual std::size_t move_grains() = 0;
+  /// Those with walls and sides, maybe others, too.
+  virtual std::vector<Contact> wall_contacts() const = 0;
+  /// Sets the velocities of the state.
+  virtual void write_back_velocities() {}
+
+  State state_;
+  grains::Box box_;
+  double gravity_;  // lattice spacings per step squared
+  Rule rule_;
+
+ private:
+  EnergyExchange exchange_;
+};
+
+/// The definition of a step. Engine does the same faster.
+class Reference final : public Steps {
+ public:
+  Reference(State initial, const Parameters& parameters);
+
+  std::vector<std::uint32_t> moved() const override { return moved_; }
+
+ private:
+  std::size_t move_grains() override;
+  std::vector<Contact> wall_contacts() const override { return state_.contacts; }
+
+  NormalTable normals_;
+  std::vector<std::uint32_t> moved_;
+};
 
 }  // namespace clca::contact

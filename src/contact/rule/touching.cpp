@@ -12,9 +12,9 @@ namespace {
 using lattice::Axial;
 
 /// Owner of a site; for the border, which side.
-grains::Owner body_at(const lattice::Lattice& lattice, const grains::OccupancyTable& occupancy,
-                      std::size_t place) {
-  const grains::Owner owner = occupancy.owner(place);
+grains::Owner body_at(const grains::Box& box, std::size_t place) {
+  const lattice::Lattice& lattice = box.state.lattice;
+  const grains::Owner owner = box.occupancy.owner(place);
   if (owner != grains::kBorder) {
     return owner;
   }
@@ -29,22 +29,16 @@ grains::Owner body_at(const lattice::Lattice& lattice, const grains::OccupancyTa
 }
 
 /// Bodies that block a grain, and the blocked directions as bits.
-std::map<grains::Owner, unsigned> blocking(const grains::State& state,
-                                           const grains::OccupancyTable& occupancy,
-                                           const grains::FootprintTable& footprints,
-                                           std::uint32_t id) {
-  const grains::Particle& grain = state.particles[id];
-  const std::size_t place = state.lattice.index(grain.site());
-  const int column = state.lattice.wrapped(grain.column);
+std::map<grains::Owner, unsigned> blocking(const grains::Box& box, std::uint32_t id) {
+  const grains::Particle& grain = box.state.particles[id];
   std::map<grains::Owner, unsigned> result;
   for (const lattice::Direction direction : lattice::kDirections) {
-    for (const lattice::Offset lead : footprints.of(grain).lead[lattice::index_of(direction)]) {
-      const grains::Owner owner =
-          body_at(state.lattice, occupancy, state.lattice.at(place, column, lead));
-      if (owner != grains::kFree) {
-        result[owner] |= 1U << lattice::index_of(direction);
+    const std::size_t d = lattice::index_of(direction);
+    box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t place) {
+      if (const grains::Owner owner = body_at(box, place); owner != grains::kFree) {
+        result[owner] |= 1U << d;
       }
-    }
+    });
   }
   return result;
 }
@@ -61,10 +55,9 @@ Axial sum(unsigned directions) {
 
 }  // namespace
 
-std::vector<Touch> wall_touches(const grains::State& state, const grains::OccupancyTable& occupancy,
-                                const grains::FootprintTable& footprints, std::uint32_t id) {
+std::vector<Touch> wall_touches(const grains::Box& box, std::uint32_t id) {
   std::vector<Touch> result;
-  for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
+  for (const auto& [owner, directions] : blocking(box, id)) {
     if (const Axial blocked = sum(directions); !grains::is_particle(owner) && blocked != Axial()) {
       result.push_back(
           {.contact = {.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)}});
@@ -73,18 +66,17 @@ std::vector<Touch> wall_touches(const grains::State& state, const grains::Occupa
   return result;
 }
 
-std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTable& occupancy,
-                           const grains::FootprintTable& footprints, lattice::Direction down,
-                           NormalTable& normals) {
+std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals) {
+  const grains::State& state = box.state;
   std::vector<Touch> result;
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
     if (!grain.present) {
       continue;
     }
-    const std::vector<Touch> walls = wall_touches(state, occupancy, footprints, id);
+    const std::vector<Touch> walls = wall_touches(box, id);
     result.insert(result.end(), walls.begin(), walls.end());
-    for (const auto& [owner, directions] : blocking(state, occupancy, footprints, id)) {
+    for (const auto& [owner, directions] : blocking(box, id)) {
       const auto other = static_cast<std::uint32_t>(owner);
       if (grains::is_particle(owner) && is_above(state, down, id, other)) {
         const grains::Particle& below = state.particles[other];

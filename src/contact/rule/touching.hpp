@@ -7,8 +7,7 @@
 #include "clca/contact/state.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/order.hpp"
-#include "grains/internal/footprint.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::contact {
 
@@ -34,12 +33,9 @@ inline Impulse<std::int32_t> turned_over(Impulse<std::int32_t> impulse) {
 }
 
 /// All contacts as if they were new, sorted by upper grain, then by `other`.
-std::vector<Touch> touches(const grains::State& state, const grains::OccupancyTable& occupancy,
-                           const grains::FootprintTable& footprints, lattice::Direction down,
-                           NormalTable& normals);
+std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals);
 
 /// The same with the walls and sides that a grain touches.
-std::vector<Touch> wall_touches(const grains::State& state, const grains::OccupancyTable& occupancy,
-                                const grains::FootprintTable& footprints, std::uint32_t id);
+std::vector<Touch> wall_touches(const grains::Box& box, std::uint32_t id);
 
 }  // namespace clca::contact

@@ -9,7 +9,6 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "grains/internal/bitboard.hpp"
-#include "grains/internal/footprint.hpp"
 #include "grains/internal/lazy_array.hpp"
 
 namespace clca::grains {
@@ -64,17 +63,6 @@ class OccupancyTable {
   }
   void set_owner_shared(std::size_t index, Owner owner) {
     std::atomic_ref(inverted_owners_[index]).store(~owner, std::memory_order_relaxed);
-  }
-  /// Sets the owners for a move from the index `place`: entered sites to `owner`, left sites to
-  /// free.
-  void exchange_owners_shared(std::size_t place, const Exchanges& exchanges, Owner owner) {
-    const std::span<Owner> all(inverted_owners_.data(), inverted_owners_.size());
-    for (const Exchange exchange : exchanges) {
-      const auto entered = static_cast<std::size_t>(std::ptrdiff_t{exchange.entered});
-      const auto left = static_cast<std::size_t>(std::ptrdiff_t{exchange.left});
-      std::atomic_ref(all[place + entered]).store(~owner, std::memory_order_relaxed);
-      std::atomic_ref(all[place + left]).store(~kFree, std::memory_order_relaxed);
-    }
   }
   Owner owner_shared(std::size_t index) const {
     return ~std::atomic_ref(const_cast<Owner&>(inverted_owners_[index]))

@@ -68,7 +68,7 @@ TEST(Source, EmitsAtItsRateUntilItsCountIsReached) {
   Automaton automaton(state);
   automaton.set_source(0, true);
   std::vector<std::uint64_t> steps;
-  StepReport report;
+  grains::StepReport report;
   while (!report.settled) {
     report = automaton.step();
     for (std::size_t i = 0; i < report.emitted; ++i) {

@@ -42,7 +42,8 @@ State under_a_plate(int columns, int plate_row, std::vector<Particle> particles)
 TEST(PassiveRule, AParticleUnderAPlateGoesDownWithIt) {
   Automaton automaton(under_a_plate(9, 20, {particle_at(4, 18)}), kUpwards);
   for (int step = 1; step <= 10; ++step) {
-    EXPECT_EQ(automaton.step().walls_moved, 1U);
+    automaton.step();
+    EXPECT_EQ(automaton.state().walls[0].travel.offset, step);
     EXPECT_EQ(automaton.state().particles[0].site(), (Site{4, 18 - step}));
     EXPECT_EQ(automaton.state().particles[0].previous, kDown);
     EXPECT_THAT(automaton.state().pushes, IsEmpty());

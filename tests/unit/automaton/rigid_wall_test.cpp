@@ -50,10 +50,10 @@ TEST(RigidWall, LiftsAHeapByExactlyOneRowAndLeavesWhatItsParticlesDid) {
     particle.previous = 3;
   }
   WallBench bench(start);
-  EXPECT_EQ(bench.advance().walls_moved, 1U);
-  EXPECT_EQ(bench.world.state.particles, expected.particles);
+  EXPECT_EQ(bench.advance().moved, 1U);
+  EXPECT_EQ(bench.state.particles, expected.particles);
   EXPECT_EQ(bench.travel(0).offset, 1);
-  EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
+  EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
 }
 
 TEST(RigidWall, LiftsAnOverhangAndItsRiderButNotWhatLiesBelowOrAside) {
@@ -76,12 +76,12 @@ TEST(RigidWall, StallsAndChangesNothingWhenItsTrainMeetsTheLid) {
   state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid)};
   state.step = 7;
   WallBench bench(state);
-  const StepReport report = bench.advance();
-  EXPECT_EQ(report.walls_moved, 0U);
-  EXPECT_EQ(report.walls_stalled, 1U);
+  const WallMoves moves = bench.advance();
+  EXPECT_EQ(moves.moved, 0U);
+  EXPECT_EQ(moves.stalled, 1U);
   EXPECT_EQ(bench.travel(0).stalls, 1U);
   EXPECT_EQ(bench.travel(0).stalled_since, 7U);
-  EXPECT_EQ(bench.world.state.particles, state.particles);
+  EXPECT_EQ(bench.state.particles, state.particles);
   EXPECT_EQ(Occupancy(state), bench.world.occupancy);
 }
 
@@ -95,8 +95,8 @@ TEST(RigidWall, StallsWhenItsTrainMeetsAnyOtherWall) {
     State state = single_sites({particle_at(2, 1), particle_at(2, 2)});
     state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid), other};
     WallBench bench(state);
-    EXPECT_EQ(bench.advance().walls_stalled, 1U);
-    EXPECT_EQ(bench.world.state.particles, state.particles);
+    EXPECT_EQ(bench.advance().stalled, 1U);
+    EXPECT_EQ(bench.state.particles, state.particles);
   }
 }
 
@@ -106,7 +106,7 @@ TEST(RigidWall, ThatIsGoneLetsTheNextOneByAndOneAtRestDoesNot) {
     state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid),
                    {.sites = {{2, 1}}, .present = present}};
     WallBench bench(state);
-    EXPECT_EQ(bench.advance().walls_moved, present ? 0U : 1U);
+    EXPECT_EQ(bench.advance().moved, present ? 0U : 1U);
   }
 }
 
@@ -131,7 +131,7 @@ TEST(RigidWall, PushesAChainAlongAnyDirectionAndNoBystander) {
         EXPECT_EQ(bench.site(id), state.particles[id].site() + one);
       }
       EXPECT_EQ(bench.site(3), aside);
-      EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
+      EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
     }
   }
 }
@@ -144,10 +144,10 @@ TEST(RigidWall, PushesAcrossThePeriodicSeamAllTheWayRound) {
   state.particles = {particle_at(8, 5), particle_at(9, 5)};  // in columns 0 and 1
   WallBench bench(state);
   for (int step = 1; step <= 16; ++step) {
-    EXPECT_EQ(bench.advance().walls_moved, 1U);
+    EXPECT_EQ(bench.advance().moved, 1U);
     EXPECT_EQ(bench.site(0).column, 8 + step);
     EXPECT_EQ(bench.site(1).column, 9 + step);
-    EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
+    EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
   }
 }
 
@@ -164,8 +164,8 @@ TEST(RigidWall, TakesAlongWhateverOverlapsWithItsTrain) {
   EXPECT_EQ(bench.site(0), (Site{4, 7}));
   EXPECT_EQ(bench.site(1), (Site{4, 7}));
   EXPECT_EQ(bench.site(2), (Site{7, 6}));
-  EXPECT_EQ(bench.world.state.pushes, state.pushes);
-  EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
+  EXPECT_EQ(bench.state.pushes, state.pushes);
+  EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
 }
 
 TEST(RigidWall, ThatBeginsOutsideComesInAndThatGoesOutIsNotThere) {
@@ -173,17 +173,17 @@ TEST(RigidWall, ThatBeginsOutsideComesInAndThatGoesOutIsNotThere) {
   state.walls = {driven_wall({{2, -2}, {2, -1}}, Direction::up, Passive::rigid)};
   WallBench bench(state);
   for (int step = 1; step <= 5; ++step) {
-    EXPECT_EQ(bench.advance().walls_moved, 1U);
+    EXPECT_EQ(bench.advance().moved, 1U);
     EXPECT_EQ(bench.site(0), (Site{2, step}));
-    EXPECT_EQ(sites_now(state.lattice, bench.world.state.walls[0]).size(), step == 1 ? 1U : 2U);
+    EXPECT_EQ(sites_now(state.lattice, bench.state.walls[0]).size(), step == 1 ? 1U : 2U);
   }
-  EXPECT_EQ(bench.advance().walls_stalled, 1U);  // the particle is at the lid
-  bench.world.remove(0);
+  EXPECT_EQ(bench.advance().stalled, 1U);  // the particle is at the lid
+  grains::take_out(bench.box, 0);
   for (int step = 0; step < 3; ++step) {
-    EXPECT_EQ(bench.advance().walls_moved, 1U);
+    EXPECT_EQ(bench.advance().moved, 1U);
   }
-  EXPECT_TRUE(sites_now(state.lattice, bench.world.state.walls[0]).empty());
-  EXPECT_EQ(Occupancy(bench.world.state), bench.world.occupancy);
+  EXPECT_TRUE(sites_now(state.lattice, bench.state.walls[0]).empty());
+  EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
 }
 
 TEST(RigidWall, PushesIntoAnOutlet) {
@@ -193,7 +193,7 @@ TEST(RigidWall, PushesIntoAnOutlet) {
   state.walls = {driven_wall(testing::whole_row(state, 3), Direction::up, Passive::rigid)};
   state.outlets = {{.region = {0, 5, 20, 8}}};
   Automaton automaton(state);
-  const StepReport report = automaton.step();
+  const grains::StepReport report = automaton.step();
   EXPECT_EQ(report.moved, 0U);
   EXPECT_EQ(report.removed, 1U);
   EXPECT_EQ(automaton.state().outlets[0].particles, 1U);

@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "clca/automaton/rules.hpp"
 #include "grains/internal/bitboard.hpp"
-#include "grains/internal/footprint.hpp"
 
 namespace clca::automaton::strips_test {
 namespace {
 
 using lattice::Site;
 
-grains::FootprintTable footprints_of(const grains::State& state) {
+WindowedFootprints footprints_of(const grains::State& state) {
   return {state, candidate_directions({})};
 }
 
@@ -59,14 +59,27 @@ TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
 TEST(Strips, KeepAsFarApartAsWindowsReach) {
   grains::State state{.lattice = lattice::Lattice(400, 400, true)};
   state.kinds = {{lattice::Shape({{0, 0}, {1, 0}, {2, 0}}), 0}};
-  const grains::FootprintTable footprints = footprints_of(state);
+  const WindowedFootprints footprints = footprints_of(state);
   const Strips strips(state.lattice, footprints, 2);
-  for (const grains::Footprint& footprint : footprints.all()) {
+  for (const WindowedFootprint& footprint : footprints.all()) {
     ASSERT_TRUE(footprint.one_window);
     const int last = footprint.corner.column + grains::kWindow - 1;
     EXPECT_GT(last, 4);
     EXPECT_TRUE(strips.at_periodic_boundary({400 - last, 9}));
     EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * grains::kWindow);
+  }
+}
+
+TEST(WindowedFootprint, AllThatASmallHexagonReachesIsInOneWindow) {
+  using enum lattice::Direction;
+  constexpr std::array kCandidates = {down, down_right, down_left};
+  grains::State state{.lattice = lattice::Lattice(40, 40, false)};
+  for (const int radius : {0, 1, 2, 3}) {
+    state.kinds = {{lattice::Shape::hexagon(radius), 0}};
+    const WindowedFootprints table(state, kCandidates);
+    for (const int column : {10, 11}) {
+      EXPECT_EQ(table.of(0, column).one_window, radius < 3) << radius;
+    }
   }
 }
 

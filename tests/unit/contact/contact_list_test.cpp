@@ -26,11 +26,9 @@ grains::State hexagons(const std::vector<lattice::Site>& sites, int columns = 30
 
 constexpr lattice::Direction kDown = lattice::Direction::down;
 
-std::vector<Touch> touches_of(const grains::State& state) {
+std::vector<Touch> touches_of(grains::State state) {
   NormalTable normals(state.kinds);
-  const grains::OccupancyTable occupancy(state);
-  const grains::FootprintTable footprints(state, {});
-  return touches(state, occupancy, footprints, kDown, normals);
+  return touches(grains::Box(state), kDown, normals);
 }
 
 using Bodies2 = std::pair<std::uint32_t, grains::Owner>;

@@ -213,7 +213,7 @@ TEST_P(ContactModelTest, ASourceEmitsItsCountAndTheBedSettlesOnlyThen) {
   EXPECT_EQ(spout.step().emitted, 0U);
   spout.set_source(0, true);
   std::size_t emitted = 0;
-  StepReport report;
+  grains::StepReport report;
   do {
     report = spout.step();
     emitted += report.emitted;
@@ -264,7 +264,7 @@ TEST_P(ContactModelTest, AReportCountsEachGrainThatMovedOnce) {
   std::size_t moves = 0;
   for (int step = 0; step < 400; ++step) {
     const lattice::Site before = two.grains().particles[1].site();
-    const StepReport report = two.step();
+    const grains::StepReport report = two.step();
     const bool moved = two.grains().particles[1].site() != before;
     EXPECT_EQ(report.moved, moved ? 1U : 0U);
     moves += report.moved;
@@ -305,8 +305,8 @@ TEST_P(ContactModelTest, AWallHasTheFrictionThatItIsGiven) {
     state.remainders.resize(1);
     Parameters parameters = kParameters;
     parameters.rolling = Rolling::none;
-    ContactModel one(std::move(state), parameters,
-                     {.wall_friction = {friction}, .reference = GetParam()});
+    parameters.friction_by_wall = {friction};
+    ContactModel one(std::move(state), parameters, {.reference = GetParam()});
     for (int step = 0; step < 400; ++step) {
       one.step();
     }

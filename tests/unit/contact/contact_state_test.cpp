@@ -132,11 +132,13 @@ TEST(TheContactModel, RefusesParametersOutOfRange) {
   EXPECT_EQ(with([](Parameters& all) { all.sweeps = 0; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.fall_height = -1; }),
             "resolution and fall height do not give a time step");
-  EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {nan}}), reason);
-  EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {-1.0}}), reason);
-  EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {0.1, 0.2}}),
+  EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {nan}; }), reason);
+  EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {-1.0}; }), reason);
+  EXPECT_EQ(with([&](Parameters& all) {
+              all.friction_by_wall = {0.1, 0.2};
+            }),
             "there are more frictions than walls");
-  EXPECT_EQ(refusal(good_state(), kParameters, {.wall_friction = {std::nullopt}}), "");
+  EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {std::nullopt}; }), "");
 }
 
 TEST(OnlyHexagons, Turn) {

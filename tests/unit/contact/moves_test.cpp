@@ -35,22 +35,20 @@ struct Bench {
     for (std::uint32_t id = 0; ids.size() < state.particles.size(); ++id) {
       ids.push_back(id);
     }
-    grains::OccupancyTable occupancy(state);
-    grains::OccupancyTable occupancy_of_engine(state);
-    const grains::FootprintTable footprints(state, {});
-    const grains::WallEdges edges(state);
     State all{.grains = state, .remainders = remainders};
     State all_of_engine = all;
-    SiteMoves moves(all, occupancy, footprints, edges);
+    grains::Box box(all.grains);
+    grains::Box box_of_engine(all_of_engine.grains);
+    SiteMoves moves(all, box);
     move_all(moves, all, Direction::down, {});
-    Mover mover(all_of_engine, occupancy_of_engine, footprints, edges, {});
+    Mover mover(all_of_engine, box_of_engine, {});
     mover.move_all(Direction::down, ids, {});
     EXPECT_EQ(all, all_of_engine);
     EXPECT_THAT(mover.moves().moved(), ::testing::UnorderedElementsAreArray(moves.moved()));
     state = all.grains;
     remainders = all.remainders;
-    EXPECT_EQ(occupancy, grains::OccupancyTable(state));
-    EXPECT_EQ(occupancy_of_engine, occupancy);
+    EXPECT_EQ(box.occupancy, grains::OccupancyTable(state));
+    EXPECT_EQ(box_of_engine.occupancy, box.occupancy);
     return moves.moved();
   }
 };
@@ -88,11 +86,9 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   bench.add(10, 5, {});
   bench.add(10, 8, kDown);
   bench.add(10, 11, kDown);
-  grains::OccupancyTable occupancy(bench.state);
-  const grains::FootprintTable footprints(bench.state, {});
-  const grains::WallEdges edges(bench.state);
   State all{.grains = bench.state, .remainders = bench.remainders};
-  Mover mover(all, occupancy, footprints, edges, {});
+  grains::Box box(all.grains);
+  Mover mover(all, box, {});
   const auto step = [&](const std::vector<std::uint32_t>& ids) {
     for (grains::Particle& grain : all.grains.particles) {
       grain.previous = grains::kRest;
@@ -107,11 +103,7 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   EXPECT_THAT(step({0, 1, 2}), ::testing::UnorderedElementsAre(0U, 1U, 2U));
   all.remainders[1] = kDown;
   EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
-  const grains::Particle& lowest = all.grains.particles[0];
-  for (const lattice::Offset site : footprints.of(lowest).body) {
-    occupancy.release(
-        all.grains.lattice.at(all.grains.lattice.index(lowest.site()), lowest.column, site));
-  }
+  take_out(box, 0);
   mover.remove_grain(0);
   EXPECT_THAT(step({1, 2}), ::testing::ElementsAre(1U));
 }

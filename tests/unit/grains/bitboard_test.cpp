@@ -8,8 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "grains/internal/footprint.hpp"
-
 namespace clca::grains::bitboard_test {
 namespace {
 
@@ -117,19 +115,6 @@ TEST(Bitboard, AWindowThatIsWipedHasNothingLeftAndNothingFarAwayIsLost) {
         ASSERT_EQ(filled.window(other), before.window(other));
       }
     });
-  }
-}
-
-TEST(Footprint, AllThatASmallHexagonReachesIsInOneWindow) {
-  using enum lattice::Direction;
-  constexpr std::array kCandidates = {down, down_right, down_left};
-  State state{.lattice = lattice::Lattice(40, 40, false)};
-  for (const int radius : {0, 1, 2, 3}) {
-    state.kinds = {{lattice::Shape::hexagon(radius), 0}};
-    const FootprintTable table(state, kCandidates);
-    for (const int column : {10, 11}) {
-      EXPECT_EQ(table.of({.column = column}).one_window, radius < 3) << radius;
-    }
   }
 }
 

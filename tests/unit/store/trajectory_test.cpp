@@ -138,7 +138,7 @@ output: {trajectory: {every: 20, contacts: true}}
     if (step % 60 == 0) {
       writer.flush();
     }
-    model.step();
+    model.grains().step();
   }
   writer.flush();
   ASSERT_LT(present_count(model.state()), 30U) << "nothing has left";

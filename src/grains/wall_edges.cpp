@@ -1,4 +1,4 @@
-#include "grains/internal/wall_step.hpp"
+#include "grains/internal/wall_edges.hpp"
 
 #include <algorithm>
 
@@ -82,32 +82,6 @@ WallStep WallEdges::step_of(const State& state, std::size_t number, int desired)
           .direction = desired > 0 ? forward : opposite(forward),
           .enters = places(state.lattice, sides.lead, shift),
           .leaves = places(state.lattice, sides.trail, shift)};
-}
-
-void PushedCluster::add_owners(const Particle& particle,
-                               const std::vector<lattice::Offset>& offsets) {
-  const std::size_t place = state_.lattice.index(particle.site());
-  const int column = state_.lattice.wrapped(particle.column);
-  for (const lattice::Offset offset : offsets) {
-    add_owner_of(state_.lattice.at(place, column, offset));
-  }
-}
-
-void PushedCluster::add_owner_of(std::size_t place) {
-  add(occupancy_.owner(place));
-  add(occupancy_.second_owner(place));
-}
-
-void PushedCluster::add(Owner owner) {
-  if (is_particle(owner)) {
-    const auto id = static_cast<std::uint32_t>(owner);
-    if (!included_[id]) {
-      included_[id] = true;
-      ids_.push_back(id);
-    }
-  } else {
-    blocked_ = blocked_ || (owner != kFree && owner != wall_code(step_.wall));
-  }
 }
 
 }  // namespace clca::grains

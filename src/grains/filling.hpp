@@ -7,7 +7,7 @@
 #include "clca/grains/fill.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/lattice/region.hpp"
-#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::grains {
 
@@ -16,22 +16,21 @@ void check_counts(const State& state, std::span<const std::size_t> counts);
 
 /// Places `counts` particles per species at random in free sites of `region`, larger species first,
 /// in random orientations. A species that no longer fits is placed in part.
-/// Appends them to `state` and enters them in `occupancy`. Ids are given column by column from the
-/// left, upwards. Throws as check_counts and lattice::check.
-FillResult fill_region(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+/// Ids are given column by column from the left, upwards. Throws as check_counts and
+/// lattice::check.
+FillResult fill_region(Box& box, const lattice::Rectangle& region,
                        std::span<const std::size_t> counts);
 
 /// Sequential deposition (Visscher & Bolsterli 1972): drops particles one by one over random
 /// columns of `region`; each falls and rolls down until it rests. Gravity points down.
 /// `counts` per species, in random order. The bottom and sides of the region hold the particles; a
 /// particle that does not fit is not placed. Ids and preconditions as for fill_region.
-FillResult deposit_in(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
+FillResult deposit_in(Box& box, const lattice::Rectangle& region,
                       std::span<const std::size_t> counts);
 
 /// Fills the region with a mixture; at random, or as deposit_in. Where parts of a picture are
 /// deposited, a particle that would come to rest in another part is not placed. Ids as for
 /// fill_region. Throws std::invalid_argument if the mixture is not as described there.
-FillResult fill_with(State& state, OccupancyTable& occupancy, const lattice::Rectangle& region,
-                     const Mixture& mixture);
+FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
 
 }  // namespace clca::grains

@@ -1,0 +1,100 @@
+#pragma once
+// A model of grains in a box: what automaton::Automaton and contact::ContactModel have in common.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "clca/grains/fill.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
+
+namespace clca::grains {
+
+class Mechanics;
+
+/// How a model takes its steps.
+struct Options {
+  /// Number of threads, at least 1; does not affect the result. The caller must check that they can
+  /// be started (parallel::start_team): OpenMP ends the program otherwise.
+  int threads = 1;
+  /// Smallest number of particles that is worth several threads; none: as measured for the model.
+  std::optional<std::size_t> parallel_from = {};
+  /// Steps as the model is defined, on one thread. For checks.
+  bool reference = false;
+  /// Automaton only. False: examines every particle in every step, even those that cannot move. For
+  /// checks.
+  bool sleeping = true;
+};
+
+/// Results of one step.
+struct StepReport {
+  std::size_t moved = 0;
+  std::size_t emitted = 0;
+  std::size_t removed = 0;
+  /// No later step can change anything, or of the contact model: no grain has moved for some time.
+  /// No open source can emit.
+  bool settled = false;
+};
+
+/// Runs a State. After an exception other than std::invalid_argument or std::out_of_range the state
+/// is incomplete, and every further change throws std::logic_error.
+class Model {
+ public:
+  ~Model();
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  const State& grains() const;
+  Occupancy occupancy() const;
+  /// The lattice direction nearest to gravity.
+  lattice::Direction down() const;
+
+  /// One step: sources, moves of walls and particles as the model has them, outlets.
+  StepReport step();
+
+  // After each of these changes, particles that lie wholly in an outlet are removed.
+
+  /// Places `counts` particles per species at random in `region`, larger species first. A species
+  /// that no longer fits is placed in part. Throws std::invalid_argument unless there is one count
+  /// per species and the region is made of numbers.
+  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Deposits `counts` particles per species in `region`: a packing at rest (sequential deposition,
+  /// Visscher & Bolsterli 1972). Throws as fill, and if the automaton has a gravity that does not
+  /// point down.
+  FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
+  /// Fills `region` with a mixture; see Mixture. Throws as deposit() where it is deposited.
+  FillResult fill(const lattice::Rectangle& region, const Mixture& mixture);
+  // Walls and sources by index; of one that is not there these throw std::out_of_range.
+
+  /// Removes a wall; no effect if it is already removed.
+  void remove_wall(std::size_t wall);
+  /// Inserts a wall. Returns false and changes nothing if a particle is in its way, or another wall
+  /// while one of the two is a moving wall.
+  bool insert_wall(std::size_t wall);
+  /// Starts or stops the motion of a wall. Throws std::invalid_argument if it has none.
+  void set_motion(std::size_t wall, bool active);
+  /// Opens or closes a source.
+  void set_source(std::size_t source, bool open);
+  /// Sets the origins of all particles to their present positions.
+  void mark_origins();
+
+ protected:
+  explicit Model(std::unique_ptr<Mechanics> mechanics);
+  Mechanics& mechanics() const { return *mechanics_; }
+
+ private:
+  template <class Change>
+  auto whole(Change change);
+  template <class Change>
+  auto changed(Change change);
+  void check_deposits() const;
+
+  std::unique_ptr<Mechanics> mechanics_;
+  bool half_changed_ = false;
+};
+
+}  // namespace clca::grains

@@ -1,0 +1,65 @@
+#pragma once
+// A state and what follows from it alone: what all models of the same grains share.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/grains/state.hpp"
+#include "grains/internal/footprint.hpp"
+#include "grains/internal/occupancy_table.hpp"
+#include "grains/internal/wall_edges.hpp"
+
+namespace clca::grains {
+
+/// Functions that change the state of a box keep the occupancy true.
+struct Box {
+  /// The state must outlive the box. Throws std::invalid_argument if it is not valid (see
+  /// Occupancy).
+  explicit Box(State& of) : state(of), occupancy(of), footprints(of), edges(of) {}
+
+  /// Calls `visit` with the index of each site that a particle covers, or of others given from its
+  /// reference site.
+  template <class Visit>
+  void for_each_index(const Particle& particle, Visit visit) const {
+    for_each_index(particle, footprints.of(particle).body, visit);
+  }
+  template <class Visit>
+  void for_each_index(const Particle& particle, const std::vector<lattice::Offset>& offsets,
+                      Visit visit) const {
+    const std::size_t index = state.lattice.index(particle.site());
+    const int column = state.lattice.wrapped(particle.column);
+    for (const lattice::Offset offset : offsets) {
+      visit(state.lattice.at(index, column, offset));
+    }
+  }
+
+  State& state;
+  OccupancyTable occupancy;
+  FootprintTable footprints;
+  WallEdges edges;
+};
+
+/// The particle one step further.
+inline Particle moved(Particle particle, lattice::Direction direction) {
+  const lattice::Site target = particle.site() + unit(direction);
+  particle.column = target.column;
+  particle.row = target.row;
+  return particle;
+}
+
+/// Takes a particle out for good: its sites become free.
+void take_out(Box& box, std::uint32_t id);
+
+/// Emits the particles that are due from every open source, if they fit. Those that do not fit stay
+/// due, up to one step's share. Returns whether an open source will emit even if nothing else
+/// changes.
+bool run_sources(Box& box);
+
+/// Removes a wall. Its sites go to other walls that cover them.
+void remove_wall(Box& box, std::size_t number);
+
+/// Inserts a wall. Returns false and changes nothing if a particle is in its way, or another wall
+/// while one of the two is a moving wall.
+bool insert_wall(Box& box, std::size_t number);
+
+}  // namespace clca::grains

@@ -1,0 +1,47 @@
+#pragma once
+// What a model adds to a box: how its grains and walls move.
+
+#include <cstdint>
+#include <vector>
+
+#include "clca/grains/model.hpp"
+#include "grains/internal/box.hpp"
+
+namespace clca::grains {
+
+/// Each model has two: its definition, for checks, and one that is fast and gives the same bits.
+/// All functions are called once a step at most, but removing().
+class Mechanics {
+ public:
+  Mechanics() = default;
+  virtual ~Mechanics() = default;
+  Mechanics(const Mechanics&) = delete;
+  Mechanics& operator=(const Mechanics&) = delete;
+
+  virtual Box& box() = 0;
+  virtual lattice::Direction down() const = 0;
+  /// Whether particles can be deposited.
+  virtual bool deposits() const { return true; }
+
+  // In this order in each step, see step().
+  virtual void before_sources() {}
+  /// Particles from id `first` on are new: sources have emitted them.
+  virtual void added(std::size_t first) = 0;
+  /// Moves grains and walls, and counts the step. Sets `moved` of the report, which already has
+  /// what was emitted. Returns whether the state is settled if no source will emit.
+  virtual bool advance(StepReport& report) = 0;
+  /// The particles that have moved in this step; may have duplicates.
+  virtual std::vector<std::uint32_t> moved() const = 0;
+  /// A particle is about to be taken out.
+  virtual void removing(std::uint32_t id) = 0;
+
+  /// Particles were added or walls changed in between steps.
+  virtual void reloaded() = 0;
+  /// A wall was set in motion or stopped.
+  virtual void motion_set() {}
+};
+
+/// One step of any model.
+StepReport step(Mechanics& mechanics);
+
+}  // namespace clca::grains
