@@ -20,15 +20,17 @@ void clear(std::vector<Proposals>& all) {
 
 Engine::Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile)
     : Steps(std::move(initial), rules),
+      world_(world()),
+      decisions_(decisions()),
       threads_(options.threads),
       parallel_from_(options.parallel_from.value_or(kParallelFrom)),
       sleeping_(options.sleeping),
       profile_(profile),
-      footprints_(state_, candidate_directions(rules)),
-      reservations_(state_.lattice),
-      strips_(state_.lattice, footprints_, static_cast<std::size_t>(options.threads)),
+      footprints_(world_.state, candidate_directions(rules)),
+      reservations_(world_.state.lattice),
+      strips_(world_.state.lattice, footprints_, static_cast<std::size_t>(options.threads)),
       workers_(static_cast<std::size_t>(options.threads)),
-      examined_(state_.particles.size()) {
+      examined_(world_.state.particles.size()) {
   for (std::size_t strip = 0; strip < workers_.size(); ++strip) {
     StripWorker& worker = workers_[strip];
     worker.strip = strip;

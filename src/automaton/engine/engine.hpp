@@ -105,6 +105,8 @@ class Engine final : public Steps {
   void wake_neighbours(StripWorker& worker);
   void finish(StripWorker& worker);
 
+  World& world_;
+  Decisions& decisions_;
   int threads_;
   std::size_t parallel_from_;
   bool sleeping_;

@@ -37,19 +37,22 @@ class Steps : public grains::Mechanics {
   virtual bool was_quiet() const = 0;
   virtual void append_moved(std::vector<std::uint32_t>& ids) const = 0;
 
+  World& world() { return world_; }
+  Decisions& decisions() { return decisions_; }
+
+ private:
   grains::State state_;
   grains::Box box_;
   World world_;
   Decisions decisions_;
-
- private:
   bool wall_moved_ = false;
 };
 
 /// Points 3 and 4 of a step as the model is defined. Engine does the same faster.
 class Reference final : public Steps {
  public:
-  using Steps::Steps;
+  Reference(grains::State initial, const Rules& rules)
+      : Steps(std::move(initial), rules), world_(world()), decisions_(decisions()) {}
 
  private:
   struct ProposedMove {
@@ -67,6 +70,8 @@ class Reference final : public Steps {
   void give_turns(std::vector<ProposedMove>& movers,
                   bool (Decisions::*move)(std::uint32_t, lattice::Direction));
 
+  World& world_;
+  Decisions& decisions_;
   std::vector<ProposedMove> pushed_;
   std::vector<ProposedMove> others_;
   std::vector<std::uint32_t> moved_;

@@ -24,14 +24,16 @@ parallel::Threads threads_for(const grains::Options& options) {
 Engine::Engine(State initial, const Parameters& parameters, const grains::Options& options,
                Profile* profile)
     : Steps(std::move(initial), parameters),
+      state_(own_state()),
+      rule_(rule()),
       threads_(threads_for(options)),
       profile_(profile),
       clock_(profile),
       batch_(fastest_functions()),
-      finder_(box_, rule_, threads_),
+      finder_(box(), rule_, threads_),
       slots_(state_.grains.walls.size(),
              ContactFinder::max_groups(state_.grains.lattice, threads_)),
-      mover_(state_, box_, threads_),
+      mover_(state_, box(), threads_),
       first_grain_(slots_.batches().first_grain()),
       may_move_(threads_) {
   load();

@@ -44,6 +44,8 @@ class Engine final : public Steps {
   void advance_and_move();
   void look_at_all();
 
+  State& state_;
+  const Rule& rule_;
   parallel::Threads threads_;
   Profile* profile_;
   grains::PhaseClock<Profile> clock_;  // of this step

@@ -208,7 +208,10 @@ void Steps::set_vessel(const Vessel& vessel) {
 }
 
 Reference::Reference(State initial, const Parameters& parameters)
-    : Steps(std::move(initial), parameters), normals_(state_.grains.kinds) {}
+    : Steps(std::move(initial), parameters),
+      state_(own_state()),
+      rule_(rule()),
+      normals_(state_.grains.kinds) {}
 
 // Sources and outlets are shared by all models, see grains::step.
 std::size_t Reference::move_grains() {
@@ -216,7 +219,7 @@ std::size_t Reference::move_grains() {
 
   // 1. Who touches whom; the contacts in order.
   std::vector<Touch> contacts = next_contacts(
-      state_.grains, state_.contacts, touches(box_, down, normals_), down, sorts_contacts(state_));
+      state_.grains, state_.contacts, touches(box(), down, normals_), down, sorts_contacts(state_));
   state_.changed = false;
   Contacts all(state_, rule_);
 
@@ -240,7 +243,7 @@ std::size_t Reference::move_grains() {
   std::vector<WallMove> walls = advance_walls(state_);
 
   // 8. Grains and walls whose remainder is large enough move by a site, if there is room.
-  SiteMoves moves(state_, box_);
+  SiteMoves moves(state_, box());
   move_all(moves, state_, down, walls);
   moved_ = moves.moved();
 

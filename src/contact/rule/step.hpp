@@ -53,12 +53,14 @@ class Steps : public grains::Mechanics {
   /// Sets the velocities of the state.
   virtual void write_back_velocities() {}
 
+  State& own_state() { return state_; }
+  const Rule& rule() const { return rule_; }
+
+ private:
   State state_;
   grains::Box box_;
   double gravity_;  // lattice spacings per step squared
   Rule rule_;
-
- private:
   EnergyExchange exchange_;
 };
 
@@ -73,6 +75,8 @@ class Reference final : public Steps {
   std::size_t move_grains() override;
   std::vector<Contact> wall_contacts() const override { return state_.contacts; }
 
+  State& state_;
+  const Rule& rule_;
   NormalTable normals_;
   std::vector<std::uint32_t> moved_;
 };
