@@ -11,13 +11,12 @@ using grains::StepReport;
 Steps::Steps(grains::State initial, const Rules& rules)
     : state_(std::move(initial)), box_(state_), world_(box_, rules), decisions_(world_) {}
 
-// Sources and outlets are shared by all models, see grains::step.
+// 1. Moving walls take the step that their motion asks for, if they can.
 void Steps::before_sources() {
-  // 1. Moving walls take the step that their motion asks for, if they can.
   wall_moved_ = advance_walls(world_).moved > 0;
-  // 2. Open sources emit.
 }
 
+// 2. Open sources emit, and at the end 5. outlets remove particles: for all models by grains::step.
 bool Steps::advance(StepReport& report) {
   // 3. Every particle chooses a provisional direction. 4. Movers have their turn.
   report.moved = move_particles();
@@ -27,7 +26,6 @@ bool Steps::advance(StepReport& report) {
   end_step_of_walls(world_, report.moved > 0);
   ++state_.step;
   return settled;
-  // 5. Outlets remove particles that have moved and now lie wholly inside.
 }
 
 std::vector<std::uint32_t> Steps::moved() const {

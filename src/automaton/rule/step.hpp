@@ -35,6 +35,7 @@ class Steps : public grains::Mechanics {
   virtual std::size_t move_particles() = 0;
   /// True when no particle that overlaps had moved in the step before the last.
   virtual bool was_quiet() const = 0;
+  /// Those that moved by themselves in this step.
   virtual void append_moved(std::vector<std::uint32_t>& ids) const = 0;
 
   World& world() { return world_; }

@@ -117,6 +117,18 @@ TEST(Outlet, RemovesWhatIsEmittedInsideItAndCannotMove) {
   EXPECT_EQ(present_count(automaton.state()), 0U);
 }
 
+TEST(Outlet, RemovesWhatLiesInItAlsoWhenNothingButAWallChanges) {
+  State state = empty_state(9, 12);
+  state.kinds = {{Shape::hexagon(1), 0}};
+  state.particles = {particle_at(4, 1)};
+  state.walls = {{.sites = {{0, 11}}}};
+  state.outlets = {{.region = {0, 0, 10, 10}}};
+  Automaton automaton(state);
+  automaton.remove_wall(0);
+  EXPECT_EQ(automaton.state().outlets[0].particles, 1U);
+  EXPECT_EQ(present_count(automaton.state()), 0U);
+}
+
 TEST(Outlet, CatchesParticlesAcrossAPeriodicSeam) {
   State state = empty_state(10, 30);
   state.lattice = lattice::Lattice(10, 30, true);
