@@ -30,10 +30,10 @@ std::optional<store::Checkpoint> read(const std::vector<std::uint8_t>& file, dou
   const fuzz::MemoryMeter meter;
   try {
     store::Checkpoint checkpoint = store::parse_checkpoint(file, limit);
-    fuzz::require(meter.max_bytes() <= limit + kBeside, "more memory than the limit");
+    fuzz::require(fuzz::MemoryMeter::max_bytes() <= limit + kBeside, "more memory than the limit");
     return checkpoint;
   } catch (const std::runtime_error&) {
-    fuzz::require(meter.max_bytes() <= limit + kBeside, "more memory than the limit");
+    fuzz::require(fuzz::MemoryMeter::max_bytes() <= limit + kBeside, "more memory than the limit");
     return std::nullopt;
   }
 }

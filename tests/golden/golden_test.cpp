@@ -39,6 +39,7 @@ struct GoldenCase {
 };
 
 /// For the names of the tests.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const GoldenCase& golden, std::ostream* stream) {
   *stream << golden.name;
 }

@@ -20,6 +20,7 @@ struct HeapReference {
 };
 
 /// For the names of the tests.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const HeapReference& heap, std::ostream* stream) {
   *stream << heap.name;
 }

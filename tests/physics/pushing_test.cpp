@@ -21,6 +21,7 @@ struct PushingCase {
 };
 
 /// For the names of the tests.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const PushingCase& pushing, std::ostream* stream) {
   *stream << pushing.name;
 }

@@ -109,6 +109,7 @@ struct InertiaReference {
 };
 
 /// For the names of the tests.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const InertiaReference& reference, std::ostream* stream) {
   *stream << "inertia " << reference.inertia;
 }

@@ -23,13 +23,13 @@ constexpr Parameters kParameters = {.fall_height = 40};
 /// Both ways to take steps.
 class ContactModelTest : public ::testing::TestWithParam<bool> {
  protected:
-  ContactModel model(grains::State grains, const Parameters& parameters = kParameters) const {
+  static ContactModel model(grains::State grains, const Parameters& parameters = kParameters) {
     State state{.grains = std::move(grains)};
     state.velocities.resize(state.grains.particles.size());
     state.remainders.resize(state.grains.particles.size());
     return model(std::move(state), parameters);
   }
-  ContactModel model(State state, const Parameters& parameters = kParameters) const {
+  static ContactModel model(State state, const Parameters& parameters = kParameters) {
     return ContactModel(std::move(state), parameters, {.reference = GetParam()});
   }
 };

@@ -20,8 +20,8 @@ constexpr Parameters kParameters = {.rolling = Rolling::none, .fall_height = 40}
 class MovingWalls : public ::testing::TestWithParam<bool> {
  protected:
   /// A box 20 columns wide with a wall `thick` rows high from row `bottom` on, and grains above it.
-  ContactModel model(const WallMotion& motion, std::size_t grains, int bottom = 2, int thick = 2,
-                     int rows = 80) const {
+  static ContactModel model(const WallMotion& motion, std::size_t grains, int bottom = 2,
+                            int thick = 2, int rows = 80) {
     State state{.grains = testing::empty_state(20, rows)};
     state.grains.kinds = {{lattice::Shape::hexagon(1), 0}};
     grains::Wall wall{.motion = motion};

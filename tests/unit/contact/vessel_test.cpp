@@ -132,7 +132,7 @@ class GrainsInAVessel : public ::testing::TestWithParam<bool> {
     state.remainders.resize(particles.size());
     return state;
   }
-  ContactModel model(const State& state) const {
+  static ContactModel model(const State& state) {
     return ContactModel(state, kParameters, {.reference = GetParam()});
   }
 };
