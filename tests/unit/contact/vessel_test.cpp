@@ -35,7 +35,8 @@ TEST(AnAngle, IsOfDegreesAndGoesRound) {
 }
 
 TEST(Gravity, TurnsAgainstTheVessel) {
-  for (double turned = -180; turned < 180; turned += 0.7) {
+  for (int tenths = -1800; tenths < 1800; tenths += 7) {
+    const double turned = tenths / 10.0;
     const double radians = turned * std::numbers::pi / 180;
     const Eigen::Vector2d down = gravity_direction({.angle = angle_of(turned)});
     EXPECT_NEAR(down.x(), -std::sin(radians), 2e-9) << turned;

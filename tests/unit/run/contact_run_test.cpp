@@ -57,12 +57,12 @@ output:
 
 class ContactRunTest : public ::testing::Test {
  protected:
-  scene::Scene small(const std::vector<scene::Override>& overrides = {}) const {
+  static scene::Scene small(const std::vector<scene::Override>& overrides = {}) {
     return scene::parse(kSmall, "small.yaml", overrides);
   }
-  fs::path path(const char* name = "run") const { return folder_.path() / name; }
+  fs::path path(const char* name = "run") const { return folder.path() / name; }
 
-  testing::ScratchFolder folder_;
+  testing::ScratchFolder folder;
 };
 
 TEST_F(ContactRunTest, ItsSidesAndWallsOfTheSameNameAreToldApart) {

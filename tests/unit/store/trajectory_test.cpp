@@ -15,7 +15,6 @@
 namespace clca::store::trajectory_test {
 namespace {
 
-using ::testing::AnyOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using testing::kept_of;
@@ -72,12 +71,12 @@ class TrajectoryTest : public ::testing::Test {
     return "";
   }
 
-  std::filesystem::path run() const { return folder_.path(); }
+  std::filesystem::path run() const { return folder.path(); }
   std::filesystem::path part(int number) const {
     return run() / "trajectory" / ("part-00000" + std::to_string(number) + ".h5");
   }
 
-  testing::ScratchFolder folder_;
+  testing::ScratchFolder folder;
 };
 
 TEST_F(TrajectoryTest, StatesOfAPlateThatEntersABedAreReadAsTheyWere) {
@@ -228,7 +227,7 @@ TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   run::Model model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
-  constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (80 * 33);
+  constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (std::size_t{80} * 33);
   for (std::size_t frame = 0; frame <= kMaxFrames; ++frame) {
     writer.add(model.state(), 0, frame == 0);
   }
