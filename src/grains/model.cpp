@@ -57,8 +57,8 @@ StepReport step(Mechanics& mechanics) {
   const bool at_rest = mechanics.advance(report);
 
   if (!state.outlets.empty()) {
-    report.removed = remove_at_outlets(mechanics, mechanics.moved()) +
-                     remove_at_outlets(mechanics, ids_from(before, state));
+    report.removed = remove_at_outlets(mechanics, mechanics.moved());
+    report.removed += remove_at_outlets(mechanics, ids_from(before, state));
   }
   report.settled = at_rest && report.emitted == 0 && !sources_wait;
   return report;
