@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "boltzmann/rule/solid_collision.hpp"
+
 namespace clca::boltzmann {
 
 namespace {
@@ -23,7 +25,7 @@ FrictionMeans friction_means(const Law& law, const Temperatures& temperatures) {
   const double cap = 1 + law.roughness;
   const double square = 2 * (temperatures.translational + temperatures.rotational);
   const double ratio = std::sqrt(square / (2 * temperatures.translational)) /
-                       friction_number(law, Pair{});  // s / b, b^2 = 2 A^2 T
+                       friction_number(law);  // s / b, b^2 = 2 A^2 T
   const double stuck = square / (1 + cap * cap * ratio * ratio);
   return {.linear = cap * stuck + square * std::atan(cap * ratio) / ratio,
           .quadratic = 2 * cap * cap * stuck};
@@ -60,9 +62,8 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
   const double of_velocity = t / (t + temperatures.rotational);
   const FrictionMeans friction =
       law.friction > 0 ? friction_means(law, temperatures) : FrictionMeans{};
-  const double compliance = Pair{}.compliance();
-  const double linear = friction.linear / compliance;
-  const double quadratic = friction.quadratic / (compliance * compliance);
+  const double linear = friction.linear / kSolidCompliance;
+  const double quadratic = friction.quadratic / (kSolidCompliance * kSolidCompliance);
   // Energy that a collision adds to the pair.
   const double velocities =
       -(1 - law.restitution * law.restitution) * t - linear * of_velocity + quadratic;
@@ -88,30 +89,6 @@ Temperatures closure(const Law& law, const Temperatures& begin, double duration)
     left -= step;
   }
   return present;
-}
-
-double haff_temperature(double restitution, double time, double a2) {
-  const double rate = 2 * std::numbers::inv_sqrtpi / 3 * (1 - restitution * restitution) *
-                      (1 + 3 * a2 / 16 + 9 * a2 * a2 / 1024);
-  return 1 / ((1 + rate * time) * (1 + rate * time));
-}
-
-double cooling_a2(double restitution) {
-  const double square = restitution * restitution;
-  return 16 * (1 - restitution) * (1 - 2 * square) /
-         (81 - 17 * restitution + 30 * square * (1 - restitution));
-}
-
-double rough_ratio(double restitution, double roughness) {
-  const double normal = 1 - restitution * restitution;
-  const double tangential = (1 - kSolidInertia) / (1 + kSolidInertia) * (1 - roughness * roughness);
-  const double stretch = (1 + kSolidInertia) / (1 + roughness);
-  const double h = stretch * stretch / (2 * kSolidInertia) * (normal - tangential);
-  return h + std::sqrt(1 + h * h);
-}
-
-double critical_restitution(double friction) {
-  return (1 - friction * friction) / (1 + friction * friction);
 }
 
 ShearFlow shear_flow(double restitution, double shear_rate) {

@@ -10,7 +10,7 @@
 
 #include "boltzmann/elementary.hpp"
 #include "boltzmann/lattice_rule.hpp"
-#include "boltzmann/solid_collision.hpp"
+#include "boltzmann/rule/solid_collision.hpp"
 #include "clca/boltzmann/gas.hpp"
 #include "clca/random/words.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "boltzmann/majorant.hpp"
-#include "boltzmann/ogawa_kato.hpp"
+#include "boltzmann/engine/majorant.hpp"
+#include "boltzmann/engine/ogawa_kato.hpp"
 
 namespace clca::boltzmann {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "clca/boltzmann/closure.hpp"
 #include "physics/gas.hpp"
+#include "support/gas_closed_forms.hpp"
 
 namespace clca::boltzmann_rough_test {
 namespace {
@@ -37,7 +37,7 @@ double mean(const std::vector<double>& values) {
 TEST(RoughSpheres, ShareTheirEnergyInTheRatioOfTheClosure) {
   for (const double restitution : {0.7, 0.9}) {
     for (const double roughness : {-0.5, 0.0, 0.5, 0.9}) {
-      const double expected = boltzmann::rough_ratio(restitution, roughness);
+      const double expected = testing::rough_ratio(restitution, roughness);
       const boltzmann::Law law = {.restitution = restitution,
                                   .friction = boltzmann::kNoSlidingLimit,
                                   .roughness = roughness};
@@ -86,7 +86,7 @@ std::vector<double> late_ratios(double restitution, boltzmann::Initial initial) 
 
 TEST(FrictionalSpheres, SpinEverMoreBelowTheCriticalRestitution) {
   for (const double restitution : {0.5, 0.8}) {
-    ASSERT_LT(restitution, boltzmann::critical_restitution(0.3));
+    ASSERT_LT(restitution, testing::critical_restitution(0.3));
     const auto found = late_ratios(restitution, boltzmann::Initial::gaussian);
     for (std::size_t i = 1; i < found.size(); ++i) {
       EXPECT_GT(found[i], 1.3 * found[i - 1]) << restitution;
@@ -97,7 +97,7 @@ TEST(FrictionalSpheres, SpinEverMoreBelowTheCriticalRestitution) {
 // Which ratio, the beginning does not matter for.
 TEST(FrictionalSpheres, ComeToOneRatioOfEnergiesAboveTheCriticalRestitution) {
   for (const double restitution : {0.9, 0.95}) {
-    ASSERT_GT(restitution, boltzmann::critical_restitution(0.3));
+    ASSERT_GT(restitution, testing::critical_restitution(0.3));
     const auto normal = late_ratios(restitution, boltzmann::Initial::gaussian);
     const auto equal = late_ratios(restitution, boltzmann::Initial::equal_energy);
     for (std::size_t i = 0; i < normal.size(); ++i) {

@@ -26,18 +26,6 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures);
 /// finite.
 Temperatures closure(const Law& law, const Temperatures& begin, double duration);
 
-/// Haff's law for smooth spheres: T(t) / T(0).
-double haff_temperature(double restitution, double time, double a2 = 0);
-
-/// van Noije & Ernst 1998: a2 of the homogeneous cooling state of smooth spheres.
-double cooling_a2(double restitution);
-
-/// Steady ratio of rotational to translational temperature for constant tangential restitution.
-double rough_ratio(double restitution, double roughness);
-
-/// (1 - eta^2) / (1 + eta^2): below it the ratio of both temperatures grows without bound.
-double critical_restitution(double friction);
-
 /// Uniform shear flow of smooth spheres (kinetic model of Brey, Dufty & Santos 1999).
 struct ShearFlow {
   double temperature = 0;  ///< steady, in v0^2

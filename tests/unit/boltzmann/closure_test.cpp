@@ -7,10 +7,17 @@
 #include <stdexcept>
 #include <vector>
 
+#include "general_law.hpp"
 #include "random_contacts.hpp"
+#include "support/gas_closed_forms.hpp"
 
 namespace clca::boltzmann::closure_test {
 namespace {
+
+using testing::cooling_a2;
+using testing::critical_restitution;
+using testing::haff_temperature;
+using testing::rough_ratio;
 
 constexpr double kNone = kNoSlidingLimit;
 

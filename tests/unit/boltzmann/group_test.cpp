@@ -1,4 +1,4 @@
-#include "boltzmann/group.hpp"
+#include "boltzmann/engine/group.hpp"
 
 #include <gtest/gtest.h>
 

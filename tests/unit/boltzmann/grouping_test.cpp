@@ -1,4 +1,4 @@
-#include "boltzmann/grouping.hpp"
+#include "boltzmann/engine/grouping.hpp"
 
 #include <gtest/gtest.h>
 

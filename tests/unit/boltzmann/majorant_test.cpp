@@ -1,4 +1,4 @@
-#include "boltzmann/majorant.hpp"
+#include "boltzmann/engine/majorant.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "boltzmann/ogawa_kato.hpp"
+#include "boltzmann/engine/ogawa_kato.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "clca/boltzmann/law.hpp"
+#include "general_law.hpp"
 
 namespace clca::boltzmann {
 

@@ -1,6 +1,9 @@
-#include "boltzmann/solid_collision.hpp"
+#include "boltzmann/rule/solid_collision.hpp"
 
 #include <gtest/gtest.h>
+
+#include "general_law.hpp"
+#include "random_contacts.hpp"
 
 namespace clca::boltzmann::solid_collision_test {
 namespace {
@@ -43,6 +46,31 @@ TEST(SolidCollision, OnlyPushesWhereNothingSlips) {
     const auto exchange = solid_collision<double>(law, {2, 1, 0}, {0, 0, -1}, kAlongX);
     expect_near(exchange.push, {1.5, 0, 0});
     expect_near(exchange.twist, {0, 0, 0});
+  }
+}
+
+TEST(SolidCollision, IsTheGeneralLawForEqualSolidSpheres) {
+  RandomContacts random(9);
+  const auto components = [](const Eigen::Vector3d& v) {
+    return Vector3<double>{v.x(), v.y(), v.z()};
+  };
+  const auto vector = [](const Vector3<double>& v) { return Eigen::Vector3d(v.x, v.y, v.z); };
+  for (int i = 0; i < 2000; ++i) {
+    Case one = random.any();
+    one.pair = {};
+    one.contact = random.approaching(one.pair);
+    const auto& [first, second, normal] = one.contact;
+    const CollisionState after = collide(one.law, one.pair, one.contact);
+    const auto impulses =
+        solid_collision<double>(one.law, components(first.velocity - second.velocity),
+                                components(first.spin + second.spin), components(normal));
+    const Eigen::Vector3d push = vector(impulses.push);
+    const Eigen::Vector3d turn = kSolidSpin * vector(impulses.twist);
+    EXPECT_LT((after.first.velocity - (first.velocity - push)).norm(), 1e-12);
+    EXPECT_LT((after.second.velocity - (second.velocity + push)).norm(), 1e-12);
+    EXPECT_LT((after.first.spin - (first.spin - turn)).norm(), 1e-12);
+    EXPECT_LT((after.second.spin - (second.spin - turn)).norm(), 1e-12);
+    EXPECT_NEAR(friction_number(one.law), friction_number(one.law, one.pair), 1e-14);
   }
 }
 

@@ -1,10 +1,9 @@
-#include "clca/boltzmann/law.hpp"
+#include "general_law.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace clca::boltzmann {
 
@@ -35,15 +34,6 @@ Slip slip_of(const Law& law, const Pair& pair, const CollisionState& contact) {
 }
 
 }  // namespace
-
-void check(const Law& law) {
-  const bool in_range = law.restitution >= 0 && law.restitution <= 1 && law.friction >= 0 &&
-                        std::isfinite(law.friction) && law.roughness >= -1 && law.roughness <= 1;
-  if (!in_range) {
-    throw std::invalid_argument(
-        "restitution is from 0 to 1, friction not negative, roughness from -1 to 1");
-  }
-}
 
 double Pair::reduced_mass() const {
   return first.mass * second.mass / (first.mass + second.mass);

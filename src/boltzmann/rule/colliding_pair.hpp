@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "boltzmann/elementary.hpp"
-#include "boltzmann/solid_collision.hpp"
+#include "boltzmann/rule/solid_collision.hpp"
 
 namespace clca::boltzmann {
 

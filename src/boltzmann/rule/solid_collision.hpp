@@ -1,6 +1,6 @@
 #pragma once
-// The law of boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface velocities w
-// = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. One pair, or many in Eigen arrays.
+// The law of clca/boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface
+// velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. One pair, or many in Eigen arrays.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -15,6 +15,11 @@ namespace clca::boltzmann {
 inline constexpr double kSolidSpin = 2.5;
 /// K = 1/mu + 2 a^2/I.
 inline constexpr double kSolidCompliance = 7;
+
+/// A: friction stops the sliding where it is at least |V_t| / (V n).
+inline double friction_number(const Law& law) {
+  return kSolidCompliance / 2 * law.friction * (1 + law.restitution);
+}
 
 /// A vector, or many vectors by component. Real is double or an Eigen array.
 template <class Real>
@@ -62,7 +67,6 @@ template <class Real>
 ImpulsePair<Real> solid_collision(const Law& law, const Vector3<Real>& g,
                                   const Vector3<Real>& spins, const Vector3<Real>& normal) {
   using std::sqrt;
-  const double friction_number = kSolidCompliance / 2 * law.friction * (1 + law.restitution);
   const Real approach = dot(g, normal);
   const Vector3<Real> turning = cross(spins, normal);
   const Vector3<Real> slip = {g.x + turning.x - approach * normal.x,
@@ -71,7 +75,7 @@ ImpulsePair<Real> solid_collision(const Law& law, const Vector3<Real>& g,
   const Real speed = sqrt(dot(slip, slip));
   // (1 - R)/K. Without slip it only must not be NaN.
   const Real grip =
-      lesser(friction_number * approach / greater(speed, std::numeric_limits<double>::min()),
+      lesser(friction_number(law) * approach / greater(speed, std::numeric_limits<double>::min()),
              1 + law.roughness) /
       kSolidCompliance;
   const Real along = (1 + law.restitution) / 2 * approach;

@@ -1,4 +1,4 @@
-#include "boltzmann/ogawa_kato.hpp"
+#include "boltzmann/engine/ogawa_kato.hpp"
 
 #include <omp.h>
 
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "boltzmann/colliding_pair.hpp"
-#include "boltzmann/partner_draws.hpp"
+#include "boltzmann/engine/partner_draws.hpp"
+#include "boltzmann/rule/colliding_pair.hpp"
 #include "clca/parallel/first_failure.hpp"
 
 namespace clca::boltzmann {

@@ -5,10 +5,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "clca/boltzmann/law.hpp"
+#include "general_law.hpp"
 #include "random_contacts.hpp"
 
-namespace clca::boltzmann::law_map_test {
+namespace clca::boltzmann::general_law_map_test {
 namespace {
 
 using Vector12d = Eigen::Vector<double, 12>;
@@ -43,7 +43,7 @@ Matrix12d jacobian(const Case& one, double step) {
   return result;
 }
 
-TEST(LawMap, ShrinksVolumesByTheRestitutionAndTheSquareOfAConstantRatio) {
+TEST(GeneralLawMap, ShrinksVolumesByTheRestitutionAndTheSquareOfAConstantRatio) {
   RandomContacts random(7);
   for (int i = 0; i < kCases; ++i) {
     Case one = random.any();
@@ -57,7 +57,7 @@ TEST(LawMap, ShrinksVolumesByTheRestitutionAndTheSquareOfAConstantRatio) {
   }
 }
 
-TEST(LawMap, ShrinksVolumesByTheRestitutionAndTheRatioWhereItSlides) {
+TEST(GeneralLawMap, ShrinksVolumesByTheRestitutionAndTheRatioWhereItSlides) {
   // Friction takes from the speed of sliding what does not depend on it, and leaves its direction.
   RandomContacts random(8);
   int sliding = 0;
@@ -76,4 +76,4 @@ TEST(LawMap, ShrinksVolumesByTheRestitutionAndTheRatioWhereItSlides) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann::law_map_test
+}  // namespace clca::boltzmann::general_law_map_test

@@ -1,4 +1,4 @@
-#include "boltzmann/majorant.hpp"
+#include "boltzmann/engine/majorant.hpp"
 
 #include <omp.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "boltzmann/group.hpp"
-#include "boltzmann/grouping.hpp"
+#include "boltzmann/engine/group.hpp"
+#include "boltzmann/engine/grouping.hpp"
 #include "clca/parallel/first_failure.hpp"
 
 namespace clca::boltzmann {

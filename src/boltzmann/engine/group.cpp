@@ -1,4 +1,4 @@
-#include "boltzmann/group.hpp"
+#include "boltzmann/engine/group.hpp"
 
 #include <algorithm>
 #include <cmath>

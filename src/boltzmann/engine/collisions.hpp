@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "boltzmann/colliding_pair.hpp"
+#include "boltzmann/rule/colliding_pair.hpp"
 
 namespace clca::boltzmann {
 

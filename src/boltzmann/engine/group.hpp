@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "boltzmann/collisions.hpp"
+#include "boltzmann/engine/collisions.hpp"
 #include "clca/boltzmann/law.hpp"
 #include "clca/random/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "clca/boltzmann/law.hpp"
+#include "general_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "random_contacts.hpp"
 
-namespace clca::boltzmann::law_test {
+namespace clca::boltzmann::general_law_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -50,7 +50,7 @@ double rotational_energy(const Pair& pair, const CollisionState& contact) {
          2;
 }
 
-TEST(Law, KeepsMomentum) {
+TEST(GeneralLaw, KeepsMomentum) {
   for_many(
       [](const Law&, const Pair& pair, const CollisionState& before, const CollisionState& after) {
         EXPECT_LT((momentum(pair, after) - momentum(pair, before)).norm(),
@@ -58,7 +58,7 @@ TEST(Law, KeepsMomentum) {
       });
 }
 
-TEST(Law, KeepsAngularMomentumAboutAnyPoint) {
+TEST(GeneralLaw, KeepsAngularMomentumAboutAnyPoint) {
   RandomContacts places(2);
   for_many(
       [&](const Law&, const Pair& pair, const CollisionState& before, const CollisionState& after) {
@@ -69,7 +69,7 @@ TEST(Law, KeepsAngularMomentumAboutAnyPoint) {
       });
 }
 
-TEST(Law, ReversesTheNormalSlipByTheRestitution) {
+TEST(GeneralLaw, ReversesTheNormalSlipByTheRestitution) {
   for_many([](const Law& law, const Pair& pair, const CollisionState& before,
               const CollisionState& after) {
     const double expected = -law.restitution * before.slip(pair).dot(before.normal);
@@ -78,7 +78,7 @@ TEST(Law, ReversesTheNormalSlipByTheRestitution) {
   });
 }
 
-TEST(Law, ScalesTheTangentialSlipByItsRatio) {
+TEST(GeneralLaw, ScalesTheTangentialSlipByItsRatio) {
   for_many([](const Law& law, const Pair& pair, const CollisionState& before,
               const CollisionState& after) {
     const double ratio = tangential_ratio(law, pair, before);
@@ -87,7 +87,7 @@ TEST(Law, ScalesTheTangentialSlipByItsRatio) {
   });
 }
 
-TEST(Law, BrakesUntilItSticksOrRebounds) {
+TEST(GeneralLaw, BrakesUntilItSticksOrRebounds) {
   int sliding = 0;
   for_many([&](const Law& law, const Pair& pair, const CollisionState& before,
                const CollisionState&) {
@@ -104,7 +104,7 @@ TEST(Law, BrakesUntilItSticksOrRebounds) {
   EXPECT_LT(sliding, kCases * 9 / 10);
 }
 
-TEST(Law, ChangesBothEnergiesAsOgawaAndKatoSay) {
+TEST(GeneralLaw, ChangesBothEnergiesAsOgawaAndKatoSay) {
   // Eqs. 24 to 26, C4 put right.
   for_many([](const Law& law, const Pair& pair, const CollisionState& before,
               const CollisionState& after) {
@@ -129,7 +129,7 @@ TEST(Law, ChangesBothEnergiesAsOgawaAndKatoSay) {
   });
 }
 
-TEST(Law, LosesWhatItSaysAndNeverGains) {
+TEST(GeneralLaw, LosesWhatItSaysAndNeverGains) {
   for_many([](const Law& law, const Pair& pair, const CollisionState& before,
               const CollisionState& after) {
     const EnergyLoss loss = energy_loss(law, pair, before);
@@ -141,7 +141,7 @@ TEST(Law, LosesWhatItSaysAndNeverGains) {
   });
 }
 
-TEST(Law, DoesNotCareForTheUnitOfMass) {
+TEST(GeneralLaw, DoesNotCareForTheUnitOfMass) {
   RandomContacts random(3);
   for (int i = 0; i < kCases; ++i) {
     const Case one = random.any();
@@ -155,7 +155,7 @@ TEST(Law, DoesNotCareForTheUnitOfMass) {
   }
 }
 
-TEST(Law, HasRoundNumbersForEqualSolidSpheres) {
+TEST(GeneralLaw, HasRoundNumbersForEqualSolidSpheres) {
   const Pair pair;
   const Law law = {.restitution = 0.5, .friction = 0.3};
   EXPECT_DOUBLE_EQ(pair.reduced_mass(), 0.5);
@@ -177,14 +177,14 @@ TEST(Law, HasRoundNumbersForEqualSolidSpheres) {
   }
 }
 
-TEST(Law, SticksWhereNothingSlidesUnlessThereIsNoFriction) {
+TEST(GeneralLaw, SticksWhereNothingSlidesUnlessThereIsNoFriction) {
   CollisionState head_on;
   head_on.first.velocity = Vector3d::UnitX();
   EXPECT_EQ(tangential_ratio({.restitution = 0.5, .friction = 1e-3}, Pair{}, head_on), 0);
   EXPECT_EQ(tangential_ratio({.restitution = 0.5, .friction = 0}, Pair{}, head_on), 1);
 }
 
-TEST(Law, LeavesSpinsAloneWithoutFriction) {
+TEST(GeneralLaw, LeavesSpinsAloneWithoutFriction) {
   RandomContacts random(5);
   for (int i = 0; i < kCases; ++i) {
     const CollisionState before = random.approaching(Pair{});
@@ -194,7 +194,7 @@ TEST(Law, LeavesSpinsAloneWithoutFriction) {
   }
 }
 
-TEST(Law, HasAConstantTangentialRestitutionWhereNothingSlides) {
+TEST(GeneralLaw, HasAConstantTangentialRestitutionWhereNothingSlides) {
   RandomContacts random(6);
   for (int i = 0; i < kCases; ++i) {
     Case one = random.any();
@@ -203,7 +203,7 @@ TEST(Law, HasAConstantTangentialRestitutionWhereNothingSlides) {
   }
 }
 
-TEST(Law, SlidesAtGrazingContactsEvenWithARoughness) {
+TEST(GeneralLaw, SlidesAtGrazingContactsEvenWithARoughness) {
   const Law law = {.restitution = 0.9, .friction = 0.2, .roughness = 0.5};
   CollisionState grazing;
   grazing.first.velocity = {0.1, 1, 0};
@@ -215,4 +215,4 @@ TEST(Law, SlidesAtGrazingContactsEvenWithARoughness) {
 }
 
 }  // namespace
-}  // namespace clca::boltzmann::law_test
+}  // namespace clca::boltzmann::general_law_test
