@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lattice/bounded.hpp"
+#include "lattice/internal/bounded.hpp"
 
 namespace clca::lattice {
 

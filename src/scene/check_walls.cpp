@@ -22,7 +22,7 @@ namespace {
 /// A rectangle around all sites that the wall ever covers, without wrapping.
 lattice::Rectangle around(const Wall& wall) {
   const auto around_part = [](const WallPart& part) {
-    return std::visit([](const auto& form) { return lattice::around(form); }, part);
+    return std::visit([](const auto& form) { return around(form); }, part);
   };
   lattice::Rectangle all = around_part(wall.parts.front());
   for (const WallPart& part : wall.parts) {

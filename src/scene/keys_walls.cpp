@@ -81,22 +81,20 @@ Type<lattice::Segment> line() {
        }});
 }
 
-Type<lattice::Disc> disc() {
-  using lattice::Disc;
+Type<Disc> disc() {
   return type_of<Disc>({.keys = {required("centre", &Disc::centre, point(), "centre"),
                                  required("radius", &Disc::radius, above_zero(kMaxCoordinate),
                                           "all sites at most this far from the centre")}});
 }
 
-Keys<lattice::Ring> ring_keys() {
-  using lattice::Ring;
+Keys<Ring> ring_keys() {
   return {required("centre", &Ring::centre, point(), "centre"),
           required("radius", &Ring::radius, above_zero(kMaxCoordinate), "inner radius"),
           key("thickness", &Ring::thickness, number(kMinRingThickness, kMaxThickness),
               "outer radius less the inner one")};
 }
 
-void check_arc(const KeyedMap& fields, lattice::Arc& arc, const Scene& /*scene*/) {
+void check_arc(const KeyedMap& fields, Arc& arc, const Scene& /*scene*/) {
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
     fail(fields.location(),
          fmt::format("{}: expected from < to, less than 360 degrees apart, found {} to {}; a "
@@ -105,8 +103,7 @@ void check_arc(const KeyedMap& fields, lattice::Arc& arc, const Scene& /*scene*/
   }
 }
 
-Type<lattice::Arc> arc() {
-  using lattice::Arc;
+Type<Arc> arc() {
   const Type<double> angle = number(-kMaxAngle, kMaxAngle);
   Keys<Arc> keys = inlined(&Arc::ring, ring_keys());
   keys.add(
@@ -121,7 +118,7 @@ Keys<WallPart> forms() {
           alternative<WallPart>("line", line(),
                                 "all sites along a straight line; nothing leaks through"),
           alternative<WallPart>("disc", disc(), "all sites in a circle"),
-          alternative<WallPart>("ring", type_of<lattice::Ring>({.keys = ring_keys()}),
+          alternative<WallPart>("ring", type_of<Ring>({.keys = ring_keys()}),
                                 "a drum: all sites between two circles"),
           alternative<WallPart>("arc", arc(), "a part of a ring"),
           alternative<WallPart>("picture", picture_type(), "all sites on dark pixels")};

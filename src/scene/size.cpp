@@ -114,13 +114,13 @@ double area(const lattice::Rectangle& box) {
 double area(const lattice::Segment& line) {
   return ((line.to - line.from).norm() + line.thickness + 4) * (line.thickness + 4);
 }
-double area(const lattice::Disc& disc) {
+double area(const Disc& disc) {
   return std::numbers::pi * (disc.radius + 2) * (disc.radius + 2);
 }
-double area(const lattice::Ring& ring) {
+double area(const Ring& ring) {
   return std::numbers::pi * (2 * ring.radius + ring.thickness + 4) * (ring.thickness + 4);
 }
-double area(const lattice::Arc& arc) {
+double area(const Arc& arc) {
   return area(arc.ring);
 }
 double area(const lattice::Picture& picture) {
@@ -131,8 +131,7 @@ double area(const lattice::Picture& picture) {
 double part_sites(const lattice::SweptRegion& swept_region, const WallPart& part) {
   return std::visit(
       [&](const auto& form) {
-        return std::min(area(form) / lattice::kColumnPitch,
-                        max_sites(swept_region, lattice::around(form)));
+        return std::min(area(form) / lattice::kColumnPitch, max_sites(swept_region, around(form)));
       },
       part);
 }

@@ -15,7 +15,7 @@ std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region,
 }
 template <class Form>
 std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region, const Form& form) {
-  return lattice::sites_in(swept_region, form);
+  return sites_in(swept_region, form);
 }
 
 }  // namespace

@@ -14,10 +14,10 @@
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
-#include "clca/lattice/circle.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
+#include "clca/scene/circle.hpp"
 #include "clca/scene/output.hpp"
 
 namespace clca::scene {
@@ -88,8 +88,8 @@ struct Units {
   bool operator==(const Units&) const = default;
 };
 
-using WallPart = std::variant<lattice::Rectangle, lattice::Segment, lattice::Disc, lattice::Ring,
-                              lattice::Arc, lattice::Picture>;
+using WallPart =
+    std::variant<lattice::Rectangle, lattice::Segment, Disc, Ring, Arc, lattice::Picture>;
 
 /// One body. Without motion each part has a site in the box; see check_walls for moving walls.
 struct Wall {

@@ -158,9 +158,9 @@ TEST(Parse, ReadsRoundWalls) {
       "  drum: {ring: {centre: [50, 25], radius: 20}}\n"
       "  bowl: {parts: [{arc: {centre: [20, 25], radius: 9, thickness: 2, from: -200, to: "
       "20}}]}\n");
-  EXPECT_EQ(scene.walls[0].parts.at(0), WallPart(lattice::Disc{{-2, 10}, 4.5}));
-  EXPECT_EQ(scene.walls[1].parts.at(0), WallPart(lattice::Ring{{50, 25}, 20, 1}));
-  EXPECT_EQ(scene.walls[2].parts.at(0), WallPart(lattice::Arc{{{20, 25}, 9, 2}, -200, 20}));
+  EXPECT_EQ(scene.walls[0].parts.at(0), WallPart(Disc{{-2, 10}, 4.5}));
+  EXPECT_EQ(scene.walls[1].parts.at(0), WallPart(Ring{{50, 25}, 20, 1}));
+  EXPECT_EQ(scene.walls[2].parts.at(0), WallPart(Arc{{{20, 25}, 9, 2}, -200, 20}));
 }
 
 TEST(Parse, AcceptsAWallThatOnlyGrazesTheBox) {

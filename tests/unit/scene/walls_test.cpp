@@ -103,9 +103,9 @@ TEST(Way, IsEverySiteThatTheWallCoversSomewhere) {
                                        lattice::Rectangle{3, 2, 5, 4},
                                        lattice::Segment{{-10, 3}, {20, 9}, 1},
                                        lattice::Segment{{4, -20}, {4, 40}, 3},
-                                       lattice::Disc{{-3, 5}, 6},
-                                       lattice::Ring{{5, 12}, 4, 2},
-                                       lattice::Arc{{{5, 3}, 5, 1}, 20, 250}};
+                                       Disc{{-3, 5}, 6},
+                                       Ring{{5, 12}, 4, 2},
+                                       Arc{{{5, 3}, 5, 1}, 20, 250}};
   for (const bool periodic : {false, true}) {
     const lattice::Lattice lattice(12, 9, periodic);
     for (const lattice::Direction direction : lattice::kDirections) {

@@ -5,7 +5,7 @@
 
 #include "clca/lattice/region.hpp"
 
-namespace clca::lattice {
+namespace clca::scene {
 
 /// All lengths in lattice spacings.
 struct Disc {
@@ -40,20 +40,20 @@ struct Arc {
 /// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
 /// from the left, upwards.
 /// A ring at least one spacing thick is closed: no chain of neighbouring sites crosses it.
-/// Throws std::invalid_argument unless the centre is valid for nearest_site, radius and thickness
-/// are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Disc& disc);
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Ring& ring);
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Arc& arc);
+/// Throws std::invalid_argument unless the centre is valid for lattice::nearest_site, radius and
+/// thickness are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
+std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Disc& disc);
+std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Ring& ring);
+std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Arc& arc);
 
 /// Whether sites_in() is empty. Does not build the list.
-bool holds_no_site(const Lattice& lattice, const Disc& disc);
-bool holds_no_site(const Lattice& lattice, const Ring& ring);
-bool holds_no_site(const Lattice& lattice, const Arc& arc);
+bool holds_no_site(const lattice::Lattice& lattice, const Disc& disc);
+bool holds_no_site(const lattice::Lattice& lattice, const Ring& ring);
+bool holds_no_site(const lattice::Lattice& lattice, const Arc& arc);
 
 /// A rectangle that contains all the sites.
-Rectangle around(const Disc& disc);
-Rectangle around(const Ring& ring);
-Rectangle around(const Arc& arc);
+lattice::Rectangle around(const Disc& disc);
+lattice::Rectangle around(const Ring& ring);
+lattice::Rectangle around(const Arc& arc);
 
-}  // namespace clca::lattice
+}  // namespace clca::scene

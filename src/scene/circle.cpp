@@ -1,4 +1,4 @@
-#include "clca/lattice/circle.hpp"
+#include "clca/scene/circle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,17 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lattice/bounded.hpp"
+#include "lattice/internal/bounded.hpp"
 
-namespace clca::lattice {
+namespace clca::scene {
 
 namespace {
+
+using lattice::kColumnPitch;
+using lattice::Lattice;
+using lattice::Rectangle;
+using lattice::Site;
+using lattice::SweptRegion;
 
 // More than any rounding error, so that sites on an edge are inside.
 constexpr double kOnEdge = 1e-6;
@@ -89,13 +95,13 @@ void check_length(double length) {
 }
 
 Band band_of(const Disc& disc) {
-  nearest_site(disc.centre);  // throws where it is too far
+  lattice::nearest_site(disc.centre);  // throws where it is too far
   check_length(disc.radius);
   return {.centre = disc.centre, .outer = disc.radius + kOnEdge};
 }
 
 Band band_of(const Ring& ring) {
-  nearest_site(ring.centre);
+  lattice::nearest_site(ring.centre);
   check_length(ring.radius);
   check_length(ring.thickness);
   return {.centre = ring.centre,
@@ -120,10 +126,10 @@ double half_chord(double radius, double distance) {
 using Visit = std::function<bool(Site)>;
 
 /// Visits these rows of a column, upwards, until `visit` returns true for a site of the band.
-bool visit_rows(const Band& band, int column, RowRange rows, const Visit& visit) {
+bool visit_rows(const Band& band, int column, lattice::RowRange rows, const Visit& visit) {
   for (int row = rows.first; row < rows.end; ++row) {
     const Site site = {column, row};
-    if (band.contains(position(site)) && visit(site)) {
+    if (band.contains(lattice::position(site)) && visit(site)) {
       return true;
     }
   }
@@ -135,15 +141,16 @@ bool visit_sites(const SweptRegion& swept_region, const Band& band, const Visit&
   constexpr double kMargin = 2;  // more than a row and what rounding may lose
   const int low = swept_region.first_column();
   const int high = swept_region.end_column();
-  const int end = bounded((band.centre.x() + band.outer) / kColumnPitch + kMargin, low, high);
-  for (int column = bounded((band.centre.x() - band.outer) / kColumnPitch - 1, low, high);
+  const int end =
+      lattice::bounded((band.centre.x() + band.outer) / kColumnPitch + kMargin, low, high);
+  for (int column = lattice::bounded((band.centre.x() - band.outer) / kColumnPitch - 1, low, high);
        column < end; ++column) {
-    const RowRange all = swept_region.rows(column);
+    const lattice::RowRange all = swept_region.rows(column);
     const double distance = kColumnPitch * column - band.centre.x();
     const double outside = half_chord(band.outer, distance) + kMargin;
     const double inside = half_chord(band.inner, distance) - kMargin;
     const auto row_at = [&](double height) {
-      return bounded(band.centre.y() + height, all.first, std::max(all.first, all.end));
+      return lattice::bounded(band.centre.y() + height, all.first, std::max(all.first, all.end));
     };
     // Below the inner circle and above it.
     const int first = row_at(-outside);
@@ -207,4 +214,4 @@ Rectangle around(const Arc& arc) {
   return around(arc.ring);
 }
 
-}  // namespace clca::lattice
+}  // namespace clca::scene

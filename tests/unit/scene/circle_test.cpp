@@ -1,4 +1,4 @@
-#include "clca/lattice/circle.hpp"
+#include "clca/scene/circle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,16 @@
 #include <set>
 #include <stdexcept>
 
-namespace clca::lattice::circle_test {
+namespace clca::scene::circle_test {
 namespace {
+
+using lattice::Direction;
+using lattice::kDirections;
+using lattice::Lattice;
+using lattice::position;
+using lattice::Site;
+using lattice::SweptRegion;
+using lattice::unit;
 
 using Sites = std::set<Site>;
 
@@ -105,7 +113,7 @@ TEST(Circle, SitesOnTheEdgeAreInside) {
     const Disc disc = {position(middle), static_cast<double>(steps)};
     const Sites sites = as_set(sites_in(SweptRegion(lattice), disc));
     for (const Direction direction : kDirections) {
-      const Axial way = {steps * unit(direction).x, steps * unit(direction).q};
+      const lattice::Axial way = {steps * unit(direction).x, steps * unit(direction).q};
       EXPECT_TRUE(sites.contains(middle + way)) << steps;
     }
   }
@@ -182,4 +190,4 @@ TEST(Circle, WhatIsNoCircleIsRefused) {
 }
 
 }  // namespace
-}  // namespace clca::lattice::circle_test
+}  // namespace clca::scene::circle_test
