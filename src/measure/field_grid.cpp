@@ -1,6 +1,7 @@
 #include "clca/measure/field_grid.hpp"
 
 #include "measure/particle_sites.hpp"
+#include "measure/region_motion.hpp"
 
 namespace clca::measure {
 
@@ -29,26 +30,6 @@ std::vector<double> packing_of(const State& state, const Grid& grid) {
   return filled;
 }
 
-/// Two passes: the difference of two means would not be exactly 0 where all particles move alike.
-void add_velocities(std::vector<FieldCell>& cells, const Grid& grid,
-                    const std::vector<Displacement>& displacements, double steps) {
-  std::vector<double> sites(cells.size(), 0.0);
-  for (const Displacement& displacement : displacements) {
-    const std::size_t cell = grid.index(displacement.from);
-    sites[cell] += displacement.sites;
-    ++cells[cell].particles;
-    cells[cell].velocity += displacement.sites * displacement.vector / steps;
-  }
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    cells[cell].velocity /= sites[cell] > 0 ? sites[cell] : 1;
-  }
-  for (const Displacement& displacement : displacements) {
-    const std::size_t cell = grid.index(displacement.from);
-    const Eigen::Vector2d deviation = displacement.vector / steps - cells[cell].velocity;
-    cells[cell].fluctuation += 0.5 * deviation.squaredNorm() * displacement.sites / sites[cell];
-  }
-}
-
 }  // namespace
 
 Fields FieldWindow::fields(const State& now, double cell) const {
@@ -56,13 +37,18 @@ Fields FieldWindow::fields(const State& now, double cell) const {
   Fields fields{.columns = grid.columns(), .rows = grid.rows()};
   fields.cells.resize(grid.size());
   const std::vector<double> packing = packing_of(now, grid);
-  for (std::size_t place = 0; place < grid.size(); ++place) {
-    fields.cells[place].centre = grid.centre(place);
-    fields.cells[place].packing = packing[place];
-  }
   const std::uint64_t steps = now.step - begin_.step();
-  add_velocities(fields.cells, grid, begin_.displacements(now),
-                 steps > 0 ? static_cast<double>(steps) : 1);
+  const std::vector<RegionMotion> motions = motions_by_region(
+      begin_.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
+      [&](const Eigen::Vector2d& point) { return std::optional(grid.index(point)); });
+  for (std::size_t index = 0; index < grid.size(); ++index) {
+    const RegionMotion& motion = motions[index];
+    fields.cells[index] = {.centre = grid.centre(index),
+                           .packing = packing[index],
+                           .particles = motion.particles,
+                           .velocity = motion.velocity,
+                           .fluctuation = motion.fluctuation};
+  }
   return fields;
 }
 

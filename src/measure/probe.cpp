@@ -1,6 +1,7 @@
 #include "clca/measure/probe.hpp"
 
 #include "measure/particle_sites.hpp"
+#include "measure/region_motion.hpp"
 #include "measure/rounding.hpp"
 #include "measure/wall_sites.hpp"
 
@@ -32,26 +33,11 @@ std::vector<double> fillings(const grains::State& state,
 std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
                                       const std::vector<Displacement>& displacements,
                                       double steps) {
-  RegionMotion motion;
-  double sites = 0;
-  for (const Displacement& displacement : displacements) {
-    if (region.contains(displacement.from)) {
-      ++motion.particles;
-      sites += displacement.sites;
-      motion.velocity += displacement.sites * displacement.vector / steps;
-    }
-  }
-  if (motion.particles == 0) {
-    return std::nullopt;
-  }
-  motion.velocity /= sites;
-  for (const Displacement& displacement : displacements) {
-    if (region.contains(displacement.from)) {
-      const Eigen::Vector2d deviation = displacement.vector / steps - motion.velocity;
-      motion.fluctuation += 0.5 * deviation.squaredNorm() * displacement.sites / sites;
-    }
-  }
-  return motion;
+  const RegionMotion motion =
+      motions_by_region(displacements, steps, 1, [&](const Eigen::Vector2d& point) {
+        return region.contains(point) ? std::optional<std::size_t>(0) : std::nullopt;
+      }).front();
+  return motion.particles > 0 ? std::optional(motion) : std::nullopt;
 }
 
 double downward_flow(const Snapshot& before, const grains::State& now,
