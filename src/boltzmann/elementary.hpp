@@ -66,7 +66,7 @@ Real alternating_sum(const Real& square, const std::array<double, kCount>& coeff
 }
 
 /// Cosine and sine of 2 pi `turns` for `turns` in [0, 1), to 2e-16. Real is double or an Eigen
-/// array: the same bits.
+/// array: the same bits. Other modules have sines of other exactness, see CONTRIBUTING.md.
 template <class Real>
 std::pair<Real, Real> cosine_and_sine(const Real& turns) {
   using std::abs;

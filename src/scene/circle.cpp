@@ -22,7 +22,8 @@ using lattice::SweptRegion;
 constexpr double kOnEdge = 1e-6;
 constexpr double kTooLong = 1e8;
 
-/// The unit vector at an angle. Sums and products only: the same on every machine.
+/// The unit vector at an angle, to 1e-15. Sums and products only: the same on every machine. Not
+/// the sine of the gas, whose last bits differ.
 Eigen::Vector2d unit_at(double degrees) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   constexpr int kPowers = 20;
