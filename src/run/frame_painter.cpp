@@ -56,9 +56,7 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
   std::vector<render::NamedColor> colors;
   for (std::size_t number = 0; number < scene.species.size(); ++number) {
     const scene::Species& species = scene.species[number];
-    const render::Rgb color =
-        species.color ? render::Rgb{species.color->red, species.color->green, species.color->blue}
-                      : render::palette_color(number);
+    const render::Rgb color = species.color.value_or(render::palette_color(number));
     colors.push_back({species.name, color});
   }
   return colors;

@@ -40,8 +40,8 @@ char letter(std::size_t part) {
 }
 
 /// The nearest colour, of which white is empty; of equally near ones the first.
-char pixel_of(image::Rgb color, const std::vector<Color>& colors) {
-  const auto distance = [&](const Color& other) {
+char pixel_of(image::Rgb color, const std::vector<image::Rgb>& colors) {
+  const auto distance = [&](const image::Rgb& other) {
     const int red = color.red - other.red;
     const int green = color.green - other.green;
     const int blue = color.blue - other.blue;
@@ -70,7 +70,7 @@ void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene)
     fail(fields.at("colors").location,
          fmt::format("{}: expected 1 to {} colours, found {}", path, kMaxParts, entries.size()));
   }
-  std::vector<Color> colors;
+  std::vector<image::Rgb> colors;
   for (const Entry& entry : entries) {
     picture.weights[letter(colors.size())] =
         read_part(entry.value, join_path(path, entry.key), scene);

@@ -137,7 +137,7 @@ std::vector<int> read_orientations(const Value& value, const std::string& path,
   return angles;
 }
 
-Color read_color(const Value& value, const std::string& path, const Scene& /*scene*/) {
+image::Rgb read_color(const Value& value, const std::string& path, const Scene& /*scene*/) {
   const std::string& text = value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
@@ -208,10 +208,10 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
 
 }  // namespace
 
-Type<Color> color_type() {
-  return own_type<Color>(
+Type<image::Rgb> color_type() {
+  return own_type<image::Rgb>(
       "`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"), read_color,
-      [](const Color& color, const Scene& /*scene*/) {
+      [](const image::Rgb& color, const Scene& /*scene*/) {
         return quoted_text(fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
       });
 }

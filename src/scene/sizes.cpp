@@ -141,7 +141,7 @@ Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
 }
 
 /// From light to dark.
-std::string shade(const Color& color, double place) {
+std::string shade(const image::Rgb& color, double place) {
   constexpr double kLightest = 0.6;  // share of white
   constexpr double kDarkest = 0.5;   // of black
   const double white = std::max(0.0, kLightest * (1 - 2 * place));
@@ -285,8 +285,8 @@ class Expansion {
     Family& family = families_[entry.key];
     family.kinds = size_classes(sizes_type().read(sizes, join_path(path, "sizes"), Scene()));
     // Blue, vermilion and green of the palette.
-    constexpr std::array<Color, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
-    Color color = kColors[(families_.size() - 1) % kColors.size()];
+    constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
+    image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
     if (const Value* own = entry.value.find("color")) {
       color = color_type().read(*own, join_path(path, "color"), Scene());
     }

@@ -37,7 +37,7 @@ Type<std::string> file_path_type();
 std::string file_at(const std::string& folder, const std::string& path);
 
 /// "#rrggbb"
-Type<Color> color_type();
+Type<image::Rgb> color_type();
 
 /// A name that the scene gives to something.
 Type<std::string> name_type();

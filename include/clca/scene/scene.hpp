@@ -14,6 +14,7 @@
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
+#include "clca/image/image.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
@@ -21,14 +22,6 @@
 #include "clca/scene/output.hpp"
 
 namespace clca::scene {
-
-struct Color {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  bool operator==(const Color&) const = default;
-};
 
 struct Box {
   double width = 0;
@@ -72,7 +65,7 @@ struct Species {
   ShapeSpec shape_spec;
   lattice::Shape shape = lattice::Shape::hexagon(0);
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
-  std::optional<Color> color;           ///< none: from the default palette
+  std::optional<image::Rgb> color;      ///< none: from the default palette
 
   bool operator==(const Species&) const = default;
 };

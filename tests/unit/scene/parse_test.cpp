@@ -108,7 +108,7 @@ TEST(Parse, ReadsOrientationsAndColours) {
       "  small: {shape: {hexagon: 1}, orientations: any, color: \"#3a6eA5\"}\n"
       "  large: {shape: {hexagon: 2}, orientations: [120, 0]}\n");
   EXPECT_THAT(scene.species[0].orientations, ElementsAre(0, 60, 120, 180, 240, 300));
-  EXPECT_EQ(scene.species[0].color, (Color{0x3A, 0x6E, 0xA5}));
+  EXPECT_EQ(scene.species[0].color, (image::Rgb{0x3A, 0x6E, 0xA5}));
   EXPECT_THAT(scene.species[1].orientations, ElementsAre(120, 0));
 }
 
