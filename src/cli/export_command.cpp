@@ -96,7 +96,7 @@ void add_choice_options(Command& command, exports::FrameSelection& choice) {
   command.option("--to", &choice.until, "Last step").type("STEP").values(whole_number());
   command
       .option("--every", &choice.every,
-              "Steps from frame to frame, at least, in a stage [all frames]")
+              "Least number of steps between frames of a stage [all frames]")
       .type("STEPS")
       .values(whole_number(1));
 }

@@ -94,11 +94,11 @@ std::vector<Arrow> Convection::arrows() const {
   return arrows;
 }
 
-std::optional<Rolls> Convection::rolls() const {
+std::optional<ConvectionRolls> Convection::rolls() const {
   if (inside_.weight == 0 || at_walls_.weight == 0) {
     return std::nullopt;
   }
-  return Rolls{
+  return ConvectionRolls{
       .centre_minus_wall = inside_.sum.y() / inside_.weight - at_walls_.sum.y() / at_walls_.weight,
       .circulation_left = halves_[0].rotation(),
       .circulation_right = halves_[1].rotation()};

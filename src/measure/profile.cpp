@@ -28,13 +28,13 @@ struct RowBounds {
 };
 
 std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
-  std::vector<RowBounds> spans(static_cast<std::size_t>(state.lattice.columns()));
+  std::vector<RowBounds> bounds(static_cast<std::size_t>(state.lattice.columns()));
   for_each_site(state, [&](lattice::Site site) {
-    RowBounds& span = spans[static_cast<std::size_t>(site.column)];
-    span.low = span.empty() ? site.row : std::min(span.low, site.row);
-    span.high = std::max(span.high, site.row);
+    RowBounds& column = bounds[static_cast<std::size_t>(site.column)];
+    column.low = column.empty() ? site.row : std::min(column.low, site.row);
+    column.high = std::max(column.high, site.row);
   });
-  return spans;
+  return bounds;
 }
 
 struct Flank {
@@ -94,11 +94,11 @@ Flank falling_flank(const std::vector<double>& profile) {
 }  // namespace
 
 std::vector<double> surface_profile(const grains::State& state) {
-  const std::vector<RowBounds> spans = row_bounds_by_column(state);
-  std::vector<double> profile(spans.size(), 0.0);
-  for (std::size_t column = 0; column < spans.size(); ++column) {
-    if (!spans[column].empty()) {
-      const lattice::Site top = {static_cast<int>(column), spans[column].high};
+  const std::vector<RowBounds> bounds = row_bounds_by_column(state);
+  std::vector<double> profile(bounds.size(), 0.0);
+  for (std::size_t column = 0; column < bounds.size(); ++column) {
+    if (!bounds[column].empty()) {
+      const lattice::Site top = {static_cast<int>(column), bounds[column].high};
       profile[column] = lattice::position(top).y() + kSiteTop;
     }
   }
@@ -157,21 +157,21 @@ ReposeAngle repose_angle(const std::vector<double>& profile) {
 }
 
 std::optional<double> packing_fraction(const grains::State& state) {
-  const std::vector<RowBounds> spans = row_bounds_by_column(state);
-  std::vector<int> floor(spans.size(), -1);  // row of the highest wall site under the bed
-  std::vector<int> walled(spans.size(), 0);  // wall sites within the bed
+  const std::vector<RowBounds> bounds = row_bounds_by_column(state);
+  std::vector<int> floor(bounds.size(), -1);  // row of the highest wall site under the bed
+  std::vector<int> walled(bounds.size(), 0);  // wall sites within the bed
   for (const lattice::Site site : wall_sites(state)) {
     const auto column = static_cast<std::size_t>(site.column);
-    if (site.row < spans[column].low) {
+    if (site.row < bounds[column].low) {
       floor[column] = std::max(floor[column], site.row);
-    } else if (site.row < spans[column].high) {
+    } else if (site.row < bounds[column].high) {
       ++walled[column];
     }
   }
   double available = 0;
-  for (std::size_t column = 0; column < spans.size(); ++column) {
-    if (!spans[column].empty()) {
-      available += spans[column].high - floor[column] - walled[column];
+  for (std::size_t column = 0; column < bounds.size(); ++column) {
+    if (!bounds[column].empty()) {
+      available += bounds[column].high - floor[column] - walled[column];
     }
   }
   double filled = 0;

@@ -42,7 +42,7 @@ bool vary_together(const Cells& first, const Cells& second) {
 }
 
 /// KEY=VALUE, KEY=VALUE of the keys but the first and those that vary with it, for each row.
-Cells lines_of_rows(const store::ReadTable& table, std::size_t keys) {
+Cells curve_labels(const store::ReadTable& table, std::size_t keys) {
   Cells lines(table.rows());
   for (std::size_t key = 1; key < keys; ++key) {
     if (!vary_together(table.cells[0], table.cells[key])) {
@@ -113,8 +113,8 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
   const Cells& values = table.cells.front();
   const Cells words = distinct(values);
   const bool has_words = !std::all_of(words.begin(), words.end(), is_number);
-  const Cells lines_of_all = lines_of_rows(table, keys);
-  const Cells lines = distinct(lines_of_all);
+  const Cells labels = curve_labels(table, keys);
+  const Cells lines = distinct(labels);
   std::vector<std::pair<std::size_t, Points>> found;  // by first row, in the order of the table
   std::map<std::pair<std::string, std::string>, std::size_t> numbers;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -132,7 +132,7 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
     const bool has_errors = is_number((*lows)[row]) && is_number((*highs)[row]);
     points.lows.push_back(has_errors ? (*lows)[row] : (*means)[row]);
     points.highs.push_back(has_errors ? (*highs)[row] : (*means)[row]);
-    points.lines.push_back(position_of(lines, lines_of_all[row]));
+    points.lines.push_back(position_of(lines, labels[row]));
   }
   std::vector<Figure> result;
   for (const auto& [row, points] : found) {

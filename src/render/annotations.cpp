@@ -274,7 +274,7 @@ void Annotator::draw_entries(const Legend& legend, double left, double right) {
     widths.push_back(entry.mark_width + em(kBeforeLabel) + entry.label.width());
   }
   const Graphics::Text ellipsis = text("…");
-  for (const LegendItem& item : legend_lines(widths, ellipsis.width(), em(1.0), rooms)) {
+  for (const LegendItem& item : placed_legend_items(widths, ellipsis.width(), em(1.0), rooms)) {
     const double x = left + item.left;
     const double middle = below_panel(kLegendMiddle + kLegendPitch * item.line);
     const double baseline = middle + em(kHalfLetter);

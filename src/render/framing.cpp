@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kMaxSupersampling = 4;
 
-double frame_thickness(const lattice::Lattice& lattice) {
+/// Of the border that pictures show around the box, in lattice spacings.
+double border_thickness(const lattice::Lattice& lattice) {
   const double width = lattice.columns() * lattice::kColumnPitch;
   return std::max(1.0, 0.005 * std::max(width, static_cast<double>(lattice.rows())));
 }
@@ -73,7 +74,7 @@ Projection projection_of(const lattice::Rectangle& view, const Layout& layout, i
 }
 
 lattice::Rectangle whole_box(const lattice::Lattice& lattice) {
-  const double frame = frame_thickness(lattice);
+  const double frame = border_thickness(lattice);
   const double side = lattice.periodic() ? 0 : frame;
   const double half = lattice::kColumnPitch / 2;
   return {.left = -half - side,

@@ -45,8 +45,8 @@ class Line {
 
 }  // namespace
 
-std::vector<LegendItem> legend_lines(std::span<const double> widths, double ellipsis, double gap,
-                                     std::span<const double> rooms) {
+std::vector<LegendItem> placed_legend_items(std::span<const double> widths, double ellipsis,
+                                            double gap, std::span<const double> rooms) {
   Line whole(gap, rooms);
   if (whole.add_first(widths.size(), widths)) {
     return whole.items();

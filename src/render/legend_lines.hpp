@@ -20,7 +20,7 @@ struct LegendItem {
 /// Places entries of the given `widths`, `gap` apart, in as few lines as possible; `rooms` are the
 /// line widths.
 /// If there are too many, an ellipsis replaces those before the last. Empty if not even that fits.
-std::vector<LegendItem> legend_lines(std::span<const double> widths, double ellipsis, double gap,
-                                     std::span<const double> rooms);
+std::vector<LegendItem> placed_legend_items(std::span<const double> widths, double ellipsis,
+                                            double gap, std::span<const double> rooms);
 
 }  // namespace clca::render

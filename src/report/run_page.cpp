@@ -34,7 +34,7 @@ store::RunSummary summary_of(const fs::path& run) {
 }
 
 /// The text of scene.yaml.
-std::string scene_text(const fs::path& run, Warnings& warnings) {
+std::string read_scene_text(const fs::path& run, Warnings& warnings) {
   constexpr double kMaxBytes = 1 << 20;
   try {
     const auto text = store::read_whole(run / "scene.yaml", kMaxBytes);
@@ -131,7 +131,7 @@ std::string files_html(const fs::path& folder) {
 
 Page run_page(const fs::path& run, std::optional<std::size_t> max_frames, Warnings& warnings) {
   const store::RunSummary summary = summary_of(run);
-  const std::string scene = scene_text(run, warnings);
+  const std::string scene = read_scene_text(run, warnings);
   return {.title = summary.title.empty() ? summary.scene : summary.title,
           .kind = kind_text(summary),
           .status = summary.status,

@@ -104,7 +104,7 @@ std::string grain_loads_csv(const scene::Scene& scene, const Model& model, const
   return table.to_csv();
 }
 
-std::string wall_loads_csv(const scene::Scene& scene, const Forces& forces) {
+std::string wall_forces_csv(const scene::Scene& scene, const Forces& forces) {
   struct Sum {
     std::uint64_t contacts = 0;
     Eigen::Vector2d force = Eigen::Vector2d::Zero();

@@ -26,7 +26,7 @@ std::string grain_loads_csv(const scene::Scene& scene, const Model& model,
                             const std::vector<contact::Force>& forces);
 
 /// Columns: wall, contacts, force_x, force_y (on the wall), for each wall and side of the box.
-std::string wall_loads_csv(const scene::Scene& scene, const std::vector<contact::Force>& forces);
+std::string wall_forces_csv(const scene::Scene& scene, const std::vector<contact::Force>& forces);
 
 /// Columns: x, y (centre of a cell), xx, xy, yy, pressure (grain weights per spacing), by cell of a
 /// measure::Grid of side `cell`; cells without stress are left out.

@@ -99,9 +99,9 @@ std::string loads_csv(const scene::Scene& scene, const grains::State& state,
   return table.to_csv();
 }
 
-std::string walls_csv(const scene::Scene& scene, const grains::State& state,
-                      const measure::ForceSummary& summary,
-                      const std::vector<double>& surface_at_start) {
+std::string wall_overlaps_csv(const scene::Scene& scene, const grains::State& state,
+                              const measure::ForceSummary& summary,
+                              const std::vector<double>& surface_at_start) {
   store::Table table({"wall", "travel", "depth", "stalled_since", "stalls", "particles", "sites",
                       "chain_sites", "jammed"});
   for (const measure::WallForce& wall : summary.walls) {

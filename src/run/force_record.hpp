@@ -53,8 +53,8 @@ std::string loads_csv(const scene::Scene& scene, const grains::State& state,
 
 /// Columns: wall, travel (sites), depth (spacings under the surface at the start of the stage),
 /// stalled_since (step), stalls, particles, sites, chain_sites, jammed.
-std::string walls_csv(const scene::Scene& scene, const grains::State& state,
-                      const measure::ForceSummary& summary,
-                      const std::vector<double>& surface_at_start);
+std::string wall_overlaps_csv(const scene::Scene& scene, const grains::State& state,
+                              const measure::ForceSummary& summary,
+                              const std::vector<double>& surface_at_start);
 
 }  // namespace clca::run

@@ -94,7 +94,7 @@ void begin_window(PictureHistory& history, const scene::Scene& scene, const grai
   }
 }
 
-image::PngText scene_text(const scene::Scene& scene) {
+image::PngText scene_metadata(const scene::Scene& scene) {
   return {{"Title", scene.title},
           {"Software", fmt::format("clca {}", version())},
           {"Scene", scene.name},
@@ -113,7 +113,7 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
   render::Coloring colors = coloring(view, history);
   DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
   colors.legend.lines = std::move(drawn.keys);
-  image::PngText text = scene_text(scene_);
+  image::PngText text = scene_metadata(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
   std::string when = fmt::format("step {}", step);
@@ -162,8 +162,8 @@ render::Coloring FramePainter::plain_coloring(const View& view,
                                               const PictureHistory& history) const {
   const grains::State& state = view.state;
   const auto range = [this](double high) {
-    return frames_.range ? render::ColorRange{frames_.range->low, frames_.range->high}
-                         : render::ColorRange{0, high};
+    return frames_.range ? render::ColorBarEnds{frames_.range->low, frames_.range->high}
+                         : render::ColorBarEnds{0, high};
   };
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:

@@ -76,7 +76,7 @@ struct Picture {
 };
 
 /// Provenance of a picture, without stage and step.
-image::PngText scene_text(const scene::Scene& scene);
+image::PngText scene_metadata(const scene::Scene& scene);
 
 /// One thread may capture the next picture while another rasterizes.
 class FramePainter {

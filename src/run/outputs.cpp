@@ -224,7 +224,7 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
     write("contacts", contact_forces_csv(scene_, forces));
     write("forces", force_distribution_csv(forces));
     write("loads", grain_loads_csv(scene_, model, forces));
-    write("walls", wall_loads_csv(scene_, forces));
+    write("walls", wall_forces_csv(scene_, forces));
     write("stress", stress_csv(state, forces, records.cycles().cell()));
   }
   if (requests(scene::Measure::force) && records.forces()) {
@@ -233,7 +233,7 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
     write("contacts", records.forces()->contacts_csv(scene_, contacts));
     write("forces", distribution_csv(records.forces()->distribution(contacts)));
     write("loads", loads_csv(scene_, state, contacts));
-    write("walls", walls_csv(scene_, state, summary, history.profile_at_start));
+    write("walls", wall_overlaps_csv(scene_, state, summary, history.profile_at_start));
   }
 }
 

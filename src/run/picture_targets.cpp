@@ -120,7 +120,7 @@ void SheetTarget::finish() {
   const scene::Scene& scene = drawings_.front()->scene();
   const render::Image sheet = render::contact_sheet(tiles_, columns_, cell_width(columns_),
                                                     drawings_.size() > 1 ? "" : scene.title);
-  store::write_whole(file_, image::encode_png(sheet, scene_text(scene)));
+  store::write_whole(file_, image::encode_png(sheet, scene_metadata(scene)));
 }
 
 PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,

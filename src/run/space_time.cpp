@@ -176,9 +176,10 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const FramePainter& painter,
       painter_(painter),
       options_(checked(scene, options, frames)),
       frames_(std::move(frames)),
-      part_(shown_part(scene)),
-      unit_(unit_for(scene, options.column ? part_.top - part_.bottom : part_.right - part_.left)),
-      plot_(plot_of(scene, place_axis(options, part_, unit_), frames_)),
+      shown_box_(shown_part(scene)),
+      unit_(unit_for(scene, options.column ? shown_box_.top - shown_box_.bottom
+                                           : shown_box_.right - shown_box_.left)),
+      plot_(plot_of(scene, place_axis(options, shown_box_, unit_), frames_)),
       panel_(render::time_panel(plot_)),
       means_(panel_.width, panel_.height, options.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
@@ -195,8 +196,8 @@ void SpaceTime::require_writable() const {
 
 double SpaceTime::place(int row) const {
   const double share = (row + 0.5) / panel_.height;
-  return options_.column ? part_.bottom + share * (part_.top - part_.bottom)
-                         : part_.left + share * (part_.right - part_.left);
+  return options_.column ? shown_box_.bottom + share * (shown_box_.top - shown_box_.bottom)
+                         : shown_box_.left + share * (shown_box_.right - shown_box_.left);
 }
 
 std::vector<Eigen::Vector2d> SpaceTime::line(double x, double turn) const {
@@ -288,7 +289,7 @@ render::Image SpaceTime::surface_content() {
 void SpaceTime::finish() {
   const render::Image shown = options_.column ? column_content() : surface_content();
   store::write_whole(options_.file,
-                     image::encode_png(render::time_picture(plot_, shown), scene_text(scene_)));
+                     image::encode_png(render::time_picture(plot_, shown), scene_metadata(scene_)));
 }
 
 }  // namespace clca::run

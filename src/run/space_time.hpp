@@ -48,7 +48,7 @@ class SpaceTime {
   const FramePainter& painter_;
   SpaceTimeOptions options_;
   std::vector<store::Trajectory::Frame> frames_;
-  lattice::Rectangle part_;  // of the plane that is shown
+  lattice::Rectangle shown_box_;  // of the plane that is shown
   AxisUnit unit_;
   render::TimePlot plot_;
   image::PixelBox panel_;

@@ -130,12 +130,15 @@ void add_convection(Results& results, const Records& records) {
     return;
   }
   const auto rolls = convection->rolls();
-  const auto of = [&](double measure::Rolls::*member) {
+  const auto of = [&](double measure::ConvectionRolls::*member) {
     return rolls ? store::MeasureValue(*rolls.*member) : store::MeasureValue();
   };
-  results.emplace_back("convection_centre_minus_wall", of(&measure::Rolls::centre_minus_wall));
-  results.emplace_back("convection_circulation_left", of(&measure::Rolls::circulation_left));
-  results.emplace_back("convection_circulation_right", of(&measure::Rolls::circulation_right));
+  results.emplace_back("convection_centre_minus_wall",
+                       of(&measure::ConvectionRolls::centre_minus_wall));
+  results.emplace_back("convection_circulation_left",
+                       of(&measure::ConvectionRolls::circulation_left));
+  results.emplace_back("convection_circulation_right",
+                       of(&measure::ConvectionRolls::circulation_right));
 }
 
 void add_fluctuations(Results& results, const FieldRecord& fields) {

@@ -11,7 +11,7 @@ namespace clca::scene {
 
 namespace {
 
-std::vector<std::string> parts_of(std::string_view path) {
+std::vector<std::string> path_keys(std::string_view path) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start < path.size();) {
     const std::size_t dot = std::min(path.find('.', start), path.size());
@@ -66,7 +66,7 @@ std::vector<std::string> paths_anywhere(std::string_view name) {
 std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
-  const std::vector<std::string> parts = parts_of(path.substr(gas_only ? kGasOnly.size() : 0));
+  const std::vector<std::string> parts = path_keys(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =
       gas_only ? std::vector{boltzmann_type().keys}
                : std::vector{scene_type().keys, boltzmann_type().keys};

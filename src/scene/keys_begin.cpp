@@ -39,8 +39,8 @@ Type<Begin> begin_type() {
       {.keys = {required("run", &Begin::run, file_path_type(),
                          "folder of the run; a relative one begins at the folder of the scene"),
                 key("step", &Begin::step,
-                    word_or("last", count(0, kMaxSteps),
-                            fmt::format("a whole number from 0 to {}", kMaxSteps)),
+                    word_or_value("last", count(0, kMaxSteps),
+                                  fmt::format("a whole number from 0 to {}", kMaxSteps)),
                     "its end, or a step of its trajectory"),
                 key("state", &Begin::state, hash_type(),
                     "hash of the state there: another one is refused. Runs note it in their "

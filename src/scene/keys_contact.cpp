@@ -55,8 +55,8 @@ Type<int> sweeps() {
 
 /// 0 for `auto`.
 Type<double> fall_height() {
-  const auto type = word_or("auto", above_zero(kMaxFallHeight),
-                            fmt::format("a number above 0 and up to {}", kMaxFallHeight));
+  const auto type = word_or_value("auto", above_zero(kMaxFallHeight),
+                                  fmt::format("a number above 0 and up to {}", kMaxFallHeight));
   return own_type<double>(
       type.allowed, type.schema,
       [=](const Value& value, const std::string& path, const Scene& scene) {

@@ -57,8 +57,8 @@ Type<int> shake_amplitude() {
 
 Type<grains::Shake> shake() {
   using grains::Shake;
-  const auto wait = word_or("settled", count(1, kMaxSteps),
-                            fmt::format("a whole number from 1 to {}", kMaxSteps));
+  const auto wait = word_or_value("settled", count(1, kMaxSteps),
+                                  fmt::format("a whole number from 1 to {}", kMaxSteps));
   auto period = key("period", &Shake::period, count(1, kMaxShakePeriod), "steps for each site")
                     .of(Model::contact)
                     .defaults_to("10");

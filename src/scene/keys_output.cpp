@@ -70,7 +70,7 @@ Type<Frames> frames_type() {
             key("height", &Frames::height, pixels, "pixels").defaults_to("follows the view"),
             key("color_by", &Frames::color_by, choice(kColorByNames),
                 "what the colour of a particle means"),
-            key("range", &Frames::range, color_range(),
+            key("range", &Frames::range, color_bar_ends(),
                 "values at the ends of the colour bar of `displacement` (lattice spacings) or "
                 "`force` (overlapped sites, or with `model: contact` grain weights); a mark at an "
                 "end says that there are values outside the range")

@@ -344,7 +344,7 @@ class Expansion {
   std::set<std::string> used_;  // kinds
 };
 
-void expand_fill(Expansion& expansion, Value& fill, const std::string& path) {
+void expand_sizes_of_fill(Expansion& expansion, Value& fill, const std::string& path) {
   if (Value* counts = fill.find("counts")) {
     expansion.divide_counts(*counts, path + ".counts");
   }
@@ -425,7 +425,7 @@ void expand_sizes(Value& root) {
   if (Value* stages = root.find("stages")) {
     for (std::size_t i = 0; i < stages->items.size(); ++i) {
       if (Value* fill = stages->items[i].find("fill")) {
-        expand_fill(expansion, *fill, stage_path(stages->items[i], i) + ".fill");
+        expand_sizes_of_fill(expansion, *fill, stage_path(stages->items[i], i) + ".fill");
       }
     }
   }

@@ -31,7 +31,7 @@ Type<T> scalar_type(const std::string& allowed, const Schema& schema,
 }
 
 std::string range(double low, double high) {
-  return fmt::format("{} to {}", shown_number(low), shown_number(high));
+  return fmt::format("{} to {}", limit_text(low), limit_text(high));
 }
 
 std::string read_path(const Value& value, const std::string& path, const Scene& scene) {
@@ -49,11 +49,12 @@ Schema coordinates_schema(std::size_t size) {
   return array_schema(number_schema(-kMaxCoordinate, kMaxCoordinate), size, size);
 }
 
-ColorRange read_color_range(const Value& value, const std::string& path, const Scene& /*scene*/) {
+ColorBarEnds read_color_bar_ends(const Value& value, const std::string& path,
+                                 const Scene& /*scene*/) {
   constexpr double kMost = 1e9;
   const std::vector<Value>& ends = read_list(value, path, 2, 2);
-  const ColorRange range = {read_number(ends[0], path, 0, kMost),
-                            read_number(ends[1], path, 0, kMost)};
+  const ColorBarEnds range = {read_number(ends[0], path, 0, kMost),
+                              read_number(ends[1], path, 0, kMost)};
   if (range.low >= range.high) {
     fail(value.location, fmt::format("{}: expected [low, high] with low < high, found [{}, {}]",
                                      path, range.low, range.high));
@@ -95,7 +96,7 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
 
 }  // namespace
 
-std::string shown_number(double number) {
+std::string limit_text(double number) {
   const double power = std::log10(std::abs(number));
   return power >= 9 && power == std::floor(power)
              ? fmt::format("{}10^{}", number < 0 ? "-" : "", power)
@@ -113,7 +114,7 @@ Type<double> number(double low, double high) {
 }
 
 Type<double> above_zero(double high) {
-  return scalar_type<double>(fmt::format("above 0, up to {}", shown_number(high)),
+  return scalar_type<double>(fmt::format("above 0, up to {}", limit_text(high)),
                              above_zero_schema(high), read_positive, high);
 }
 
@@ -144,11 +145,11 @@ Type<Eigen::Vector2d> point() {
       });
 }
 
-Type<ColorRange> color_range() {
-  return own_type<ColorRange>("`[low, high]`", coordinates_schema(2), read_color_range,
-                              [](const ColorRange& range, const Scene&) {
-                                return numbers_text({range.low, range.high});
-                              });
+Type<ColorBarEnds> color_bar_ends() {
+  return own_type<ColorBarEnds>("`[low, high]`", coordinates_schema(2), read_color_bar_ends,
+                                [](const ColorBarEnds& range, const Scene&) {
+                                  return numbers_text({range.low, range.high});
+                                });
 }
 
 Type<lattice::Rectangle> rectangle() {

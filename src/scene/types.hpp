@@ -11,7 +11,7 @@
 namespace clca::scene {
 
 /// `10^12` for round large numbers.
-std::string shown_number(double number);
+std::string limit_text(double number);
 
 Yaml numbers_text(const std::vector<double>& numbers);
 
@@ -26,7 +26,7 @@ Type<Eigen::Vector2d> point();
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
 /// The ends of a colour bar.
-Type<ColorRange> color_range();
+Type<ColorBarEnds> color_bar_ends();
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 
@@ -61,8 +61,8 @@ Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std
 
 /// `word`, or a number of the type, in messages `phrase`; `word` stands for none.
 template <class T>
-Type<std::optional<T>> word_or(const std::string& word, const Type<T>& type,
-                               const std::string& phrase) {
+Type<std::optional<T>> word_or_value(const std::string& word, const Type<T>& type,
+                                     const std::string& phrase) {
   return Type<std::optional<T>>(optional_type(word, ", or ", type, kOptional<T>,
                                               [=](const Value& value, const std::string& path) {
                                                 return is_word(value, path, word, phrase);

@@ -65,7 +65,7 @@ class Trajectory::Impl {
     const std::size_t number = part_of(frame);
     load(number);
     gather_origins(frame);
-    const KnownPart& part = parts_[number];
+    const IndexedPart& part = parts_[number];
     const std::size_t within = frame - first_frame(part);
     grains::State state = fixed_;
     state.step = frames_[frame].step;
@@ -79,7 +79,7 @@ class Trajectory::Impl {
   ContactFrame contact_frame(std::size_t frame) {
     const std::size_t number = part_of(frame);
     load(number);
-    const KnownPart& part = parts_[number];
+    const IndexedPart& part = parts_[number];
     const std::size_t within = frame - first_frame(part);
     ContactFrame result;
     if (layout_.velocities) {
@@ -106,7 +106,7 @@ class Trajectory::Impl {
 
  private:
   /// Kept for every part: enough to find frames and origins.
-  struct KnownPart {
+  struct IndexedPart {
     PartContext context;
     PartFrames frames;
     PartOrigins origins;
@@ -123,7 +123,7 @@ class Trajectory::Impl {
 
   /// Reads and checks the frames and origins of a part.
   void learn(const PartContext& context, const SceneTables& tables) {
-    KnownPart part{.context = context, .frames = {}, .origins = {}};
+    IndexedPart part{.context = context, .frames = {}, .origins = {}};
     SceneTables read;
     std::vector<Hdf5Dataset> datasets = read.datasets();
     for_each_frames_column(part.frames, layout_, add_to(datasets));
@@ -141,7 +141,7 @@ class Trajectory::Impl {
     parts_.push_back(std::move(part));
   }
 
-  static std::size_t first_frame(const KnownPart& part) {
+  static std::size_t first_frame(const IndexedPart& part) {
     return static_cast<std::size_t>(part.context.before.frames);
   }
 
@@ -151,7 +151,7 @@ class Trajectory::Impl {
     }
     const auto after = std::upper_bound(
         parts_.begin(), parts_.end(), frame,
-        [](std::size_t f, const KnownPart& part) { return f < part.context.before.frames; });
+        [](std::size_t f, const IndexedPart& part) { return f < part.context.before.frames; });
     return static_cast<std::size_t>(after - parts_.begin()) - 1;
   }
 
@@ -161,7 +161,7 @@ class Trajectory::Impl {
     }
     loaded_.reset();
     rows_ = {};
-    const KnownPart& known = parts_[part];
+    const IndexedPart& known = parts_[part];
     std::vector<Hdf5Dataset> datasets;
     for_each_rows_column(rows_, layout_, add_to(datasets));
     read_hdf5(known.context.path, kTrajectoryKind, datasets, bytes_left_);
@@ -186,7 +186,7 @@ class Trajectory::Impl {
   }
 
   void take_origins(std::size_t frame) {
-    const KnownPart& part = parts_[part_of(frame)];
+    const IndexedPart& part = parts_[part_of(frame)];
     const std::size_t within = frame - first_frame(part);
     origins_.resize(part.frames.entered[within], kUnknown);
     const RowSpan rows = part.frames.origins.rows_of(within);
@@ -196,7 +196,7 @@ class Trajectory::Impl {
     origins_frame_ = frame;
   }
 
-  void place_particles(grains::State& state, const KnownPart& part, std::size_t frame) const {
+  void place_particles(grains::State& state, const IndexedPart& part, std::size_t frame) const {
     state.particles.assign(origins_.size(), {.present = false});
     state.origins.assign(origins_.size(), {});
     const RowSpan rows = part.frames.particles.rows_of(frame);
@@ -222,7 +222,7 @@ class Trajectory::Impl {
     }
   }
 
-  void place_pushes(grains::State& state, const KnownPart& part, std::size_t frame) const {
+  void place_pushes(grains::State& state, const IndexedPart& part, std::size_t frame) const {
     const RowSpan rows = part.frames.pushes.rows_of(frame);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       state.pushes.push_back(
@@ -236,7 +236,7 @@ class Trajectory::Impl {
   grains::State fixed_;
   Layout layout_;
   double bytes_left_;  // that reading a part may take
-  std::vector<KnownPart> parts_;
+  std::vector<IndexedPart> parts_;
   std::vector<Frame> frames_;
   std::optional<std::size_t> loaded_;  // the part of rows_
   PartRows rows_;

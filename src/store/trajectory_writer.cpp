@@ -51,29 +51,29 @@ class TrajectoryWriter::Impl {
     if (state.walls.size() != layout_.walls || contact.velocities.size() != velocities) {
       throw std::invalid_argument("a trajectory of another scene");
     }
-    part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
+    unwritten_part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
     entered_ = state.particles.size();
-    if (part_.bytes() >= kPartBytes) {
+    if (unwritten_part_.bytes() >= kPartBytes) {
       flush();
     }
   }
 
   void flush() {
-    if (part_.frames.step.empty()) {
+    if (unwritten_part_.frames.step.empty()) {
       return;
     }
     const OutputFolder folder = run_folder_.subfolder(kTrajectoryFolder);
     const std::string name = part_name(parts_.size());
     const auto add_all = [this](const Hdf5Writer& file) {
       tables_.write(file);
-      for_each_column(part_, layout_,
+      for_each_column(unwritten_part_, layout_,
                       [&file]<class T>(const Column& column, const std::vector<T>& values) {
                         file.add<T>(column.path, values, column.width());
                       });
     };
     folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));
-    count(part_.extents());
-    part_ = {};
+    count(unwritten_part_.extents());
+    unwritten_part_ = {};
     write_index(run_folder_, parts_, layout_);
   }
 
@@ -118,8 +118,8 @@ class TrajectoryWriter::Impl {
   Layout layout_;
   std::vector<Extents> parts_;
   Extents written_;
-  std::size_t entered_ = 0;  // particles that had entered in the last frame
-  TrajectoryPart part_;      // not yet written
+  std::size_t entered_ = 0;        // particles that had entered in the last frame
+  TrajectoryPart unwritten_part_;  // not yet written
 };
 
 TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,

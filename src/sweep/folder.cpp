@@ -37,7 +37,7 @@ std::string to_json(const Plan& plan) {
 
 }  // namespace
 
-Folder::Folder(const fs::path& path) : files_(path) {
+SweepFolder::SweepFolder(const fs::path& path) : files_(path) {
   if (files_.owns(store::kSummaryFile)) {
     throw store::StoreError(fmt::format(
         "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));
@@ -47,18 +47,18 @@ Folder::Folder(const fs::path& path) : files_(path) {
   }
 }
 
-void Folder::begin(const Plan& plan) const {
+void SweepFolder::begin(const Plan& plan) const {
   files_.write("sweep.json", to_json(plan));
   files_.remove(kOverview);
   files_.make_folder("runs");
 }
 
-void Folder::write_tables(const std::string& runs, const std::string& measures) const {
+void SweepFolder::write_tables(const std::string& runs, const std::string& measures) const {
   files_.write(kRuns, runs);
   files_.write(kMeasures, measures);
 }
 
-void Folder::write_overview(const std::vector<std::uint8_t>& png) const {
+void SweepFolder::write_overview(const std::vector<std::uint8_t>& png) const {
   files_.write(kOverview, png);
 }
 

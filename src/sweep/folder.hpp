@@ -15,11 +15,11 @@ inline std::filesystem::path run_folder(const std::filesystem::path& folder,
   return folder / "runs" / name;
 }
 
-class Folder {
+class SweepFolder {
  public:
   /// Writes nothing. Throws store::StoreError for the folder of a run, or if a table could not be
   /// written.
-  explicit Folder(const std::filesystem::path& path);
+  explicit SweepFolder(const std::filesystem::path& path);
 
   /// Makes the folder if needed and writes the request. Existing files stay, except an old
   /// overview. Throws store::StoreError.

@@ -40,7 +40,7 @@ render::PixelBox part(const image::PngText& texts, const std::string& name,
   return inside ? box : render::PixelBox{};
 }
 
-render::PictureParts parts_of(const image::DecodedPng& png) {
+render::PictureParts picture_parts(const image::DecodedPng& png) {
   const render::PixelBox whole = {0, 0, png.image.width, png.image.height};
   const render::PixelBox legend = part(png.text, "Legend", whole);
   return {part(png.text, "View", whole), legend, part(png.text, "Scale bar", legend)};
@@ -53,7 +53,7 @@ render::Tile final_picture(const std::filesystem::path& folder, const scene::Sce
     const image::DecodedPng png = image::decode_png(
         store::read_whole(store::frame_path(folder, scene.name, step, scene::step_digits(scene)),
                           store::kMaxPictureBytes));
-    return render::tile(png.image, parts_of(png), width, "");
+    return render::tile(png.image, picture_parts(png), width, "");
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -102,7 +102,7 @@ Selection selection(const Plan& plan) {
 }
 
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const Folder& folder) {
+                                      const SweepFolder& folder) {
   const Selection shown = selection(plan);
   const bool any = std::any_of(shown.runs.begin(), shown.runs.end(), [&](std::size_t run) {
     return plan.variant(run).scene.output.frames.has_value();

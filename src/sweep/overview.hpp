@@ -25,6 +25,6 @@ Selection selection(const Plan& plan);
 /// Reads the pictures from the run folders; missing ones are empty boxes. None if the scenes
 /// request no pictures.
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const Folder& folder);
+                                      const SweepFolder& folder);
 
 }  // namespace clca::sweep

@@ -124,7 +124,7 @@ class Sweep {
   const Options& options_;
   const Events& events_;
   Pictures pictures_;
-  Folder folder_;
+  SweepFolder folder_;
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::vector<Result> results_;         // in the order of the plan

@@ -21,7 +21,7 @@ struct Arrow {
 
 /// Rotation of two convection rolls side by side. The width of the bed is that of its particles at
 /// the start of each cycle.
-struct Rolls {
+struct ConvectionRolls {
   /// Mean vertical displacement per cycle in the middle third of the width minus that in the two
   /// outer sixths, lattice spacings.
   /// Positive if the bed rises inside and sinks at the walls; uniform motion cancels.
@@ -62,7 +62,7 @@ class Convection {
   /// For the cells in which some particle started a cycle, in the order of Grid.
   std::vector<Arrow> arrows() const;
   /// None before the end of the first cycle, or if no particle is inside or at the walls.
-  std::optional<Rolls> rolls() const;
+  std::optional<ConvectionRolls> rolls() const;
 
   /// False if this cannot have been accumulated by a run that reached `now`.
   bool precedes(const grains::State& now) const;

@@ -42,7 +42,7 @@ struct LayerRange {
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
 /// The values at the ends of a colour bar, low < high.
-struct ColorRange {
+struct ColorBarEnds {
   double low = 0;
   double high = 1;
 };
@@ -52,14 +52,14 @@ struct BySpecies {};
 struct BySpeed {};
 struct ById {};
 struct ByForce {  ///< overlapped sites
-  ColorRange range;
+  ColorBarEnds range;
 };
 struct ByLoad {
   std::vector<double> loads;  ///< by id, grain weights
-  ColorRange range;
+  ColorBarEnds range;
 };
 struct ByDisplacement {  ///< lattice spacings
-  ColorRange range;
+  ColorBarEnds range;
 };
 struct ByLayer {
   int layers = 1;
@@ -91,12 +91,12 @@ Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const N
 /// the lowest or highest layer.
 Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
 /// By distance from the origin, in lattice spacings.
-Coloring color_by_displacement(const ColorRange& range);
+Coloring color_by_displacement(const ColorBarEnds& range);
 /// By the number of sites shared with other particles and walls. Particles that share none are
 /// pale.
-Coloring color_by_force(const ColorRange& range);
+Coloring color_by_force(const ColorBarEnds& range);
 /// By the sum of normal forces on a particle, by id, in grain weights.
-Coloring color_by_load(std::vector<double> loads, const ColorRange& range);
+Coloring color_by_load(std::vector<double> loads, const ColorBarEnds& range);
 /// By whether the particle moved in the last step.
 Coloring color_by_speed();
 /// By id; neighbouring ids have distinct colours.

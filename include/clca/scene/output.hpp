@@ -44,11 +44,11 @@ enum class Overlay : std::uint8_t { none, forces, arrows, velocity };
 enum class PictureStyle : std::uint8_t { screen, print };
 
 /// The values at the ends of a colour bar.
-struct ColorRange {
+struct ColorBarEnds {
   double low = 0;
   double high = 1;
 
-  bool operator==(const ColorRange&) const = default;
+  bool operator==(const ColorBarEnds&) const = default;
 };
 
 struct Frames {
@@ -56,7 +56,7 @@ struct Frames {
   std::optional<int> width = {};  ///< pixels; none: follows the aspect of the view
   std::optional<int> height = {};
   ColorBy color_by = ColorBy::species;
-  std::optional<ColorRange> range = {};         ///< none: from the scene
+  std::optional<ColorBarEnds> range = {};       ///< none: from the scene
   int layers = 8;                               ///< for ColorBy::stage_layer
   std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
   Drawing drawing = Drawing::automatic;

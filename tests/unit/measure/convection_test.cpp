@@ -42,7 +42,7 @@ State rolled(State state, int drift) {
   return state;
 }
 
-Rolls rolls_between(const State& begin, const State& end) {
+ConvectionRolls rolls_between(const State& begin, const State& end) {
   Convection convection(begin.lattice, 5);
   convection.begin_cycle(begin);
   convection.end_cycle(end);
@@ -50,18 +50,18 @@ Rolls rolls_between(const State& begin, const State& end) {
 }
 
 TEST(Convection, UpInsideAndDownAtTheWallsIsPositive) {
-  const Rolls rolls = rolls_between(bed(), rolled(bed(), 0));
+  const ConvectionRolls rolls = rolls_between(bed(), rolled(bed(), 0));
   EXPECT_NEAR(rolls.centre_minus_wall, 2, 1e-12);
   EXPECT_GT(rolls.circulation_left, 0.01);
   EXPECT_NEAR(rolls.circulation_right, -rolls.circulation_left, 1e-12);
-  const Rolls back = rolls_between(rolled(bed(), 0), bed());
+  const ConvectionRolls back = rolls_between(rolled(bed(), 0), bed());
   EXPECT_NEAR(back.centre_minus_wall, -2, 1e-12);
   EXPECT_LT(back.circulation_left, -0.01);
 }
 
 TEST(Convection, ADriftOfTheWholeBedDropsOut) {
-  const Rolls plain = rolls_between(bed(), rolled(bed(), 0));
-  const Rolls lifted = rolls_between(bed(), rolled(bed(), 7));
+  const ConvectionRolls plain = rolls_between(bed(), rolled(bed(), 0));
+  const ConvectionRolls lifted = rolls_between(bed(), rolled(bed(), 7));
   EXPECT_NEAR(lifted.centre_minus_wall, plain.centre_minus_wall, 1e-12);
   EXPECT_NEAR(lifted.circulation_left, plain.circulation_left, 1e-12);
   EXPECT_NEAR(lifted.circulation_right, plain.circulation_right, 1e-12);
@@ -85,7 +85,7 @@ State rings(int sixths) {
 // A turn by 60 degrees displaces by (cos 60 - 1) r along r and sin 60 r across. Of the two sites of
 // a ring inside, one goes up by 1 and one by 1/2; at the wall, down.
 TEST(Convection, TwoRingsTurnAgainstEachOther) {
-  const Rolls rolls = rolls_between(rings(0), rings(1));
+  const ConvectionRolls rolls = rolls_between(rings(0), rings(1));
   const double sine = std::sqrt(3.0) / 2;
   EXPECT_NEAR(rolls.circulation_left, sine, 1e-12);
   EXPECT_NEAR(rolls.circulation_right, -sine, 1e-12);

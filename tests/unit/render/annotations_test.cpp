@@ -102,7 +102,7 @@ TEST(LegendLines, TakeASecondLineBeforeTheyGiveUp) {
   const std::vector<double> widths(4, 10.0);
   const std::vector<double> rooms = {25, 40};
   const auto lines = [&](std::size_t count) {
-    return legend_lines(std::span(widths).first(count), 3, 1, rooms);
+    return placed_legend_items(std::span(widths).first(count), 3, 1, rooms);
   };
   EXPECT_TRUE(lines(0).empty());
   EXPECT_EQ(lines(2), (std::vector<LegendItem>{{0, 0, 0}, {1, 11, 0}}));
@@ -112,12 +112,13 @@ TEST(LegendLines, TakeASecondLineBeforeTheyGiveUp) {
 TEST(LegendLines, LeaveOutThoseBeforeTheLast) {
   const std::vector<double> widths(9, 10.0);
   const std::vector<double> rooms = {25, 25};
-  EXPECT_EQ(legend_lines(widths, 3, 1, rooms),
+  EXPECT_EQ(placed_legend_items(widths, 3, 1, rooms),
             (std::vector<LegendItem>{
                 {0, 0, 0}, {1, 11, 0}, {2, 0, 1}, {std::nullopt, 11, 1}, {8, 15, 1}}));
   const std::vector<double> narrow = {4, 4};
-  EXPECT_EQ(legend_lines(widths, 3, 1, narrow), (std::vector<LegendItem>{{std::nullopt, 0, 0}}));
-  EXPECT_TRUE(legend_lines(widths, 5, 1, narrow).empty());
+  EXPECT_EQ(placed_legend_items(widths, 3, 1, narrow),
+            (std::vector<LegendItem>{{std::nullopt, 0, 0}}));
+  EXPECT_TRUE(placed_legend_items(widths, 5, 1, narrow).empty());
 }
 
 TEST_F(Annotations, StandAboveAndBelowTheView) {
