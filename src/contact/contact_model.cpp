@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,10 +45,27 @@ std::uint64_t hash(const State& state) {
   return reflection::hash(state);
 }
 
+int needed_columns(const std::vector<grains::Kind>& kinds) {
+  int first = 0;
+  int last = 0;
+  for (const grains::Kind& kind : kinds) {
+    first = std::min(first, kind.shape.sites().front().x);  // sorted by x
+    last = std::max(last, kind.shape.sites().back().x);
+  }
+  return 2 * (last - first + 1) + 2;
+}
+
 void check_valid(const State& state) {
   grains::check_valid(state.grains);
   check_valid(state.vessel);
   const auto fail = [](const char* reason) { throw std::invalid_argument(reason); };
+  const lattice::Lattice& lattice = state.grains.lattice;
+  if (const int needed = needed_columns(state.grains.kinds);
+      lattice.periodic() && lattice.columns() < needed) {
+    throw std::invalid_argument("two grains may touch on both sides in a periodic box of " +
+                                std::to_string(lattice.columns()) + " columns: it needs " +
+                                std::to_string(needed));
+  }
   if (grains::may_overlap(state.grains)) {
     fail("the contact model lets no walls overlap");
   }

@@ -3,17 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/lattice/centred.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
+#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr int kDegreesPerSixth = 60;
 
 [[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
                              std::string_view what) {
@@ -55,6 +60,29 @@ void check_shapes(const Scene& scene, const Value& species) {
   }
 }
 
+/// In a narrow periodic box two grains would touch on both sides, and have one contact.
+void check_periodic_width(const Scene& scene, const Value& box) {
+  if (!scene.box.periodic) {
+    return;
+  }
+  std::vector<grains::Kind> kinds;
+  for (const Species& species : scene.species) {
+    for (const int degrees : species.orientations) {
+      kinds.push_back({lattice::centred(species.shape.rotated(degrees / kDegreesPerSixth))});
+    }
+  }
+  const int columns = lattice_of(scene.box).columns();
+  const int needed = contact::needed_columns(kinds);
+  if (columns < needed) {
+    fail(
+        box.find("width")->location,
+        fmt::format("box.width: {} columns, and in a periodic box of less than {} two grains may "
+                    "touch on both sides, which model contact does not take; make the width {:.1f} "
+                    "or more",
+                    columns, needed, std::floor(10 * needed * lattice::kColumnPitch) / 10));
+  }
+}
+
 /// Checks stages once the time step is known.
 void check_vessels(const Scene& scene, const Value& stages) {
   contact::Vessel vessel;
@@ -88,6 +116,7 @@ void check_model(const Scene& scene, const Value& root) {
   }
   check_able(root);
   check_shapes(scene, *root.find("species"));
+  check_periodic_width(scene, *root.find("box"));
 }
 
 void check_time_step(const Scene& scene, const Value& root) {

@@ -136,10 +136,12 @@ inline ContactRun any_contact_run(bool open, int steps, bool wide = false) {
   const int half_columns = wide     ? within(contact::kStripColumns / 2, 3 * contact::kStripColumns)
                            : narrow ? within(2, 5)
                                     : within(6, 20);
-  grains::State grains{.lattice = lattice::Lattice(2 * half_columns,
-                                                   wide ? within(6, 16) : within(12, 50), periodic),
-                       .seed = *rc::gen::arbitrary<std::uint64_t>()};
-  grains.kinds = any_kinds(hexagons, narrow);
+  std::vector<grains::Kind> kinds = any_kinds(hexagons, narrow);
+  const int columns = std::max(2 * half_columns, periodic ? contact::needed_columns(kinds) : 0);
+  grains::State grains{
+      .lattice = lattice::Lattice(columns, wide ? within(6, 16) : within(12, 50), periodic),
+      .seed = *rc::gen::arbitrary<std::uint64_t>(),
+      .kinds = std::move(kinds)};
   add_static_walls(grains);
   const int moving = open ? *rc::gen::inRange(0, 3) : 0;
   for (int i = 0; i < moving; ++i) {

@@ -3,6 +3,7 @@
 // automaton.
 
 #include <cstdint>
+#include <vector>
 
 #include "clca/contact/energy.hpp"
 #include "clca/contact/parameters.hpp"
@@ -29,9 +30,14 @@ double gravity(const Parameters& parameters);
 /// 64-bit hash of everything that a run changes; the same on every machine.
 std::uint64_t hash(const State& state);
 
+/// Columns that a periodic box needs so that no two grains of these kinds touch on both sides: more
+/// than twice as many as from a grain to one that it touches, an even number.
+int needed_columns(const std::vector<grains::Kind>& kinds);
+
 /// Throws std::invalid_argument, with the reason, unless the model can run the state (see
 /// grains::check_valid): one motion per grain, contacts of existing bodies, all numbers in range,
-/// no wall that may overlap, and every wall where its motion can have moved it.
+/// no wall that may overlap, every wall where its motion can have moved it, and a periodic box of
+/// needed_columns() at least.
 void check_valid(const State& state);
 
 class ContactModel : public grains::Model {

@@ -1,6 +1,7 @@
 #include "contact/engine/contact_finder.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "grains/internal/separation.hpp"
@@ -40,6 +41,9 @@ ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule,
       box_(box),
       rule_(rule),
       threads_(threads),
+      has_moving_walls_(
+          std::any_of(state_.walls.begin(), state_.walls.end(),
+                      [](const grains::Wall& wall) { return wall.motion.has_value(); })),
       normals_(static_cast<std::size_t>(threads.count), NormalTable(state_.kinds)),
       touches_(threads),
       changed_(threads),
@@ -75,14 +79,19 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
   }
 }
 
-std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, ContactSlots& slots) {
+std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, WallVelocities walls,
+                                  ContactSlots& slots) {
+  walls_ = std::move(walls);
   moved_.resize(state_.particles.size());
   ids_.clear();
-  for (const std::uint32_t id : moved) {
+  const auto look_at = [&](std::uint32_t id) {
     if (std::exchange(moved_[id], 1) == 0) {
       ids_.push_back(id);
     }
-  }
+  };
+  std::for_each(moved.begin(), moved.end(), look_at);
+  std::for_each(at_several_bodies_.begin(), at_several_bodies_.end(), look_at);
+  at_several_bodies_.clear();
   touches_.clear();
   changed_.clear();
   at_walls_.clear();
@@ -192,24 +201,38 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
-  std::vector<Touch> walls = wall_touches(box_, id);
-  slots.change_each(id, [&](std::int32_t at) {
-    const Slot& slot = slots.at(at);
-    if (!is_wall_or_side(slot.other)) {
-      return;
-    }
-    const auto touch = std::find_if(walls.begin(), walls.end(), [&](const Touch& one) {
-      return one.contact.other == slot.other;
-    });
-    if (touch == walls.end()) {
-      slots.remove(at);
-    } else {
-      touch->contact.impulse = slots.content(at).contact.impulse;
-      slots.set(at, content(touch->contact), {});
-      walls.erase(touch);
+  const auto [now, several_bodies] = wall_touches(box_, id, walls_);
+  if (several_bodies && has_moving_walls_) {
+    at_several_bodies_.push_back(id);
+  }
+  std::vector<std::pair<Contact, std::int32_t>> before;
+  slots.for_each(id, [&](std::int32_t at) {
+    if (is_wall_or_side(slots.at(at).other)) {
+      before.emplace_back(slots.content(at).contact, at);
     }
   });
-  std::for_each(walls.begin(), walls.end(), [&](const Touch& touch) { add_found(touch); });
+  std::sort(before.begin(), before.end(),
+            [](const auto& one, const auto& other) { return one.first.other < other.first.other; });
+  std::vector<Contact> contacts;
+  std::transform(before.begin(), before.end(), std::back_inserter(contacts),
+                 [](const auto& one) { return one.first; });
+  const std::vector<std::size_t> next = followed_by(contacts, now);
+  std::vector<bool> is_new(now.size(), true);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (next[i] == kNoTouch) {
+      slots.remove(before[i].second);
+      continue;
+    }
+    Contact contact = now[next[i]].contact;
+    contact.impulse = contacts[i].impulse;
+    slots.set(before[i].second, content(contact), {});
+    is_new[next[i]] = false;
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (is_new[i]) {
+      add_found(now[i]);
+    }
+  }
 }
 
 void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,

@@ -32,8 +32,9 @@ class ContactFinder {
   /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
   /// Brings contacts of `moved` grains in line; the new ones are behind the
-  /// others. Returns the number of the first of them.
-  std::size_t update(std::span<const std::uint32_t> moved, ContactSlots& slots);
+  /// others. Returns the number of the first of them. `walls`: their velocities.
+  std::size_t update(std::span<const std::uint32_t> moved, WallVelocities walls,
+                     ContactSlots& slots);
   /// Puts all in order anew and forgets the empty ones. Adds to `lanes` those of contacts whose
   /// slots were `first_new` and behind it.
   void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& lanes);
@@ -59,6 +60,11 @@ class ContactFinder {
   const Rule& rule_;
   parallel::Threads threads_;
   lattice::Direction down_ = lattice::Direction::down;
+  bool has_moving_walls_;
+  WallVelocities walls_;
+  // Grains at two walls or sides, or more. How they touch these may change as walls move, also
+  // where no site next to the grain changes.
+  std::vector<std::uint32_t> at_several_bodies_;
   std::vector<NormalTable> normals_;                 // by thread
   std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
   int widest_ = 0;                                   // columns of a kind

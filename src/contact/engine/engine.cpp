@@ -100,7 +100,7 @@ void Engine::update_contacts() {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
-  const std::size_t first_new = finder_.update(changed_, slots_);
+  const std::size_t first_new = finder_.update(changed_, wall_velocities(state_), slots_);
   clock_.end(&Profile::contacts);
   new_lanes_.clear();
   if (sorts_contacts(state_)) {

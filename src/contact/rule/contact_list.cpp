@@ -1,6 +1,7 @@
 #include "contact/rule/contact_list.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace clca::contact {
@@ -23,6 +24,42 @@ const Touch* find(const std::vector<Touch>& touches, std::uint32_t upper, grains
              : nullptr;
 }
 
+/// The touch that each contact with a wall or a side goes on as; null for the others.
+std::vector<const Touch*> at_walls(const std::vector<Contact>& before,
+                                   const std::vector<Touch>& now) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!grains::is_particle(before[i].other)) {
+      order.push_back(i);
+    }
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+    return std::tie(before[one].upper, before[one].other) <
+           std::tie(before[other].upper, before[other].other);
+  });
+  std::vector<const Touch*> result(before.size(), nullptr);
+  for (auto first = order.begin(); first != order.end();) {
+    const std::uint32_t grain = before[*first].upper;
+    const auto last =
+        std::find_if(first, order.end(), [&](std::size_t i) { return before[i].upper != grain; });
+    std::vector<Contact> of_grain;
+    std::transform(first, last, std::back_inserter(of_grain),
+                   [&](std::size_t i) { return before[i]; });
+    const auto begin = std::lower_bound(
+        now.begin(), now.end(), grain,
+        [](const Touch& touch, std::uint32_t id) { return touch.contact.upper < id; });
+    const auto end = std::find_if(begin, now.end(), [&](const Touch& touch) {
+      return touch.contact.upper != grain || grains::is_particle(touch.contact.other);
+    });
+    const std::vector<std::size_t> next = followed_by(of_grain, {begin, end});
+    for (const std::size_t touch : next) {
+      result[*first++] =
+          touch == kNoTouch ? nullptr : &*(begin + static_cast<std::ptrdiff_t>(touch));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
@@ -31,9 +68,12 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
   std::vector<Touch> all;
   all.reserve(now.size());
   std::vector<bool> known(now.size(), false);
-  for (const Contact& contact : before) {
-    const Touch* touch = find(now, contact.upper, contact.other);
-    const bool turned = touch == nullptr && grains::is_particle(contact.other);
+  const std::vector<const Touch*> next_at_walls = at_walls(before, now);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Contact& contact = before[i];
+    const bool with_grain = grains::is_particle(contact.other);
+    const Touch* touch = with_grain ? find(now, contact.upper, contact.other) : next_at_walls[i];
+    const bool turned = touch == nullptr && with_grain;
     if (turned) {
       touch = find(now, static_cast<std::uint32_t>(contact.other),
                    static_cast<grains::Owner>(contact.upper));

@@ -62,6 +62,11 @@ inline UnitVector unit_vector(lattice::Axial vector) {
   return {component(3 * x * x, x < 0), component(doubled_y * doubled_y, doubled_y < 0)};
 }
 
+/// Cosine of the angle between two unit vectors, in 2^-60.
+inline std::int64_t cosine(const UnitVector& one, const UnitVector& other) {
+  return product(one.x, other.x) + product(one.y, other.y);
+}
+
 /// Component of a vector along a unit vector.
 inline std::int32_t along(const Vector& vector, const UnitVector& unit) {
   return rounded(product(vector.x, unit.x) + product(vector.y, unit.y), kUnitBits);

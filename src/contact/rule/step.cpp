@@ -20,11 +20,8 @@ namespace {
 /// Calls `visit` with a contact and its bodies, whose velocities it may change.
 class Contacts {
  public:
-  Contacts(State& state, const Rule& rule) : state_(state), rule_(rule) {
-    for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
-      walls_.push_back(wall_velocity(state, wall));
-    }
-  }
+  Contacts(State& state, const Rule& rule)
+      : state_(state), rule_(rule), walls_(wall_velocities(state)) {}
 
   template <class Visit>
   void at(const Touch& touch, Visit visit) {
@@ -51,7 +48,7 @@ class Contacts {
  private:
   State& state_;
   const Rule& rule_;
-  std::vector<Velocity<std::int32_t>> walls_;  // no impulse changes them
+  WallVelocities walls_;  // no impulse changes them
 };
 
 /// Target separation velocities of contacts: only new contacts bounce.
@@ -218,8 +215,9 @@ std::size_t Reference::move_grains() {
   const lattice::Direction down = this->down();
 
   // 1. Who touches whom; the contacts in order.
-  std::vector<Touch> contacts = next_contacts(
-      state_.grains, state_.contacts, touches(box(), down, normals_), down, sorts_contacts(state_));
+  const std::vector<Touch> now = touches(box(), down, normals_, wall_velocities(state_));
+  std::vector<Touch> contacts =
+      next_contacts(state_.grains, state_.contacts, now, down, sorts_contacts(state_));
   state_.changed = false;
   Contacts all(state_, rule_);
 

@@ -1,8 +1,12 @@
 #include "contact/rule/touching.hpp"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <map>
+#include <tuple>
+#include <utility>
 
+#include "contact/rule/surfaces.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::contact {
@@ -11,32 +15,30 @@ namespace {
 
 using lattice::Axial;
 
-/// Owner of a site; for the border, which side.
-grains::Owner body_at(const grains::Box& box, std::size_t place) {
-  const lattice::Lattice& lattice = box.state.lattice;
-  const grains::Owner owner = box.occupancy.owner(place);
-  if (owner != grains::kBorder) {
-    return owner;
-  }
-  const lattice::Site site = lattice.site(place);
-  if (site.row < 0) {
-    return kFloor;
-  }
-  if (site.row >= lattice.rows()) {
-    return kCeiling;
-  }
-  return site.column < 0 ? kLeftSide : kRightSide;
-}
+/// Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
+constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
 
-/// Bodies that block a grain, and the blocked directions as bits.
-std::map<grains::Owner, unsigned> blocking(const grains::Box& box, std::uint32_t id) {
-  const grains::Particle& grain = box.state.particles[id];
-  std::map<grains::Owner, unsigned> result;
+/// What blocks a grain, by body: grains, walls and sides.
+std::map<grains::Owner, Obstacle> blocking(const grains::Box& box, std::uint32_t id) {
+  const grains::State& state = box.state;
+  const grains::Particle& grain = state.particles[id];
+  std::map<grains::Owner, Obstacle> result;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::size_t d = lattice::index_of(direction);
     box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t place) {
-      if (const grains::Owner owner = body_at(box, place); owner != grains::kFree) {
-        result[owner] |= 1U << d;
+      grains::Owner owner = box.occupancy.owner(place);
+      if (owner == grains::kFree) {
+        return;
+      }
+      const lattice::Site site = state.lattice.site(place);
+      if (owner == grains::kBorder) {
+        owner = body_at(box, site);
+      }
+      Obstacle& obstacle = result[owner];
+      obstacle.body = owner;
+      obstacle.directions |= 1U << d;
+      if (!grains::is_particle(owner)) {
+        obstacle.sites.push_back(grains::nearest_vector(state.lattice, grain.site(), site));
       }
     });
   }
@@ -53,20 +55,97 @@ Axial sum(unsigned directions) {
   return result;
 }
 
+/// The bodies of a surface that get contacts of their own: of those with one velocity a wall before
+/// a side, with most touched sites, with the lowest code.
+std::vector<grains::Owner> bodies_of_contacts(const std::vector<Obstacle>& surface,
+                                              const WallVelocities& walls) {
+  const auto velocity = [&](const Obstacle* one) {
+    return is_side(one->body) ? WallVelocities::value_type()
+                              : walls[grains::wall_number(one->body)];
+  };
+  const auto rank = [](const Obstacle& one) {
+    return std::tuple(!is_side(one.body), one.sites.size(), -std::int64_t{one.body});
+  };
+  std::vector<const Obstacle*> chosen;
+  for (const Obstacle& one : surface) {
+    const auto alike = std::find_if(chosen.begin(), chosen.end(), [&](const Obstacle* other) {
+      return velocity(other) == velocity(&one);
+    });
+    if (alike == chosen.end()) {
+      chosen.push_back(&one);
+    } else if (rank(one) > rank(**alike)) {
+      *alike = &one;
+    }
+  }
+  std::vector<grains::Owner> result;
+  std::transform(chosen.begin(), chosen.end(), std::back_inserter(result),
+                 [](const Obstacle* one) { return one->body; });
+  return result;
+}
+
 }  // namespace
 
-std::vector<Touch> wall_touches(const grains::Box& box, std::uint32_t id) {
-  std::vector<Touch> result;
-  for (const auto& [owner, directions] : blocking(box, id)) {
-    if (const Axial blocked = sum(directions); !grains::is_particle(owner) && blocked != Axial()) {
-      result.push_back(
-          {.contact = {.upper = id, .other = owner, .normal = unit_vector(Axial() - blocked)}});
+WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls) {
+  std::vector<Obstacle> obstacles;
+  for (auto& [owner, obstacle] : blocking(box, id)) {
+    if (!grains::is_particle(owner)) {
+      obstacles.push_back(std::move(obstacle));
+    }
+  }
+  WallTouches result{.touches = {}, .several_bodies = obstacles.size() > 1};
+  for (const std::vector<Obstacle>& surface : surfaces(box, box.state.particles[id], obstacles)) {
+    unsigned directions = 0;
+    for (const Obstacle& one : surface) {
+      directions |= one.directions;
+    }
+    const Axial blocked = sum(directions);
+    if (blocked == Axial()) {
+      continue;
+    }
+    for (const grains::Owner body : bodies_of_contacts(surface, walls)) {
+      result.touches.push_back(
+          {.contact = {.upper = id, .other = body, .normal = unit_vector(Axial() - blocked)}});
+    }
+  }
+  std::sort(result.touches.begin(), result.touches.end(), [](const Touch& one, const Touch& other) {
+    return one.contact.other < other.contact.other;
+  });
+  return result;
+}
+
+std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now) {
+  std::vector<std::size_t> result(before.size(), kNoTouch);
+  std::vector<bool> taken(now.size(), false);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      if (now[k].contact.other == before[i].other) {
+        result[i] = k;
+        taken[k] = true;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (result[i] != kNoTouch) {
+      continue;
+    }
+    std::pair<bool, std::int64_t> best;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const std::int64_t like = cosine(before[i].normal, now[k].contact.normal);
+      const std::pair rank(is_side(before[i].other) == is_side(now[k].contact.other), like);
+      if (!taken[k] && like > kLeastCosine && (result[i] == kNoTouch || rank > best)) {
+        best = rank;
+        result[i] = k;
+      }
+    }
+    if (result[i] != kNoTouch) {
+      taken[result[i]] = true;
     }
   }
   return result;
 }
 
-std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals) {
+std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
+                           const WallVelocities& walls) {
   const grains::State& state = box.state;
   std::vector<Touch> result;
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
@@ -74,9 +153,9 @@ std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, Norm
     if (!grain.present) {
       continue;
     }
-    const std::vector<Touch> walls = wall_touches(box, id);
-    result.insert(result.end(), walls.begin(), walls.end());
-    for (const auto& [owner, directions] : blocking(box, id)) {
+    const std::vector<Touch> at_walls = wall_touches(box, id, walls).touches;
+    result.insert(result.end(), at_walls.begin(), at_walls.end());
+    for (const auto& [owner, obstacle] : blocking(box, id)) {
       const auto other = static_cast<std::uint32_t>(owner);
       if (grains::is_particle(owner) && is_above(state, down, id, other)) {
         const grains::Particle& below = state.particles[other];

@@ -1,12 +1,14 @@
 #pragma once
 // Touching bodies and their normals.
 
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/order.hpp"
+#include "contact/rule/walls.hpp"
 #include "grains/internal/box.hpp"
 
 namespace clca::contact {
@@ -33,9 +35,23 @@ inline Impulse<std::int32_t> turned_over(Impulse<std::int32_t> impulse) {
 }
 
 /// All contacts as if they were new, sorted by upper grain, then by `other`.
-std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals);
+std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
+                           const WallVelocities& walls);
 
-/// The same with the walls and sides that a grain touches.
-std::vector<Touch> wall_touches(const grains::Box& box, std::uint32_t id);
+/// Contacts of a grain with walls and sides, sorted by `other`.
+struct WallTouches {
+  std::vector<Touch> touches;
+  bool several_bodies = false;  ///< it touches two walls or sides, or more
+};
+
+/// One contact with each surface (see surfaces()), or one with each body of a surface of those that
+/// move unlike.
+WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls);
+
+/// Which touch each earlier contact of a grain with a wall or a side goes on as, kNoTouch for one
+/// that ends. Both are sorted by `other`. First those with the same body; then those whose body is
+/// left go on with the most similar normal, at most 45 degrees from theirs.
+inline constexpr std::size_t kNoTouch = static_cast<std::size_t>(-1);
+std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now);
 
 }  // namespace clca::contact

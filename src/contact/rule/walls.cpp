@@ -44,6 +44,14 @@ Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
           .y = rounded(product(speed, unit.y), kUnitBits)};
 }
 
+WallVelocities wall_velocities(const State& state) {
+  WallVelocities result;
+  for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
+    result.push_back(wall_velocity(state, wall));
+  }
+  return result;
+}
+
 std::vector<WallMove> advance_walls(State& state) {
   std::vector<WallMove> result;
   for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {

@@ -28,6 +28,10 @@ struct WallMove {
 /// wall.
 Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall);
 
+/// By wall.
+using WallVelocities = std::vector<Velocity<std::int32_t>>;
+WallVelocities wall_velocities(const State& state);
+
 /// Advances the motions of walls by a step. Returns the desired move of each moving wall.
 std::vector<WallMove> advance_walls(State& state);
 

@@ -28,7 +28,7 @@ constexpr lattice::Direction kDown = lattice::Direction::down;
 
 std::vector<Touch> touches_of(grains::State state) {
   NormalTable normals(state.kinds);
-  return touches(grains::Box(state), kDown, normals);
+  return touches(grains::Box(state), kDown, normals, WallVelocities(state.walls.size()));
 }
 
 using Bodies2 = std::pair<std::uint32_t, grains::Owner>;

@@ -141,6 +141,38 @@ TEST(TheContactModel, RefusesParametersOutOfRange) {
   EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {std::nullopt}; }), "");
 }
 
+TEST(TheContactModel, RefusesPeriodicBoxesInWhichTwoGrainsMayTouchOnBothSides) {
+  const auto in_columns = [](int columns, bool periodic = true) {
+    return refusal_of([=](State& state) {
+      state.grains.lattice = lattice::Lattice(columns, 40, periodic);
+      state.grains.walls.clear();
+      state.grains.particles[0].column = state.grains.particles[1].column = 4;
+    });
+  };
+  EXPECT_EQ(in_columns(10),
+            "two grains may touch on both sides in a periodic box of 10 columns: it needs 12");
+  EXPECT_EQ(in_columns(12), "");
+  EXPECT_EQ(in_columns(10, false), "");
+}
+
+TEST(NeededColumns, AreMoreThanTwiceThoseFromAGrainToOneThatItTouches) {
+  const auto needed = [](const std::vector<lattice::Shape>& shapes) {
+    std::vector<grains::Kind> kinds;
+    for (const lattice::Shape& shape : shapes) {
+      kinds.push_back({shape});
+    }
+    return needed_columns(kinds);
+  };
+  EXPECT_EQ(needed({lattice::Shape::hexagon(0)}), 4);
+  EXPECT_EQ(needed({lattice::Shape::hexagon(1)}), 8);
+  EXPECT_EQ(needed({lattice::Shape::hexagon(1), lattice::Shape::hexagon(5)}), 24);
+  EXPECT_EQ(needed({lattice::Shape::rod(0, 7)}), 4);
+  // One ends where the other begins: from -4 to 4 and back are 2 * 9 columns.
+  EXPECT_EQ(needed({lattice::Shape({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}),
+                    lattice::Shape({{0, 0}, {-1, 0}, {-2, 0}, {-3, 0}, {-4, 0}})}),
+            20);
+}
+
 TEST(OnlyHexagons, Turn) {
   State state = good_state();
   state.grains.kinds[1].shape = lattice::Shape::rod(0, 2);

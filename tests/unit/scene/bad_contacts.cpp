@@ -216,6 +216,13 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "  vessel: {shake: {gamma: 2, amplitude: 3, direction: round}}}]",
      "scene.yaml:11:55: error: stages.first.vessel.shake.direction: expected one of "
      "vertical, horizontal, found 'round'"},
+    {"a periodic box in which two grains may touch on both sides",
+     "box: {width: 51, height: 50, periodic: true}\n"
+     "species: {small: {shape: {hexagon: 1}}, large: {shape: {hexagon: 15}}}",
+     "scene.yaml:4:14: error: box.width: 60 columns, and in a periodic box of less than 64 two "
+     "grains may touch on both sides, which model contact does not take; make the width 55.4 or "
+     "more",
+     Judge::parser},
     {"a vessel that turns until it rests",
      "stages: [{name: first, sources: [spout], vessel: {rotate: {rate: 0.1}}}]",
      "scene.yaml:10:10: error: stages.first.until: never comes to rest while the "
