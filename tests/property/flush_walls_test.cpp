@@ -30,10 +30,11 @@ std::vector<lattice::Site> any_beam(const lattice::Lattice& lattice) {
     return Eigen::Vector2d(size.x() * within(0, 100) / 100, size.y() * within(0, 100) / 100);
   };
   const Eigen::Vector2d middle = any_place();
-  const double angle = *rc::gen::element(0.0, 30.0, 60.0, 90.0, 1.0 * within(0, 180));
+  const double angle = 30.0 * within(0, 6);
   const double radians = angle * std::numbers::pi / 180;
   const Eigen::Vector2d along = 200 * Eigen::Vector2d(std::cos(radians), std::sin(radians));
-  return sites_along(lattice, lattice::Segment{middle - along, middle + along, 1.0 * within(3, 8)});
+  return sites_along(lattice,
+                     lattice::Segment{middle - along, middle + along, within(2, 8) + 0.17});
 }
 
 /// Sites by the side of straight cuts on which they lie.
