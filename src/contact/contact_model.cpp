@@ -154,6 +154,10 @@ double ContactModel::gravity() const {
 bool ContactModel::quiet() const {
   return steps(mechanics()).state().quiet_steps > 0;
 }
+Energy ContactModel::energy() const {
+  steps(mechanics()).write_back_velocities();
+  return contact::energy(steps(mechanics()).state(), gravity());
+}
 const EnergyExchange& ContactModel::exchange() const {
   return steps(mechanics()).exchange();
 }

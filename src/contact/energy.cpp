@@ -27,6 +27,28 @@ double mass_of(const State& state, std::size_t id) {
   return static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
 }
 
+/// Mass and, from its site, centre of a grain.
+struct BodyOfKind {
+  double mass = 0;
+  Eigen::Vector2d centre;
+};
+
+BodyOfKind body_of(const grains::Kind& kind) {
+  return {.mass = static_cast<double>(kind.shape.size()), .centre = kind.shape.centroid()};
+}
+
+Energy energy_of(const State& state, std::size_t id, const BodyOfKind& body,
+                 const Eigen::Vector2d& down, double gravity) {
+  const Velocity<std::int32_t>& velocity = state.velocities[id];
+  const double spin = static_cast<double>(velocity.spin) / kSpacing;
+  const Eigen::Vector2d place = lattice::position(state.grains.particles[id].site()) + body.centre +
+                                in_spacings(state.remainders[id]);
+  return {.kinetic = body.mass *
+                     (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) / 2 /
+                     gravity,
+          .potential = -body.mass * down.dot(place)};
+}
+
 /// Centre of mass.
 Eigen::Vector2d place_of(const State& state, std::size_t id) {
   return grains::centre(state.grains, state.grains.particles[id]) +
@@ -36,19 +58,20 @@ Eigen::Vector2d place_of(const State& state, std::size_t id) {
 }  // namespace
 
 Energy energy_of(const State& state, std::size_t id, double gravity) {
-  const Velocity<std::int32_t>& velocity = state.velocities[id];
-  const double mass = mass_of(state, id);
-  const double spin = static_cast<double>(velocity.spin) / kSpacing;
-  return {.kinetic = mass * (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) /
-                     2 / gravity,
-          .potential = -mass * gravity_direction(state.vessel).dot(place_of(state, id))};
+  return energy_of(state, id, body_of(state.grains.kinds[state.grains.particles[id].kind]),
+                   gravity_direction(state.vessel), gravity);
 }
 
 Energy energy(const State& state, double gravity) {
+  std::vector<BodyOfKind> kinds;
+  for (const grains::Kind& kind : state.grains.kinds) {
+    kinds.push_back(body_of(kind));
+  }
+  const Eigen::Vector2d down = gravity_direction(state.vessel);
   Energy sum;
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (state.grains.particles[id].present) {
-      const Energy one = energy_of(state, id, gravity);
+    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+      const Energy one = energy_of(state, id, kinds[grain.kind], down, gravity);
       sum.kinetic += one.kinetic;
       sum.potential += one.potential;
     }

@@ -8,7 +8,6 @@ namespace clca::run {
 
 namespace {
 
-constexpr std::uint64_t kEvery = 100;  // steps from one look to the next
 constexpr double kTolerance = 0.005;
 
 }  // namespace
@@ -30,19 +29,8 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   growth_ = 0;
 }
 
-void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange& exchange,
-                              std::uint64_t steps_in_stage) {
+void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
-  if (steps_in_stage % kEvery == 0) {
-    look(model);
-  }
-}
-
-void EnergyRecord::end_stage(const Model& model) {
-  look(model);
-}
-
-void EnergyRecord::look(const Model& model) {
   if (!is_closed_) {
     return;
   }

@@ -14,10 +14,7 @@ class EnergyRecord {
  public:
   void begin_stage(const scene::Stage& stage, const Model& model);
   /// Call after each step; `exchange`: of the step.
-  void after_step(const Model& model, const contact::EnergyExchange& exchange,
-                  std::uint64_t steps_in_stage);
-  /// Updates the balance at the end of a stage.
-  void end_stage(const Model& model);
+  void after_step(const Model& model, const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }
@@ -49,8 +46,6 @@ class EnergyRecord {
   }
 
  private:
-  void look(const Model& model);
-
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
   double fall_ = 0;  // of all grains by a lattice spacing

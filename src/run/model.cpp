@@ -106,7 +106,7 @@ void Model::save(reflection::Columns& columns) const {
 
 std::optional<contact::Energy> Model::energy() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact::energy(contact->state(), contact->gravity());
+    return contact->energy();
   }
   return std::nullopt;
 }

@@ -72,7 +72,7 @@ void Records::after_step(const scene::Stage& stage, const Model& model,
   }
   if (contacts_) {
     contacts_->after_step(stage, model, steps_in_stage);
-    energy_->after_step(model, model.exchange(), steps_in_stage);
+    energy_->after_step(model, model.exchange());
   }
 }
 
@@ -121,9 +121,6 @@ void Records::end_stage(const Model& model) {
   }
   if (lines_) {
     lines_->end_stage(model);
-  }
-  if (energy_) {
-    energy_->end_stage(model);
   }
 }
 

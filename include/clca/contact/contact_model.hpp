@@ -55,6 +55,8 @@ class ContactModel : public grains::Model {
   double gravity() const;
   /// Nothing moved in the last step, and all velocities were below what gravity gives in two steps.
   bool quiet() const;
+  /// As energy() of state(), without its costs.
+  Energy energy() const;
   /// In the last step.
   const EnergyExchange& exchange() const;
 

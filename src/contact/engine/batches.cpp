@@ -33,6 +33,11 @@ std::int32_t fixed_body(grains::Owner owner) {
 
 }  // namespace
 
+std::size_t Batches::body(grains::Owner owner) const {
+  return static_cast<std::size_t>(grains::is_particle(owner) ? first_grain_ + owner
+                                                             : fixed_body(owner));
+}
+
 void Batches::clear(std::size_t grains) {
   batches_.clear();
   used_.clear();

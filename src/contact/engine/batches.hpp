@@ -33,6 +33,8 @@ class Batches {
 
   /// The body of the grain with id 0.
   std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
+  /// A grain; or a wall or side, as they are in the first group.
+  std::size_t body(grains::Owner owner) const;
   /// How many bodies of a group are not grains. Those of all groups come before the grains.
   std::size_t fixed_body_count() const { return static_cast<std::size_t>(fixed_body_count_); }
 

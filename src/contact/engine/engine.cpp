@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact/rule/acceleration.hpp"
+#include "contact/rule/cuts.hpp"
 #include "contact/rule/remainders.hpp"
 
 namespace clca::contact {
@@ -218,9 +219,10 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  for (const std::uint32_t id : mover_.ids()) {
-    cut(state_.remainders[id]);
-  }
+  cut_remainders(state_, moves, rule_, mover_.ids(),
+                 [&](grains::Owner body) -> Velocity<std::int32_t>& {
+                   return bodies_[slots_.batches().body(body)].velocity;
+                 });
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, quiet && moved_.empty());

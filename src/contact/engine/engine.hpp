@@ -21,6 +21,7 @@ class Engine final : public Steps {
          Profile* profile);
 
   void write_back() override;
+  void write_back_velocities() override;
   void added(std::size_t first) override;
   std::vector<std::uint32_t> moved() const override { return moved_; }
   void removing(std::uint32_t id) override;
@@ -29,7 +30,6 @@ class Engine final : public Steps {
  private:
   std::size_t move_grains() override;
   std::vector<Contact> wall_contacts() const override;
-  void write_back_velocities() override;
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
   void load();

@@ -54,16 +54,4 @@ inline void follow_push(Vector& remainder, lattice::Direction direction) {
   }
 }
 
-/// Limits the remainder of a blocked grain. With a limit of 3/4 of a site, dense flow would keep
-/// its velocity but lose distance.
-inline void cut(Vector& remainder) {
-  constexpr std::int32_t kMaxChange = 2 * kSpacing;
-  for (const lattice::Direction direction : lattice::kDirections) {
-    const std::int32_t excess = along(remainder, unit_of(direction)) - kMaxChange;
-    if (excess > 0) {
-      take(remainder, excess, direction);
-    }
-  }
-}
-
 }  // namespace clca::contact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "clca/contact/contact_model.hpp"
@@ -9,6 +10,7 @@
 #include "contact/energy_of.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/contact_list.hpp"
+#include "contact/rule/cuts.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
 #include "contact/rule/touching.hpp"
@@ -26,14 +28,8 @@ class Contacts {
   template <class Visit>
   void at(const Touch& touch, Visit visit) {
     const Contact& contact = touch.contact;
-    const bool on_wall = !grains::is_particle(contact.other);
-    const auto other = static_cast<std::size_t>(contact.other);
-    Velocity<std::int32_t> side;
     Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
-    Velocity<std::int32_t>& other_velocity = !on_wall ? state_.velocities[other]
-                                             : is_side(contact.other)
-                                                 ? side
-                                                 : walls_[grains::wall_number(contact.other)];
+    Velocity<std::int32_t>& other_velocity = velocity(contact.other);
     ContactState<std::int32_t> touching = {
         .upper = upper_velocity,
         .other = other_velocity,
@@ -45,10 +41,19 @@ class Contacts {
     other_velocity = touching.other;
   }
 
+  Velocity<std::int32_t>& velocity(grains::Owner body) {
+    if (grains::is_particle(body)) {
+      return state_.velocities[static_cast<std::size_t>(body)];
+    }
+    return is_side(body) ? side_ : walls_[grains::wall_number(body)];
+  }
+
  private:
   State& state_;
   const Rule& rule_;
-  WallVelocities walls_;  // no impulse changes them
+  // No impulse changes these.
+  WallVelocities walls_;
+  Velocity<std::int32_t> side_;
 };
 
 /// Target separation velocities of contacts: only new contacts bounce.
@@ -245,8 +250,11 @@ std::size_t Reference::move_grains() {
   move_all(moves, state_, down, walls);
   moved_ = moves.moved();
 
-  // 9. Remainders of grains that were held up are cut.
-  std::for_each(state_.remainders.begin(), state_.remainders.end(), cut);
+  // 9. Remainders of grains that were held up are cut, and momentum is passed on.
+  std::vector<std::uint32_t> ids(state_.remainders.size());
+  std::iota(ids.begin(), ids.end(), 0U);
+  cut_remainders(state_, moves, rule_, ids,
+                 [&](grains::Owner body) -> Velocity<std::int32_t>& { return all.velocity(body); });
 
   // 10. Walls and vessel end the step.
   end_step(state_, walls, at_rest && moved_.empty());

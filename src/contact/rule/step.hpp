@@ -35,6 +35,8 @@ class Steps : public grains::Mechanics {
   void set_vessel(const Vessel& vessel);
   /// Sets velocities and contacts of the state.
   virtual void write_back() {}
+  /// The same without contacts.
+  virtual void write_back_velocities() {}
 
   grains::Box& box() final { return box_; }
   lattice::Direction down() const final { return contact::down(state_.vessel); }
@@ -50,8 +52,6 @@ class Steps : public grains::Mechanics {
   virtual std::size_t move_grains() = 0;
   /// Those with walls and sides, maybe others, too.
   virtual std::vector<Contact> wall_contacts() const = 0;
-  /// Sets the velocities of the state.
-  virtual void write_back_velocities() {}
 
   State& own_state() { return state_; }
   const Rule& rule() const { return rule_; }

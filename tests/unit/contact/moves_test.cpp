@@ -142,24 +142,6 @@ TEST(TheDirections, ComeDownFirstAndUpLastWithSidesByACoin) {
   EXPECT_EQ(seen.size(), 4U);
 }
 
-// Beyond eight sites, which no velocity of any use leaves, some would be left.
-TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
-  for (const double angle : {0.0, 0.3, 1.0, 2.5, 4.0}) {
-    for (const double distance : {0.5, 1.9, 2.2, 5.0, 8.0}) {
-      const Vector before = {static_cast<std::int32_t>(distance * kSpacing * std::cos(angle)),
-                             static_cast<std::int32_t>(distance * kSpacing * std::sin(angle))};
-      Vector after = before;
-      cut(after);
-      for (const Direction direction : lattice::kDirections) {
-        EXPECT_LE(along(after, unit_of(direction)), 2 * kSpacing + 4);
-      }
-      if (distance < 2) {
-        EXPECT_EQ(after, before);
-      }
-    }
-  }
-}
-
 TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
   Vector remainder = {1600, -800};
   EXPECT_FALSE(advance(remainder, {100, 20, 0}, true, 50));

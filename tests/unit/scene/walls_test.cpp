@@ -1,5 +1,6 @@
 #include "clca/scene/walls.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -210,9 +211,9 @@ TEST(SizeOf, IsNeverBelowTheSitesOfAWallThatMoves) {
           "disc: {centre: [30, 20], radius: 12}", "disc: {centre: [90, 20], radius: 500}",
           "ring: {centre: [30, 20], radius: 15}",
           "arc: {centre: [30, 20], radius: 200, thickness: 20, from: -150, to: 200}"}) {
-      const Scene scene =
-          scene_with("walls: {plate: {" + form + ", motion: {direction: " + direction +
-                     ", distance: 300}}}\n" + kOne);
+      const Scene scene = scene_with(
+          fmt::format("walls: {{plate: {{{}, motion: {{direction: {}, distance: 300}}}}}}\n{}",
+                      form, direction, kOne));
       EXPECT_GE(size_of(scene).bytes - still,
                 8.0 * static_cast<double>(wall_sites(lattice, scene.walls[0]).size()))
           << form << ' ' << direction;

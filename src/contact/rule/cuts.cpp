@@ -1,0 +1,106 @@
+#include "contact/rule/cuts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "contact/rule/remainders.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+/// A grain whose remainder is cut, and what is in its way.
+struct Push {
+  std::uint32_t id = 0;
+  grains::Owner other = 0;
+  lattice::Direction direction = {};
+  std::int32_t closing = 0;  // velocity
+};
+
+/// Share of the pushes in a grain, and the sum of their impulses.
+struct PushSum {
+  std::int64_t pushes = 0;
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+std::int32_t inverse_mass(const State& state, const Rule& rule, std::uint32_t id) {
+  return rule.bodies.pair(state.grains.particles[id].kind, std::nullopt).upper_inverse_mass;
+}
+
+/// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long.
+template <class Visit>
+void cut(Vector& remainder, Visit visit) {
+  // With 3/4 of a site, dense flow would keep its velocity but lose distance.
+  constexpr std::int32_t kMost = 2 * kSpacing;
+  for (const lattice::Direction direction : lattice::kDirections) {
+    const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
+    if (excess > 0) {
+      take(remainder, excess, direction);
+      visit(direction);
+    }
+  }
+}
+
+}  // namespace
+
+void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
+                    std::span<const std::uint32_t> ids, const VelocityOf& velocity_of) {
+  std::vector<Push> pushes;
+  for (const std::uint32_t id : ids) {
+    cut(state.remainders[id], [&](lattice::Direction direction) {
+      const grains::Owner other = moves.in_the_way(id, direction);
+      if (other == grains::kFree) {
+        return;
+      }
+      const Velocity<std::int32_t>& own = velocity_of(static_cast<grains::Owner>(id));
+      const Velocity<std::int32_t>& its = velocity_of(other);
+      const std::int32_t closing = along({own.x - its.x, own.y - its.y}, unit_of(direction));
+      if (closing > 0) {
+        pushes.push_back({.id = id, .other = other, .direction = direction, .closing = closing});
+      }
+    });
+  }
+  std::map<std::uint32_t, PushSum> sums;
+  for (const Push& push : pushes) {
+    ++sums[push.id].pushes;
+    if (grains::is_particle(push.other)) {
+      ++sums[static_cast<std::uint32_t>(push.other)].pushes;
+    }
+  }
+  for (const Push& push : pushes) {
+    PushSum& own = sums[push.id];
+    std::int64_t inverse = own.pushes * inverse_mass(state, rule, push.id);
+    PushSum* its = nullptr;
+    if (grains::is_particle(push.other)) {
+      const auto other = static_cast<std::uint32_t>(push.other);
+      its = &sums[other];
+      inverse += its->pushes * inverse_mass(state, rule, other);
+    }
+    const auto impulse =
+        clamped((std::int64_t{push.closing} << kInverseMassBits) / inverse, 0, kMaxImpulse);
+    const UnitVector& unit = unit_of(push.direction);
+    const std::int32_t x = rounded(product(impulse, unit.x), kUnitBits);
+    const std::int32_t y = rounded(product(impulse, unit.y), kUnitBits);
+    own.x -= x;
+    own.y -= y;
+    if (its != nullptr) {
+      its->x += x;
+      its->y += y;
+    }
+  }
+  for (const auto& [id, sum] : sums) {
+    Velocity<std::int32_t>& velocity = velocity_of(static_cast<grains::Owner>(id));
+    const auto changed = [inverse = inverse_mass(state, rule, id)](std::int32_t value,
+                                                                   std::int64_t impulse) {
+      const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
+      return clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
+                     -kMaxVelocity, kMaxVelocity);
+    };
+    velocity.x = changed(velocity.x, sum.x);
+    velocity.y = changed(velocity.y, sum.y);
+  }
+}
+
+}  // namespace clca::contact

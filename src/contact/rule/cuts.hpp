@@ -1,0 +1,24 @@
+#pragma once
+// Cuts of remainders: what a grain that is held up loses in distance, it passes on as momentum.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "contact/rule/moves.hpp"
+#include "contact/rule/rule.hpp"
+
+namespace clca::contact {
+
+/// Velocity of a grain, wall or side. Only those of grains are changed.
+using VelocityOf = std::function<Velocity<std::int32_t>&(grains::Owner)>;
+
+/// Shortens remainders to two spacings along any direction. Where a remainder is cut and the grain
+/// approaches what is in its way, the two collide along that direction, without restitution and
+/// friction: with several such collisions of a body each gets a share of its mass, so that the
+/// order does not matter, momentum is conserved, and no energy is gained. `ids`: grains whose
+/// remainders may be that long, each once, in any order.
+void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
+                    std::span<const std::uint32_t> ids, const VelocityOf& velocity_of);
+
+}  // namespace clca::contact
