@@ -22,7 +22,7 @@ class EnergyRecord {
   /// the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// A warning if the energy has grown by more than 0.5 % of the scale, and by more than rest may
+  /// A warning if the energy has grown by more than 1 % of the scale, and by more than rest may
   /// lift: half a spacing a grain, some of them up and some down. Given once per run.
   struct Growth {
     /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all

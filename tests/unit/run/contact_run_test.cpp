@@ -293,14 +293,14 @@ TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   record.begin_stage(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
-  record.after_step(model, {.outlets = 0.004 * start});
+  record.after_step(model, {.outlets = 0.008 * start});
   EXPECT_FALSE(record.take_warning());
-  record.after_step(model, {.outlets = 0.002 * start});
+  record.after_step(model, {.outlets = 0.004 * start});
   const auto growth = record.take_warning();
   ASSERT_TRUE(growth);
   EXPECT_DOUBLE_EQ(growth->scale, start);
-  EXPECT_DOUBLE_EQ(growth->now, 1.006 * start);
-  EXPECT_NEAR(record.growth().value(), 0.006, 1e-12);
+  EXPECT_DOUBLE_EQ(growth->now, 1.012 * start);
+  EXPECT_NEAR(record.growth().value(), 0.012, 1e-12);
   record.after_step(model, {.outlets = start});
   EXPECT_FALSE(record.take_warning());
   record.begin_stage(scene.stages.back(), model);  // with a source
