@@ -50,12 +50,13 @@ double exponent(const Profile& profile) {
   return (xz - x_mean * z_mean / count) / (xx - x_mean * x_mean / count);
 }
 
-// By full runs of 4 seeds: 15.77 +- 0.07 at the surface at 28 degrees, 1.62 +- 0.01 for the
+// By full runs of 4 seeds: 15.7 at the surface at 28 degrees, with a standard deviation of 0.5 from
+// seed to seed in the highest part of the line: three of them to either side. 1.62 +- 0.01 for the
 // exponent with the depth of the layer, which differs a little from that of the line here.
 TEST(ContactChute, LayersRestOrFlowWithTheProfileOfBagnold) {
   expect_within("velocity_18", profile(18, 24).velocity.back(), -0.001, 0.001);
   const Profile flow = profile(28, 64);
-  expect_within("velocity_28", flow.velocity.back(), 15, 17);
+  expect_within("velocity_28", flow.velocity.back(), 14.2, 17.2);
   expect_within("exponent_28", exponent(flow), 1.25, 1.75);
 }
 

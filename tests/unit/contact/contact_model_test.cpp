@@ -318,6 +318,68 @@ TEST_P(ContactModelTest, AWallHasTheFrictionThatItIsGiven) {
   }
 }
 
+std::vector<lattice::Site> block(lattice::Site first, int columns, int rows) {
+  std::vector<lattice::Site> sites;
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      sites.push_back({first.column + column, first.row + row});
+    }
+  }
+  return sites;
+}
+
+// With a normal for each wall it was thrown sideways at the seam.
+TEST_P(ContactModelTest, AGrainFallsPastTheSeamOfTwoFlushWalls) {
+  State state{.grains = box({particle_at(11, 100)}, 40, 120)};
+  state.grains.walls = {{.sites = block({0, 0}, 10, 60)}, {.sites = block({0, 60}, 10, 60)}};
+  state.velocities.resize(1);
+  state.remainders.resize(1);
+  state.wall_remainders.resize(2);
+  Parameters parameters = kParameters;
+  parameters.friction = parameters.wall_friction = 0;
+  ContactModel one = model(std::move(state), parameters);
+  while (one.grains().particles[0].row > 5) {
+    one.step();
+    ASSERT_EQ(one.state().velocities[0].x, 0) << one.grains().particles[0].row;
+  }
+}
+
+TEST_P(ContactModelTest, AGrainSlidesOverTheSeamOfTwoFlushWalls) {
+  for (const int seam : {97, 98, 99, 100}) {
+    State state{.grains = box({particle_at(20, 4)}, 200, 20)};
+    state.grains.walls = {{.sites = block({0, 0}, seam, 3)},
+                          {.sites = block({seam, 0}, 200 - seam, 3)}};
+    state.velocities = {{kSpacing / 4, 0, 0}};
+    state.remainders.resize(1);
+    state.wall_remainders.resize(2);
+    Parameters parameters = kParameters;
+    parameters.friction = parameters.wall_friction = 0;
+    ContactModel one = model(std::move(state), parameters);
+    while (one.grains().particles[0].column < 180) {
+      one.step();
+      ASSERT_EQ(one.state().velocities[0].x, kSpacing / 4) << seam;
+      ASSERT_EQ(one.state().velocities[0].y, 0) << seam;
+    }
+  }
+}
+
+TEST_P(ContactModelTest, ACornerOfTwoWallsStaysACorner) {
+  State state{.grains = box({particle_at(11, 4)}, 40, 40)};
+  state.grains.walls = {{.sites = block({0, 0}, 40, 3)}, {.sites = block({0, 3}, 10, 30)}};
+  state.velocities = {{-kSpacing / 4, 0, 0}};
+  state.remainders.resize(1);
+  state.wall_remainders.resize(2);
+  Parameters parameters = kParameters;
+  parameters.restitution = 0;
+  ContactModel one = model(std::move(state), parameters);
+  one.step();
+  EXPECT_EQ(one.state().contacts.size(), 2U);
+  for (int step = 0; step < 100; ++step) {
+    one.step();
+  }
+  EXPECT_EQ(one.grains().particles[0].site(), (lattice::Site{11, 4}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, ContactModelTest, ::testing::Bool(),
                          [](const auto& engine) { return engine.param ? "Reference" : "Fast"; });
 

@@ -268,14 +268,14 @@ TEST(CommonLegend, HasWhatBothHaveAndWhatOneHas) {
 }
 
 TEST(CommonLegend, HasFurtherLinesOfOneAndNoneWhereLinesDiffer) {
-  Legend first;
-  first.lines = {{.label = "0.5 m/s"}};
-  Legend second = first;
-  second.lines.push_back({.label = "above 0.5"});
-  EXPECT_EQ(common_legend(first, second), second);
-  EXPECT_EQ(common_legend(second, first), second);
-  second.lines[0].label = "2 m/s";
-  EXPECT_FALSE(common_legend(first, second));
+  Legend few;
+  few.lines = {{.label = "0.5 m/s"}};
+  Legend more = few;
+  more.lines.push_back({.label = "above 0.5"});
+  EXPECT_EQ(common_legend(few, more), more);
+  EXPECT_EQ(common_legend(more, few), more);
+  more.lines[0].label = "2 m/s";
+  EXPECT_FALSE(common_legend(few, more));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ std::vector<Rgb> colors_of(const Coloring& coloring, const grains::State& state)
 }
 
 TEST(Coloring, BySpeciesTakesTheNamedColors) {
-  const NamedColor species[] = {{"small", {1, 2, 3}}, {"large", {4, 5, 6}}};
+  const std::vector<NamedColor> species = {{"small", {1, 2, 3}}, {"large", {4, 5, 6}}};
   const grains::State state = tower(3);
   const Coloring coloring = color_by_species(state.kinds, species);
   EXPECT_EQ(colors_of(coloring, state), (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
