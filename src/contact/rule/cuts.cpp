@@ -1,7 +1,7 @@
 #include "contact/rule/cuts.hpp"
 
-#include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "contact/rule/remainders.hpp"
@@ -18,7 +18,7 @@ struct Push {
   std::int32_t closing = 0;  // velocity
 };
 
-/// Share of the pushes in a grain, and the sum of their impulses.
+/// How many pushes a grain takes part in, and the sum of their impulses on it.
 struct PushSum {
   std::int64_t pushes = 0;
   std::int64_t x = 0;
