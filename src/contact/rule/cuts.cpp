@@ -34,6 +34,9 @@ template <class Visit>
 void cut(Vector& remainder, Visit visit) {
   // With 3/4 of a site, dense flow would keep its velocity but lose distance.
   constexpr std::int32_t kMost = 2 * kSpacing;
+  if (squared(remainder) <= product(kMost, kMost)) {
+    return;  // as nearly all
+  }
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
     if (excess > 0) {
