@@ -32,10 +32,10 @@ std::int32_t inverse_mass(const State& state, const Rule& rule, std::uint32_t id
 /// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long.
 template <class Visit>
 void cut(Vector& remainder, Visit visit) {
-  // With 3/4 of a site, dense flow would keep its velocity but lose distance.
+  // Fitted. With 3/4 of a site, dense flow would lose too much of its distance.
   constexpr std::int32_t kMost = 2 * kSpacing;
   if (squared(remainder) <= product(kMost, kMost)) {
-    return;  // as nearly all
+    return;  // so are nearly all
   }
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
