@@ -47,20 +47,10 @@ scene::Override begin_override(const std::string& folder) {
   return fmt::format("begin={{run: '{}'}}", quoted);
 }
 
-/// Runs save the scene with all defaults; that text must parse for resume.
-template <class AScene>
-void check_text(const AScene& scene, const std::string& file) {
-  if (scene::to_yaml(scene).size() > scene::kMaxSceneBytes) {
-    throw scene::SceneError(
-        fmt::format("{}:1:1: error: the scene with all its defaults is larger than {} MiB",
-                    text::printable(file), scene::kMaxSceneBytes >> 20U));
-  }
-}
-
 /// The scene with the options applied. Throws scene::SceneError if it does not fit into memory.
 scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
   run::find_begin(scene, memory_limit(options));
-  check_text(scene, options.file);
+  scene::check_resolved(scene::to_yaml(scene), options.file);
   check_memory(scene, memory_limit(options));
   return scene;
 }
@@ -209,7 +199,7 @@ scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
   if (auto* automaton = std::get_if<scene::Scene>(&scene)) {
     return fitting(std::move(*automaton), options);
   }
-  check_text(std::get<scene::BoltzmannScene>(scene), options.file);
+  scene::check_resolved(scene::to_yaml(std::get<scene::BoltzmannScene>(scene)), options.file);
   check_memory(std::get<scene::BoltzmannScene>(scene), memory_limit(options), threads);
   return scene;
 }

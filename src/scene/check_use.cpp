@@ -62,6 +62,13 @@ bool appears(const Scene& scene, std::size_t species) {
 void check_use(const Scene& scene, const Value& root) {
   if (const Value* walls = root.find("walls")) {
     require_use(scene, *walls, "walls", "name it under move in a stage", stands_or_moves);
+    for (const Entry& wall : walls->entries) {
+      if (wall.key.find_first_not_of("0123456789") == std::string::npos) {
+        fail(wall.location, fmt::format("walls: the name {} is the number of a particle in tables "
+                                        "of contacts; give it a letter",
+                                        wall.key));
+      }
+    }
   }
   if (const Value* sources = root.find("sources")) {
     require_use(scene, *sources, "sources", "name it under sources in a stage", opens);

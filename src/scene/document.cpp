@@ -20,7 +20,7 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxKeys = 10'000;  // of a map
 
 constexpr std::string_view kNoAliases =
     "aliases ('*') are not part of the format; repeat the value";
@@ -94,7 +94,6 @@ class TreeBuilder final : public YAML::EventHandler {
   std::optional<Value> root_;
   // A key that is not text. Reported at the end, as an unclosed bracket also looks like one.
   std::optional<std::pair<TextLocation, std::string>> bad_key_;
-  std::size_t values_ = 0;
   bool ended_ = false;
 };
 
@@ -225,9 +224,6 @@ void TreeBuilder::close() {
 }
 
 void TreeBuilder::add(Value value) {
-  if (++values_ > kMaxValues) {
-    fail(value.location, fmt::format("more than {} values", kMaxValues));
-  }
   if (open_.empty()) {
     root_ = std::move(value);
   } else if (awaits_key()) {
@@ -254,6 +250,9 @@ void TreeBuilder::begin_entry(Value key) {
     const bool lines = key.location.origin->has_lines;
     fail(key.location, fmt::format("duplicate key {}{}", text::shown(key.text),
                                    lines ? fmt::format(" (first on line {})", first->second) : ""));
+  }
+  if (level.line_of.size() > kMaxKeys) {
+    fail(key.location, fmt::format("more than {} keys in a map", kMaxKeys));
   }
   level.entry = Entry{std::move(key.text), std::move(key.location), {}};
 }

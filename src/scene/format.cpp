@@ -91,7 +91,10 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   }
   const std::string& last = parts.back();  // the top has been found
   std::string suggestion = text::suggestion(last, names);
-  if (suggestion.empty()) {
+  const std::vector<std::string> about = paths_about(scene_type().keys, last);
+  if (suggestion.empty() && !about.empty()) {
+    suggestion = "; see " + text::listed(std::vector<std::string_view>(about.begin(), about.end()));
+  } else if (suggestion.empty()) {
     suggestion = path_suggestion(scene_type().keys, last);
   }
   throw UnknownKeyError(
@@ -100,12 +103,9 @@ std::vector<FoundKey> found_keys(std::string_view path) {
 
 std::string values_text(const KeyDescription& key) {
   const bool is_value = key.default_value || may_be_none(key);
-  const auto begins_with = [&](std::string_view words) { return key.otherwise.starts_with(words); };
-  const bool is_condition = begins_with("one of") || begins_with("this or") ||
-                            begins_with("goes with") || begins_with("required");
   const std::string otherwise = key.required            ? "required"
                                 : key.otherwise.empty() ? ""
-                                : is_condition          ? key.otherwise
+                                : key.is_condition      ? key.otherwise
                                 : is_value              ? "default: " + key.otherwise
                                                         : "if left out: " + key.otherwise;
   return without_markup(key.allowed + (otherwise.empty() ? "" : "; " + otherwise));

@@ -30,7 +30,8 @@ struct KeyDescription {
   std::string name;
   std::string about;                       ///< one phrase
   std::string allowed;                     ///< values
-  std::string otherwise = {};              ///< what holds if it is left out
+  std::string otherwise = {};              ///< what holds if it is left out, or a condition
+  bool is_condition = false;               ///< `otherwise` says when the key is given
   std::optional<Yaml> default_value = {};  ///< the same, if it is a value
   bool required = false;
   std::optional<Model> model = {};  ///< the only one that has it
@@ -227,6 +228,12 @@ struct Key : AnyKey {
   /// Described by a phrase, where the default is no value or follows from other keys.
   Key& defaults_to(std::string_view phrase) {
     describe_default(phrase);
+    return *this;
+  }
+  /// Which other keys are given in its place, or with it.
+  Key& with_condition(std::string_view phrase) {
+    describe_default(phrase);
+    is_condition = true;
     return *this;
   }
   Key& after(Action<Owner> action) {

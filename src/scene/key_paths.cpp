@@ -45,6 +45,22 @@ std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view 
   return paths;
 }
 
+std::vector<std::string> paths_about(const Descriptions& top, std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  std::vector<std::string> paths;
+  for (const auto& [key, path] : all_keys(top)) {
+    const std::string about = fmt::format(" {} ", without_markup(key->about));
+    for (std::size_t at = about.find(word); at != std::string::npos;
+         at = about.find(word, at + 1)) {
+      if (!is_letter(about[at - 1]) && !is_letter(about[at + word.size()])) {
+        paths.push_back(path);
+        break;
+      }
+    }
+  }
+  return paths;
+}
+
 std::string path_suggestion(const Descriptions& top, std::string_view name) {
   std::vector<std::string_view> names;
   for (const PlacedKey& placed : all_keys(top)) {

@@ -13,6 +13,9 @@ namespace clca::scene {
 /// of the scene stands in between.
 std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name);
 
+/// Paths of the keys below `top` that say this word about themselves, the shortest first.
+std::vector<std::string> paths_about(const Descriptions& top, std::string_view word);
+
 /// `; did you mean 'rules.inertia'?` for a key of this or a similar name below `top`, or nothing.
 std::string path_suggestion(const Descriptions& top, std::string_view name);
 

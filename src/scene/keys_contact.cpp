@@ -97,12 +97,14 @@ Type<contact::Parameters> contact_type() {
               key("rolling", &P::rolling, choice(kRollingNames),
                   "how particles turn: not at all, against a moment that resists rolling, or "
                   "freely; only hexagons turn"));
-  keys.add({key("sweeps", &P::sweeps, sweeps(),
-                "sweeps over all contacts in a step, forwards and backwards in turn"),
-            key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
-                "sites a step of a particle that has fallen by `fall_height`; sets the time step"),
-            key("fall_height", &P::fall_height, fall_height(),
-                "height of that fall in lattice spacings; `auto`: from the fills")});
+  keys.add(
+      {key("sweeps", &P::sweeps, sweeps(),
+           "sweeps over all contacts in a step, forwards and backwards in turn"),
+       key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
+           "sites a step of a particle that has fallen by `fall_height`; sets the time step, which "
+           "is not adaptive"),
+       key("fall_height", &P::fall_height, fall_height(),
+           "height of that fall in lattice spacings; `auto`: from the fills")});
   return type_of<P>({.keys = keys});
 }
 

@@ -91,7 +91,7 @@ Key<FillPicture> parts_file_key() {
                        "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
                        "scene"),
              read_file)
-      .defaults_to("this or `rows`");
+      .with_condition("this or `rows`");
 }
 
 /// Read with the file.
@@ -103,6 +103,7 @@ Key<FillPicture> colors_key() {
            "has the nearest of these colours, or is white and stays empty",
        .allowed = "map of colours",
        .otherwise = "goes with `file`",
+       .is_condition = true,
        .schema = with(with(object_schema(part_schema(), "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
                       "maxProperties", kMaxParts)});
 }
@@ -164,10 +165,10 @@ Type<FillPicture> picture() {
                     "the same as text, from the top: a letter for each part, `.` for what stays "
                     "empty",
                     {})
-                    .defaults_to("this or `file`"),
+                    .with_condition("this or `file`"),
                 key("pixels", &FillPicture::weights, pixels_type(),
                     "of rows: by letter, a species or weights by species", {})
-                    .defaults_to("goes with `rows`")},
+                    .with_condition("goes with `rows`")},
        .check = check_picture,
        .conditions =
            R"({"oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}]})"});
@@ -200,14 +201,14 @@ Type<Fill> fill_type() {
                 required("region", &Fill::region, region(), "where: no particle sticks out of it"),
                 list_key("counts", &Fill::counts, counts_type(kMaxParticles),
                          "number of particles; 0 for species that are not named")
-                    .defaults_to("one of these three"),
+                    .with_condition("one of these three"),
                 list_key("mix", &Fill::mix, weights_type(),
                          "weights by species: fills the region until the next particle has no room")
-                    .defaults_to("one of these three"),
+                    .with_condition("one of these three"),
                 key("picture", &Fill::picture, picture(),
                     "covers the region and says where which species are; each part is filled until "
                     "the next particle has no room")
-                    .defaults_to("one of these three"),
+                    .with_condition("one of these three"),
                 key("level", &Fill::level, number(0, kMaxBoxHeight),
                     "of a `mix` with `method: deposition`: mean height of its surface where the "
                     "filling "

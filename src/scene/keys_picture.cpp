@@ -48,7 +48,7 @@ Key<Picture> file_key() {
                  picture.rows = rows_of(read_picture(*value, fields.path("file"), scene));
                }
              })
-      .defaults_to("this or `rows`");
+      .with_condition("this or `rows`");
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ Type<Picture> picture_type() {
                 key("rows", &Picture::rows,
                     rows_type(is_wall_pixel, "the characters # and .", "^[#.]+$"),
                     "the same as text, from the top: `#` for dark pixels, `.` for others", {})
-                    .defaults_to("this or `file`"),
+                    .with_condition("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},
        .conditions = R"({"oneOf": [{"required": ["file"]}, {"required": ["rows"]}]})"});
 }

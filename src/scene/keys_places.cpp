@@ -77,9 +77,9 @@ Type<std::vector<Source>> sources_type() {
   return by_name<Source>(
       "sources",
       {.keys = {place("at", point(), "emits at the site nearest to this point")
-                    .defaults_to("this or `region`"),
+                    .with_condition("this or `region`"),
                 place("region", region(), "emits at any site of this region of the box")
-                    .defaults_to("this or `at`"),
+                    .with_condition("this or `at`"),
                 key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
                     .defaults_to("all alike"),
                 required("rate", &Source::rate, number(kMinRate, kMaxRate), "particles per step"),

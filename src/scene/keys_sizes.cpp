@@ -68,21 +68,21 @@ Type<Sizes> sizes_type() {
       {.keys = {required("law", &Sizes::law, choice(kLawNames), "how diameters are distributed"),
                 key("mean", &Sizes::mean, above_zero(kMaxDiameter),
                     "mean diameter, in spacings: that of the circle of the same area")
-                    .defaults_to("required but for a list"),
+                    .with_condition("required but for a list"),
                 key("sd", &Sizes::sd, above_zero(kMaxDiameter),
                     "standard deviation of the diameter")
-                    .defaults_to("required but for a list"),
+                    .with_condition("required but for a list"),
                 key("by", &Sizes::by, choice(kSharesByNames),
                     "whether the law is that of the number of particles or of the area they cover"),
                 key("kinds", &Sizes::kinds, count(1, kMaxKinds),
                     "classes of equal width that the law is divided into, at most"),
                 key("diameters", &Sizes::diameters, numbers(kMaxDiameter), "of a list", {})
-                    .defaults_to("required for a list"),
+                    .with_condition("required for a list"),
                 key("shares", &Sizes::shares, numbers(kMaxShare),
                     "of a list: one for each diameter, "
                     "of any sum",
                     {})
-                    .defaults_to("required for a list"),
+                    .with_condition("required for a list"),
                 key("shape", &Sizes::shape, choice(kRoundShapeNames),
                     "hexagons, or discs: of more sizes, but notched")},
        .check = check});

@@ -166,7 +166,7 @@ Type<std::vector<int>> orientations() {
 
 Key<Species> shape_key() {
   auto key = required("shape", &Species::shape_spec, shape(), "the sites of a particle")
-                 .defaults_to("this or `sizes`")
+                 .with_condition("this or `sizes`")
                  .after([](const KeyedMap& fields, Species& /*species*/, const Scene& /*scene*/) {
                    constexpr std::array<std::string_view, 2> kKeys = {"shape", "sizes"};
                    fields.only(kKeys);
@@ -179,7 +179,7 @@ Key<Species> shape_key() {
 Key<Species> sizes_key() {
   return own_key<Species>(described("sizes", sizes_type(),
                                     "round particles whose sizes follow a law: [sizes](#sizes)"))
-      .defaults_to("this or `shape`");
+      .with_condition("this or `shape`");
 }
 
 std::size_t sites_of(const std::vector<Species>& species) {

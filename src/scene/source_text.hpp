@@ -11,12 +11,13 @@ namespace clca::scene {
 
 /// Maximum nesting of lists and maps.
 inline constexpr std::size_t kMaxDepth = 32;
+inline constexpr std::size_t kMaxValues = 260'000;
 
 class SourceText {
  public:
   /// Throws SceneError unless the text is UTF-8 without control characters, tabs (comments may
-  /// hold some), byte order mark and YAML directives, not larger than kMaxSceneBytes and not with
-  /// more than kMaxDepth brackets inside each other.
+  /// hold some), byte order mark and YAML directives, not larger than kMaxSceneBytes, not with
+  /// more than kMaxDepth brackets inside each other and not with more than kMaxValues values.
   SourceText(std::string_view text, std::shared_ptr<const Origin> origin);
 
   std::string_view text() const { return text_; }

@@ -158,17 +158,23 @@ TEST_F(InputTest, ASceneOfNothingButBracketsIsRefusedBeforeAParserKeepsThemAll) 
 
 TEST_F(InputTest, ASceneThatResumeWouldNotReadIsRefusedBeforeItRuns) {
   std::string walls;
-  for (int wall = 0; wall < 200; ++wall) {
-    walls += "w" + std::to_string(wall) + ": {parts: [";
-    for (int part = 0; part < 1000; ++part) {
+  std::string stages;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string name = "a" + std::to_string(i);
+    walls += name + ": {parts: [";
+    for (int part = 0; part < 34; ++part) {
       walls += "{box: [0,0,1,1]},";
     }
     walls += "]},";
+    stages += "{name: " + name + ", sources: [a]},";
   }
-  std::ofstream(path("small.yaml"), std::ios::app) << "walls: {" << walls << "}\n";
-  ASSERT_LT(fs::file_size(path("small.yaml")), std::uintmax_t{4} << 20U);
-  expect_refused({"check", "small.yaml"},
-                 HasSubstr("the scene with all its defaults is larger than 4 MiB"));
+  std::ofstream(path("large.yaml")) << "clca: 1\nbox: {width: 60, height: 60}\n"
+                                    << "species: {a: {shape: {hexagon: 1}}}\n"
+                                    << "sources: {a: {at: [20, 40], rate: 1}}\n"
+                                    << "walls: {" << walls << "}\n"
+                                    << "stages: [" << stages << "]\n";
+  expect_refused({"check", "large.yaml"}, AllOf(StartsWith("large.yaml, with all defaults:"),
+                                                HasSubstr(": error: more than 260000 values")));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Scenes as text with every default filled in.
 
 #include <string>
+#include <string_view>
 
 #include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
@@ -11,6 +12,9 @@ namespace clca::scene {
 /// YAML that parses to the same scene.
 std::string to_yaml(const Scene& scene);
 std::string to_yaml(const BoltzmannScene& scene);
+/// A run saves that text, which `clca resume` reads. Throws SceneError where it is larger than a
+/// scene may be; `file` is that of the scene.
+void check_resolved(std::string_view yaml, std::string_view file);
 
 /// Resources that a scene needs.
 struct Size {

@@ -13,6 +13,10 @@ constexpr auto kBadJourneys = std::to_array<BadScene>({
      "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}}}",
      "scene.yaml:7:9: error: walls.plate is not used; name it under move in a stage",
      Judge::parser},
+    {"a wall whose name is a number", "walls: {12: {box: [10, 40, 20, 42]}}",
+     "scene.yaml:7:9: error: walls: the name 12 is the number of a particle in tables of contacts; "
+     "give it a letter",
+     Judge::parser},
     {"a moved wall without motion", "stages: [{name: first, sources: [spout], move: [right]}]",
      "scene.yaml:10:49: error: stages.first.move: wall 'right' has no motion", Judge::parser},
     {"a wall that is there already",

@@ -90,6 +90,7 @@ TEST(Format, LeavesOutWhereToReadOn) {
 TEST(Format, SaysADefaultThatIsNoValueInOtherWords) {
   EXPECT_THAT(explain("output.frames.view"), HasSubstr("; if left out: the whole box\n"));
   EXPECT_THAT(explain("stages.fill"), HasSubstr("map; default: none\n"));
+  EXPECT_THAT(explain("stages.fill.picture.rows"), HasSubstr("list of texts; this or file\n"));
 }
 
 TEST(Format, ExplainsTheKeysOfAMap) {
@@ -119,6 +120,8 @@ TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
   };
   EXPECT_EQ(refusal("rules.inerta"),
             "the scene format has no key 'rules.inerta'; did you mean 'inertia'?");
+  EXPECT_EQ(refusal("adaptive"),
+            "the scene format has no key 'adaptive'; see contact.resolution");
   EXPECT_EQ(refusal("boltzman"),
             "the scene format has no key 'boltzman'; did you mean 'boltzmann'?");
   EXPECT_EQ(refusal("walls.gate.motion.wave.x.y"),
