@@ -13,7 +13,8 @@ namespace clca::scene {
 namespace {
 
 constexpr char kEmptyPixel = '.';
-constexpr std::size_t kMaxParts = 26;  // letters
+constexpr std::size_t kMaxParts = 26;               // letters
+constexpr std::size_t kMaxPartWeights = 2'000'000;  // parts by species, of all fills
 
 bool is_part(char pixel) {
   return pixel >= grains::Mixture::kFirstPart && pixel <= 'Z';
@@ -136,7 +137,20 @@ Type<Parts> pixels_type() {
                          read_pixels, pixels_text);
 }
 
-void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& /*scene*/) {
+void check_part_weights(const KeyedMap& fields, const Scene& scene) {
+  std::size_t parts = 0;
+  for (const Stage& stage : scene.stages) {
+    parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights.size() : 0;
+  }
+  if (parts * scene.species.size() > kMaxPartWeights) {
+    const char* key = fields.find("file") != nullptr ? "colors" : "pixels";
+    fail(fields.at(key).location, fmt::format("{}: the pictures of all fills have more than {} "
+                                              "weights, one for each part and species",
+                                              fields.path(key), kMaxPartWeights));
+  }
+}
+
+void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
   const bool file = fields.find("file") != nullptr;
   if (const Value* foreign = fields.find(file ? "pixels" : "colors")) {
     fail(foreign->location,
@@ -146,6 +160,7 @@ void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& /*
   if (!file) {
     fields.at("pixels");
   }
+  check_part_weights(fields, scene);
   for (const std::string& row : picture.rows) {
     for (const char pixel : row) {
       if (pixel != kEmptyPixel && !picture.weights.contains(pixel)) {

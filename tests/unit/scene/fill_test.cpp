@@ -40,6 +40,31 @@ TEST(Fill, OfAPictureHasAPartForEachLetter) {
   EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
 }
 
+TEST(Fill, PicturesOfAllFillsHaveABoundOfWeights) {
+  std::string text = "clca: 1\nbox: {width: 60, height: 60}\nspecies:\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "  s" + std::to_string(i) + ": {shape: {hexagon: 1}}\n";
+  }
+  std::string pixels = "A: s0";
+  for (char letter = 'B'; letter <= 'Z'; ++letter) {
+    pixels += std::string(", ") + letter + ": s0";
+  }
+  text += "stages:\n";
+  for (int i = 0; i < 77; ++i) {  // 77 x 26 x 1000 weights
+    text += "  - {name: t" + std::to_string(i) +
+            ", fill: {region: [0, 0, 9, 9], picture: {rows: [A], pixels: {" + pixels + "}}}}\n";
+  }
+  try {
+    parse(text, "scene.yaml");
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "scene.yaml:1081:75: error: stages.t76.fill.picture.pixels: the pictures of all fills "
+        "have more than 2000000 weights, one for each part and species");
+  }
+}
+
 TEST(Fill, PixelsOfAFileHaveTheNearestColourOrAreEmpty) {
   const clca::testing::ScratchFolder folder;
   image::Image picture(2, 2, {250, 250, 250});
