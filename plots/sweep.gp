@@ -21,7 +21,7 @@ if (measure[1:21] eq 'discharged_until_clog') {
   set logscale y
 }
 set xlabel varied noenhanced
-set ylabel measure noenhanced
+set ylabel measure_label noenhanced
 set title titled(stage) noenhanced
 plot for [g = 1:|lines|] means using (xs[$1]):(of_line(g, $1, means[$1])) \
          with linespoints linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb color(g, |lines|) \

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "clca/run/quantity.hpp"
 #include "clca/scene/format.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
-#include "report/internal/measure_names.hpp"
 
 namespace clca::cli {
 
@@ -27,20 +27,25 @@ std::string explained(const std::string& name) {
   try {
     return scene::explain(name);
   } catch (const scene::UnknownKeyError&) {
-    const report::MeasureName* quantity = report::find_measure_name(name);
+    const run::Quantity* of_grains = run::find_quantity(name);
+    const run::Quantity* quantity = of_grains != nullptr ? of_grains : run::find_gas_quantity(name);
     if (quantity == nullptr) {
       throw;
     }
-    return fmt::format("{}: {}{}{}\n  a number in run.json, of each stage; in tables of a sweep\n",
-                       quantity->key, quantity->name,
-                       quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
-                       quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));
+    return fmt::format(
+        "{}: {}{}{}\n  a number in run.json or a column of series.csv; in tables of a sweep\n",
+        quantity->key, quantity->name,
+        quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
+        quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));
   }
 }
 
 std::string text_of(const ExplainOptions& options) {
   if (options.format == "schema") {
     return scene::json_schema();
+  }
+  if (options.format == "quantities") {
+    return run::quantities_table();
   }
   const std::vector<std::string> keys =
       options.keys.empty() ? std::vector<std::string>{""} : options.keys;
@@ -64,9 +69,12 @@ void add_explain_command(CommandLine& command_line) {
       "KEY", &options->keys,
       "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
       "quantities of run.json [the top]");
-  command.option("--format", &options->format, "text, markdown (a table) or schema (JSON Schema)")
+  command
+      .option(
+          "--format", &options->format,
+          "text, markdown (a table), schema (JSON Schema), or quantities (a table of the measures)")
       .type("FORMAT")
-      .values(one_of({"text", "markdown", "schema"}))
+      .values(one_of({"text", "markdown", "schema", "quantities"}))
       .show_default();
   command.action([options] {
     print_out("{}", text_of(*options));

@@ -183,9 +183,8 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
   }
   std::vector<Figure> result;
   for (const Content& part : divided(whole, one.division)) {
-    const store::RunSummary& summary = tables.summary();
     result.push_back({.name = figure_name(one, part),
-                      .title = summary.title.empty() ? summary.scene : summary.title,
+                      .title = tables.title(),
                       .description = one.description,
                       .script = one.file,
                       .run = tables.run(),

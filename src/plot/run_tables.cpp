@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -29,13 +30,24 @@ std::vector<std::string> file_names(const fs::path& folder) {
   return names;
 }
 
-/// Of a sweep, which has no run.json, only what the name of its folder says.
+/// The title in a sweep.json; empty if there is none.
+std::string sweep_title(const fs::path& file) {
+  constexpr double kMaxBytes = 1 << 24;
+  const auto bytes = store::read_whole(file, kMaxBytes);
+  const auto json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
+  return json.is_object() && json.contains("title") && json["title"].is_string()
+             ? json["title"].get<std::string>()
+             : "";
+}
+
+/// Of a sweep, which has no run.json: its title and the name of its folder.
 store::RunSummary summary_of(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder / "sweep.json", error) && !fs::exists(folder / "run.json", error)) {
     store::RunSummary summary;
     summary.kind = "sweep";
     summary.scene = fs::weakly_canonical(folder, error).filename().string();
+    summary.title = sweep_title(folder / "sweep.json");
     return summary;
   }
   return store::read_summary(folder / "run.json");

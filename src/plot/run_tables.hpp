@@ -24,6 +24,10 @@ class RunTables {
 
   const std::filesystem::path& run() const { return run_; }
   const store::RunSummary& summary() const { return summary_; }
+  /// Of the scene, or else the name of the run or of the folder of the sweep.
+  const std::string& title() const {
+    return summary_.title.empty() ? summary_.scene : summary_.title;
+  }
 
   /// The files for a table of a template, in order of stages or times.
   std::vector<TableFile> files(const std::string& table) const;

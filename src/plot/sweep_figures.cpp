@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "clca/run/quantity.hpp"
 #include "clca/text/message.hpp"
 #include "plot/gnuplot.hpp"
 
@@ -90,6 +91,17 @@ std::string setting_of(const Points& points) {
          number_array_text("of_lines", points.lines);
 }
 
+/// `Run-out of 99 % (spacings)`; the key itself where it is unknown.
+std::string axis_label(const std::string& measure) {
+  const run::Quantity* known = run::find_quantity(measure);
+  if (known == nullptr) {
+    return measure;
+  }
+  const std::string of = measure.substr(known->key.size());  // `.OUTLET`, or nothing
+  return fmt::format("{}{}{}", known->name, of.empty() ? "" : ", " + of.substr(1),
+                     known->unit.empty() ? "" : fmt::format(" ({})", known->unit));
+}
+
 }  // namespace
 
 std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
@@ -138,16 +150,16 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
   for (const auto& [row, points] : found) {
     result.push_back(
         {.name = fmt::format("{}-{}-{}", one.name, (*stages)[row], (*measures)[row]),
-         .title = tables.summary().scene,
+         .title = tables.title(),
          .description = one.description,
          .script = one.file,
          .run = tables.run(),
          .setting =
              array_text("files", {files.front().name}) + array_text("groups", {""}) +
              fmt::format("known_columns = '|'; time_column = 'step'; varied = {}; has_words = {};"
-                         "stage = {}; measure = {};",
+                         "stage = {}; measure = {}; measure_label = {};",
                          literal(table.names.front()), has_words ? 1 : 0, literal((*stages)[row]),
-                         literal((*measures)[row])) +
+                         literal((*measures)[row]), literal(axis_label((*measures)[row]))) +
              array_text("words", shortened(words)) + array_text("lines", lines) +
              setting_of(points)});
   }

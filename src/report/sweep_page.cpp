@@ -13,7 +13,6 @@
 #include "clca/store/table.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
-#include "report/internal/measure_names.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"
 
@@ -207,7 +206,8 @@ class StageTable {
         errors[place] = errors_[row];
       }
     }
-    std::string html = "<tr>" + measure_heading(measure);
+    const run::Quantity* known = run::find_quantity(measure);
+    std::string html = "<tr>" + measure_heading(measure, known);
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       html += fmt::format("<td>{}</td>",
@@ -216,7 +216,7 @@ class StageTable {
     return html + fmt::format(
                       R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                      escaped(unit_of_measure(measure, units_)), escaped(measure));
+                      escaped(measure_unit(known, units_)), escaped(measure));
   }
 
   const store::ReadTable& table_;

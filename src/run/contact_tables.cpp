@@ -141,30 +141,4 @@ std::string stress_csv(const grains::State& state, const Forces& forces, double 
   return table.to_csv();
 }
 
-void add_contact_forces(std::vector<store::NamedMeasure>& results, const Model& model,
-                        const Forces& forces) {
-  const grains::State& state = model.state();
-  const auto grains = static_cast<double>(grains::present_count(state));
-  const auto all = distribution(forces);
-  double touching = 0;  // bodies of contacts that are grains
-  double floor = 0;
-  for (const contact::Force& force : forces) {
-    touching += grains::is_particle(force.other) ? 2 : 1;
-    floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
-  }
-  const std::vector<double> residuals =
-      contact::residuals(state, forces, gravity_direction(model.vessel()));
-  const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
-  const auto per_grain = [&](double sum) {
-    return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
-  };
-  results.emplace_back("contacts_per_grain", per_grain(touching));
-  results.emplace_back("force_share_above_mean",
-                       all ? store::MeasureValue(all->share_above_mean) : store::MeasureValue());
-  results.emplace_back("force_tail_beta",
-                       all ? store::value_or_null(all->beta) : store::MeasureValue());
-  results.emplace_back("balance_residual", per_grain(residual));
-  results.emplace_back("load_floor", per_grain(floor));
-}
-
 }  // namespace clca::run

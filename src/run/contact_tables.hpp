@@ -6,7 +6,6 @@
 
 #include "clca/contact/force.hpp"
 #include "clca/scene/scene.hpp"
-#include "clca/store/summary.hpp"
 #include "run/model.hpp"
 
 namespace clca::run {
@@ -32,10 +31,5 @@ std::string wall_forces_csv(const scene::Scene& scene, const std::vector<contact
 /// measure::Grid of side `cell`; cells without stress are left out.
 std::string stress_csv(const grains::State& state, const std::vector<contact::Force>& forces,
                        double cell);
-
-/// contacts_per_grain, force_share_above_mean, force_tail_beta, balance_residual (mean), and
-/// load_floor: the force on the floor over the weight of all grains.
-void add_contact_forces(std::vector<store::NamedMeasure>& results, const Model& model,
-                        const std::vector<contact::Force>& forces);
 
 }  // namespace clca::run

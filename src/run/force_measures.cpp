@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
+
+#include "clca/measure/force_distribution.hpp"
+#include "run/quantities.hpp"
 
 namespace clca::run {
 
 namespace {
+
+using Values = std::vector<store::MeasureValue>;
 
 /// Whether a wall is stalled: it is due to move and blocked.
 bool is_stalled(const grains::Wall& wall) {
@@ -41,29 +47,94 @@ CombinedWalls combined(const grains::State& state, const measure::ForceSummary& 
   return result;
 }
 
+constexpr Quantity kShareAboveMean = {"force_share_above_mean", "Contacts above the mean force", "",
+                                      "their share"};
+constexpr Quantity kTailBeta = {"force_tail_beta", "Tail of the forces, β", "",
+                                "of exp(-β f/⟨f⟩), which the forces above the mean f follow"};
+
+template <class Distribution>
+Values values_of(const std::optional<Distribution>& distribution) {
+  return distribution
+             ? Values{distribution->share_above_mean, store::value_or_null(distribution->beta)}
+             : Values(2);
+}
+
+/// Of grains that touch.
+Values contact_forces(const StageView& stage) {
+  if (!stage.records.contacts()) {
+    return {};
+  }
+  const std::vector<contact::Force> forces = stage.records.contacts()->at_end(stage.model);
+  const grains::State& state = stage.model.state();
+  const auto grains = static_cast<double>(grains::present_count(state));
+  double touching = 0;  // bodies of contacts that are grains
+  double floor = 0;
+  for (const contact::Force& force : forces) {
+    touching += grains::is_particle(force.other) ? 2 : 1;
+    floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
+  }
+  const std::vector<double> residuals =
+      contact::residuals(state, forces, gravity_direction(stage.model.vessel()));
+  const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
+  const auto per_grain = [&](double sum) {
+    return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
+  };
+  const Values shape = values_of(distribution(forces));
+  return {per_grain(touching), shape[0], shape[1], per_grain(residual), per_grain(floor)};
+}
+
+/// Of walls that overlap grains.
+Values overlap_forces(const StageView& stage) {
+  if (!stage.records.forces()) {
+    return {};
+  }
+  const grains::State& state = stage.model.state();
+  const grains::Occupancy& occupancy = stage.model.grains().occupancy();
+  const auto contacts = measure::contacts(state, occupancy);
+  const auto summary = measure::force_summary(state, occupancy, contacts);
+  const Values shape = values_of(stage.records.forces()->distribution(contacts));
+  const CombinedWalls walls = combined(state, summary, stage.history.profile_at_start);
+  return {static_cast<double>(summary.depth_max),
+          static_cast<double>(summary.sites),
+          static_cast<double>(summary.contacts),
+          store::value_or_null(summary.cone_share),
+          static_cast<double>(summary.jammed),
+          shape[0],
+          shape[1],
+          store::value_or_null(walls.depth),
+          store::value_or_null(walls.stalled_since)};
+}
+
 }  // namespace
 
-void add_force(std::vector<store::NamedMeasure>& results, const Model& model,
-               const std::vector<double>& surface_at_start, const ForceRecord& record) {
-  const grains::State& state = model.state();
-  const auto contacts = measure::contacts(state, model.grains().occupancy());
-  const auto summary = measure::force_summary(state, model.grains().occupancy(), contacts);
-  const auto distribution = record.distribution(contacts);
-  const CombinedWalls walls = combined(state, summary, surface_at_start);
-  const auto add = [&](const char* name, const store::MeasureValue& value) {
-    results.emplace_back(name, value);
-  };
-  add("overlap_depth_max", static_cast<double>(summary.depth_max));
-  add("overlap_sites", static_cast<double>(summary.sites));
-  add("overlap_contacts", static_cast<double>(summary.contacts));
-  add("overlap_cone_share", store::value_or_null(summary.cone_share));
-  add("jammed", static_cast<double>(summary.jammed));
-  add("force_share_above_mean",
-      distribution ? store::MeasureValue(distribution->share_above_mean) : store::MeasureValue());
-  add("force_tail_beta",
-      distribution ? store::value_or_null(distribution->beta) : store::MeasureValue());
-  add("plate_depth", store::value_or_null(walls.depth));
-  add("stalled_since", store::value_or_null(walls.stalled_since));
+std::vector<QuantityGroup> force_quantities() {
+  using scene::Measure;
+  return {
+      {Measure::force,
+       "model `contact`",
+       {{"contacts_per_grain", "Contacts of a grain", "", "with grains and walls, mean"},
+        kShareAboveMean,
+        kTailBeta,
+        {"balance_residual", "Balance of forces", "",
+         "what forces and weight do not balance, over the weight; mean over grains"},
+        {"load_floor", "Load on the floor", "",
+         "force on the floor of the box over the weight of all grains"}},
+       contact_forces},
+      {Measure::force,
+       "with a plate or piston",
+       {{"overlap_depth_max", "Deepest overlap", "moves",
+         "moves that the deepest overlap would take back"},
+        {"overlap_sites", "Overlap", "sites", "shared by all pairs that overlap"},
+        {"overlap_contacts", "Pairs that overlap", "", ""},
+        {"overlap_cone_share", "Overlap in the cone", "",
+         "share of the sites within 45° ahead of the wall that pushed"},
+        {"jammed", "Jammed", "particles", "pushed and at rest"},
+        kShareAboveMean,
+        kTailBeta,
+        {"plate_depth", "Depth of the plate", "spacings",
+         "of the deepest plate under the surface at the start of the stage"},
+        {"stalled_since", "Stalled since", "step", "since when a wall wants to go on and cannot"}},
+       overlap_forces}};
 }
 
 std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,

@@ -10,6 +10,7 @@
 #include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
+#include "run/quantities.hpp"
 
 namespace clca::run {
 
@@ -183,6 +184,29 @@ std::string histogram_name(const GasTime& time) {
 }
 
 }  // namespace
+
+const std::vector<Quantity>& gas_quantities() {
+  static const std::vector<Quantity> kQuantities = {
+      {"restitution", "Restitution ε", "", "normal restitution of the spheres"},
+      {"hellinger_floor", "Distance by sampling alone", "",
+       "Hellinger distance that a sample without any difference has"},
+      {"time", "Time", "1/(π N (2a)² v₀)", "at the end"},
+      {"gases", "Gases", "", "members of the ensemble"},
+      {"t_tr", "Translational temperature", "", "relative to time 0"},
+      {"t_rot", "Rotational temperature", "", "relative to time 0"},
+      {"collisions", "Collisions", "", "per particle, since time 0"},
+      {"a2_tr", "Second cumulant, velocities", "", "3⟨v⁴⟩/(5⟨v²⟩²) - 1; 0 if normal"},
+      {"a2_rot", "Second cumulant, spins", "", "the same of the spins"},
+      {"dh_tr", "Distance, translational energy", "", "from chi-square (Hellinger)"},
+      {"dh_rot", "Distance, rotational energy", "", "from chi-square (Hellinger)"},
+      {"correlation", "Correlation of the energies", "",
+       "⟨v²w²⟩/(⟨v²⟩⟨w²⟩) - 1 of speed and spin; 0 if independent"},
+      {"alignment", "Alignment of spin and velocity", "", "0 if their angle is random"},
+      {"p_xx", "Pressure p_xx", "mean pressure", ""},
+      {"p_yy", "Pressure p_yy", "mean pressure", ""},
+      {"p_xy", "Shear stress p_xy", "mean pressure", ""}};
+  return kQuantities;
+}
 
 std::size_t GasCase::observations() const {
   std::size_t most = 0;

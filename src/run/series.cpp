@@ -5,6 +5,7 @@
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
 #include "run/outlet_counts.hpp"
+#include "run/quantities.hpp"
 
 namespace clca::run {
 
@@ -23,49 +24,127 @@ double mean_height(const grains::State& state) {
   return weight > 0 ? sum / weight : 0;
 }
 
-/// A column with a part of contact::EnergyExchange.
-struct Exchange {
-  const char* name;
-  double contact::EnergyExchange::*part;
+/// What a row is made of.
+struct Moment {
+  const scene::Scene& scene;
+  const std::string& stage;
+  const Model& model;
+  const Records& records;
+  std::size_t moving;
+  std::optional<contact::Energy> energy;  ///< of the contact model
 };
 
-/// With what the scene has.
-std::vector<Exchange> exchanges(const scene::Scene& scene) {
-  std::vector<Exchange> result;
-  if (!scene.sources.empty()) {
-    result.push_back({"source_energy", &contact::EnergyExchange::sources});
-  }
-  if (!scene.outlets.empty()) {
-    result.push_back({"outlet_energy", &contact::EnergyExchange::outlets});
-  }
-  if (std::any_of(scene.walls.begin(), scene.walls.end(),
-                  [](const scene::Wall& wall) { return wall.motion.has_value(); })) {
-    result.push_back({"wall_work", &contact::EnergyExchange::walls});
-  }
-  if (has_vessel(scene)) {
-    result.push_back({"vessel_work", &contact::EnergyExchange::vessel});
-  }
-  return result;
+struct Column {
+  Quantity quantity;
+  bool (*applies)(const scene::Scene& scene);
+  store::Cell (*value)(const Moment& now);
+};
+
+bool always(const scene::Scene& /*scene*/) {
+  return true;
+}
+bool is_contact(const scene::Scene& scene) {
+  return scene.model == scene::Model::contact;
+}
+bool has_sources(const scene::Scene& scene) {
+  return is_contact(scene) && !scene.sources.empty();
+}
+bool has_outlets(const scene::Scene& scene) {
+  return is_contact(scene) && !scene.outlets.empty();
+}
+bool has_moving_walls(const scene::Scene& scene) {
+  return is_contact(scene) &&
+         std::any_of(scene.walls.begin(), scene.walls.end(),
+                     [](const scene::Wall& wall) { return wall.motion.has_value(); });
+}
+
+double moving_share(const Moment& now) {
+  const std::size_t all = grains::present_count(now.model.state());
+  return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
+}
+
+template <double contact::EnergyExchange::*part>
+store::Cell exchanged(const Moment& now) {
+  return now.records.energy()->exchanged().*part;
+}
+
+constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
+constexpr std::string_view kSinceStage = "since the start of the stage";
+
+// Those of the scene are in the table, in this order; behind them, those of walls and outlets.
+const std::vector<Column>& all_columns() {
+  using Exchange = contact::EnergyExchange;
+  static const std::vector<Column> kColumns = {
+      {{"step", "Step", "", ""},
+       always,
+       [](const Moment& now) -> store::Cell { return now.model.state().step; }},
+      {{"time", "Time", "time", ""},
+       is_contact,
+       [](const Moment& now) -> store::Cell {
+         return scene::conversion(now.scene)->time(now.model.state().step);
+       }},
+      {{"stage", "Stage", "", ""},
+       always,
+       [](const Moment& now) -> store::Cell { return now.stage; }},
+      {{"particles", "Particles", "particles", "in the box"},
+       always,
+       [](const Moment& now) -> store::Cell {
+         return std::uint64_t{grains::present_count(now.model.state())};
+       }},
+      {{"moving", "Moving", "particles", "in this step"},
+       always,
+       [](const Moment& now) -> store::Cell { return std::uint64_t{now.moving}; }},
+      {{"moving_share", "Share moving", "", "of the particles, in this step"},
+       always,
+       [](const Moment& now) -> store::Cell { return moving_share(now); }},
+      {{"mean_height", "Mean height of the particles", "spacings", "of their sites"},
+       always,
+       [](const Moment& now) -> store::Cell { return mean_height(now.model.state()); }},
+      {{"discharged_particles", "Particles discharged", "particles", "since the start of the run"},
+       always,
+       [](const Moment& now) -> store::Cell {
+         return measure::discharge(now.model.state()).particles;
+       }},
+      {{"discharged_sites", "Sites discharged", "sites", "since the start of the run"},
+       always,
+       [](const Moment& now) -> store::Cell {
+         return measure::discharge(now.model.state()).sites;
+       }},
+      {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
+       is_contact,
+       [](const Moment& now) -> store::Cell { return now.energy->kinetic; }},
+      {{"potential_energy", "Potential energy", kEnergyUnit, ""},
+       is_contact,
+       [](const Moment& now) -> store::Cell { return now.energy->potential; }},
+      {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
+       is_contact,
+       [](const Moment& now) -> store::Cell {
+         return now.records.energy()->dissipated(*now.energy);
+       }},
+      {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
+       has_sources,
+       exchanged<&Exchange::sources>},
+      {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
+       has_outlets,
+       exchanged<&Exchange::outlets>},
+      {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
+       has_moving_walls,
+       exchanged<&Exchange::walls>},
+      {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
+       has_vessel,
+       exchanged<&Exchange::vessel>},
+      {kVesselAngle, has_vessel, [](const Moment& now) -> store::Cell {
+         return contact::degrees(now.model.vessel().angle);
+       }}};
+  return kColumns;
 }
 
 std::vector<std::string> columns(const scene::Scene& scene) {
-  std::vector<std::string> names = {"step",
-                                    "stage",
-                                    "particles",
-                                    "moving",
-                                    "moving_share",
-                                    "mean_height",
-                                    "discharged_particles",
-                                    "discharged_sites"};
-  if (scene.model == scene::Model::contact) {
-    names.insert(names.begin() + 1, "time");
-    names.insert(names.end(), {"kinetic_energy", "potential_energy", "dissipated_energy"});
-    for (const Exchange& exchange : exchanges(scene)) {
-      names.emplace_back(exchange.name);
+  std::vector<std::string> names;
+  for (const Column& column : all_columns()) {
+    if (column.applies(scene)) {
+      names.emplace_back(column.quantity.key);
     }
-  }
-  if (has_vessel(scene)) {
-    names.emplace_back("vessel_angle_deg");
   }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
@@ -98,11 +177,20 @@ std::vector<std::uint64_t> indices(const Model& model) {
 
 }  // namespace
 
-SeriesTable::SeriesTable(const scene::Scene& scene)
-    : scene_(scene),
-      conversion_(scene::conversion(scene)),
-      has_vessel_(has_vessel(scene)),
-      table_(columns(scene)) {}
+const std::vector<Quantity>& series_quantities() {
+  static const std::vector<Quantity> kQuantities = [] {
+    std::vector<Quantity> all = {
+        {"travel", "Travel of the wall", "sites", "from home"},
+        {"index", "Overlap of the wall", "sites", "in all contacts that began at it"}};
+    for (const Column& column : all_columns()) {
+      all.push_back(column.quantity);
+    }
+    return all;
+  }();
+  return kQuantities;
+}
+
+SeriesTable::SeriesTable(const scene::Scene& scene) : scene_(scene), table_(columns(scene)) {}
 
 bool SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
                       std::size_t moving, bool always) {
@@ -111,25 +199,12 @@ bool SeriesTable::add(const std::string& stage, const Model& model, const Record
     return false;
   }
   last_step_ = state.step;
-  const std::uint64_t present = grains::present_count(state);
-  const measure::Discharge out = measure::discharge(state);
-  const double share =
-      present > 0 ? static_cast<double>(moving) / static_cast<double>(present) : 0.0;
-  std::vector<store::Cell> cells = {
-      state.step,         stage,         present,  std::uint64_t{moving}, share,
-      mean_height(state), out.particles, out.sites};
-  if (conversion_) {
-    cells.insert(cells.begin() + 1, conversion_->time(state.step));
-  }
-  if (const auto energy = model.energy()) {
-    cells.insert(cells.end(),
-                 {energy->kinetic, energy->potential, records.energy()->dissipated(*energy)});
-    for (const Exchange& exchange : exchanges(scene_)) {
-      cells.emplace_back(records.energy()->exchanged().*exchange.part);
+  const Moment now = {scene_, stage, model, records, moving, model.energy()};
+  std::vector<store::Cell> cells;
+  for (const Column& column : all_columns()) {
+    if (column.applies(scene_)) {
+      cells.push_back(column.value(now));
     }
-  }
-  if (has_vessel_) {
-    cells.emplace_back(contact::degrees(model.vessel().angle));
   }
   const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {

@@ -1,24 +1,18 @@
 #pragma once
 // series.csv: the time series of a run.
 
+#include <optional>
 #include <string>
 
 #include "clca/scene/scene.hpp"
-#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
 #include "run/model.hpp"
 #include "run/records.hpp"
 
 namespace clca::run {
 
-/// Columns: step, of the contact model time (scene::Conversion), stage, particles (present),
-/// moving, moving_share, mean_height (of the centres, weighted by sites, in lattice spacings),
-/// discharged_particles, discharged_sites (totals); of the contact model kinetic_energy and
-/// potential_energy (see contact::Energy), dissipated_energy (see EnergyRecord) and, with what the
-/// scene has, source_energy, outlet_energy, wall_work and vessel_work (see contact::EnergyExchange;
-/// since the start of the stage); for each wall that moves travel.NAME (sites from home), and where
-/// it lets overlap index.NAME (sites that overlap in all contacts that began at it);
-/// discharge_names (totals).
+/// Columns: those of series_quantities() that the scene has; for each wall that moves travel.NAME,
+/// and where it lets overlap index.NAME; discharge_names.
 class SeriesTable {
  public:
   explicit SeriesTable(const scene::Scene& scene);
@@ -32,8 +26,6 @@ class SeriesTable {
 
  private:
   const scene::Scene& scene_;
-  std::optional<scene::Conversion> conversion_;
-  bool has_vessel_;
   store::Table table_;
   std::optional<std::uint64_t> last_step_;
 };

@@ -1,29 +1,34 @@
 #include "run/stage_measures.hpp"
 
 #include <algorithm>
-#include <functional>
 
-#include "clca/measure/clogging.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
-#include "clca/scene/units.hpp"
 #include "clca/store/table.hpp"
-#include "run/contact_tables.hpp"
-#include "run/force_measures.hpp"
-#include "run/outlet_counts.hpp"
+#include "run/quantities.hpp"
 
 namespace clca::run {
 
 namespace {
 
-using Results = std::vector<store::NamedMeasure>;
+using Values = std::vector<store::MeasureValue>;
 
-void add_repose(Results& results, const grains::State& state) {
-  const auto angle = measure::repose_angle(measure::surface_profile(state));
-  results.emplace_back("repose_angle_deg", store::value_or_null(angle.mean()));
-  results.emplace_back("repose_left_deg", store::value_or_null(angle.left));
-  results.emplace_back("repose_right_deg", store::value_or_null(angle.right));
+constexpr std::string_view kFlank =
+    "straight line through the surface between 15 % and 80 % of its height";
+constexpr std::string_view kFlanks = "mean of the flanks that are there";
+
+Values values_of(const measure::ReposeAngle& angle) {
+  return {store::value_or_null(angle.mean()), store::value_or_null(angle.left),
+          store::value_or_null(angle.right)};
+}
+
+Values repose(const StageView& stage) {
+  return values_of(measure::repose_angle(measure::surface_profile(stage.model.state())));
+}
+
+Values vessel_angle(const StageView& stage) {
+  return has_vessel(stage.scene) ? Values{contact::degrees(stage.model.vessel().angle)} : Values{};
 }
 
 /// Empty in a periodic box.
@@ -35,113 +40,58 @@ measure::ReposeAngle repose_in_gravity(const Model& model) {
       measure::surface_profile(model.state(), contact::gravity_direction(model.vessel())));
 }
 
-/// Of a vessel that is tilted or turned.
-void add_repose_in_gravity(Results& results, const Model& model) {
-  results.emplace_back("vessel_angle_deg", contact::degrees(model.vessel().angle));
-  if (model.state().lattice.periodic()) {
-    return;
-  }
-  const auto angle = repose_in_gravity(model);
-  results.emplace_back("repose_gravity_deg", store::value_or_null(angle.mean()));
-  results.emplace_back("repose_gravity_left_deg", store::value_or_null(angle.left));
-  results.emplace_back("repose_gravity_right_deg", store::value_or_null(angle.right));
+Values repose_gravity(const StageView& stage) {
+  return has_vessel(stage.scene) && !stage.model.state().lattice.periodic()
+             ? values_of(repose_in_gravity(stage.model))
+             : Values{};
 }
 
-void add_runout(Results& results, const grains::State& state) {
-  const auto runout = measure::runout(state);
-  results.emplace_back("runout_99",
-                       runout ? store::MeasureValue(runout->percent_99) : store::MeasureValue());
-  results.emplace_back("runout_front",
-                       runout ? store::MeasureValue(runout->front) : store::MeasureValue());
+Values runout(const StageView& stage) {
+  const auto runout = measure::runout(stage.model.state());
+  return runout ? Values{runout->percent_99, runout->front} : Values(2);
 }
 
-void add_packing(Results& results, const grains::State& state) {
-  results.emplace_back("packing_fraction", store::value_or_null(measure::packing_fraction(state)));
-  results.emplace_back("height_mean", measure::mean_height(measure::surface_profile(state)));
+Values packing(const StageView& stage) {
+  const grains::State& state = stage.model.state();
+  return {store::value_or_null(measure::packing_fraction(state)),
+          measure::mean_height(measure::surface_profile(state))};
 }
 
-void add_moved(Results& results, const grains::State& state) {
-  results.emplace_back("moved_share",
-                       measure::moved_share(state, measure::smallest_diameter(state)));
-  results.emplace_back("moved_share_2", measure::moved_share(state, 2));
+Values moved(const StageView& stage) {
+  const grains::State& state = stage.model.state();
+  return {measure::moved_share(state, measure::smallest_diameter(state)),
+          measure::moved_share(state, 2)};
 }
 
-/// `of`: ends the names.
-void add_rate(Results& results, const std::string& of, const measure::Outflow& outflow,
-              const std::optional<scene::Conversion>& conversion) {
-  results.emplace_back("outflow_sites_per_step" + of, outflow.sites_per_step());
-  if (conversion) {
-    results.emplace_back("outflow_sites_per_time" + of,
-                         outflow.sites_per_step() / conversion->time_step);
+Values segregation(const StageView& stage) {
+  if (stage.scene.species.size() < 2) {
+    return {};
   }
+  const grains::State& state = stage.model.state();
+  return {store::value_or_null(measure::segregation_index(state)),
+          store::value_or_null(measure::lacey_index(state, stage.records.cycles().cell()))};
 }
 
-/// Of each outlet and species, where there are several.
-void add_outflow_apart(Results& results, const scene::Scene& scene, const Model& model,
-                       const StageHistory& history, const std::vector<bool>& clogged) {
-  const grains::State& state = model.state();
-  std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
-  std::transform(particles.begin(), particles.end(), history.discharged_at_start.begin(),
-                 particles.begin(), std::minus<>());
-  const std::vector<std::string> names = discharge_names(scene);
-  const std::vector<std::uint64_t> values = discharge_values(scene, particles);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    results.emplace_back(names[i], static_cast<double>(values[i]));
-  }
-  if (state.outlets.size() < 2) {
-    return;
-  }
-  for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
-    const std::string of = "." + scene.outlets[outlet].name;
-    add_rate(results, of, history.outlets[outlet], scene::conversion(scene));
-    results.emplace_back("clogged" + of, bool{clogged[outlet]});
-  }
+Values intruder(const StageView& stage) {
+  const auto height = measure::intruder_height(stage.model.state());
+  return height ? Values{*height} : Values{};
 }
 
-void add_outflow(Results& results, const scene::Scene& scene, const Model& model,
-                 const StageHistory& history) {
-  add_rate(results, "", history.outflow, scene::conversion(scene));
-  const grains::State& state = model.state();
-  if (state.outlets.empty()) {
-    return;
-  }
-  std::vector<bool> clogged;
-  for (std::size_t outlet = 0; outlet < state.outlets.size(); ++outlet) {
-    clogged.push_back(history.settled && measure::clogged(state, model.grains().occupancy(), outlet,
-                                                          model.grains().down()));
-  }
-  results.emplace_back("discharged", static_cast<double>(history.outflow.during_stage().particles));
-  results.emplace_back("discharged_share", history.discharged_share());
-  results.emplace_back("clogged", std::find(clogged.begin(), clogged.end(), true) != clogged.end());
-  if (counts_apart(scene)) {
-    add_outflow_apart(results, scene, model, history, clogged);
-  }
-}
-
-void add_segregation(Results& results, const grains::State& state, double cell) {
-  results.emplace_back("segregation_index",
-                       store::value_or_null(measure::segregation_index(state)));
-  results.emplace_back("lacey_index", store::value_or_null(measure::lacey_index(state, cell)));
-}
-
-void add_convection(Results& results, const Records& records) {
-  const measure::Convection* convection = records.cycles().convection();
+Values convection(const StageView& stage) {
+  const measure::Convection* convection = stage.records.cycles().convection();
   if (convection == nullptr) {
-    return;
+    return {};
   }
   const auto rolls = convection->rolls();
-  const auto of = [&](double measure::ConvectionRolls::*member) {
-    return rolls ? store::MeasureValue(*rolls.*member) : store::MeasureValue();
-  };
-  results.emplace_back("convection_centre_minus_wall",
-                       of(&measure::ConvectionRolls::centre_minus_wall));
-  results.emplace_back("convection_circulation_left",
-                       of(&measure::ConvectionRolls::circulation_left));
-  results.emplace_back("convection_circulation_right",
-                       of(&measure::ConvectionRolls::circulation_right));
+  return rolls ? Values{rolls->centre_minus_wall, rolls->circulation_left, rolls->circulation_right}
+               : Values(3);
 }
 
-void add_fluctuations(Results& results, const FieldRecord& fields) {
+Values fluctuations(const StageView& stage) {
+  if (!stage.records.fields()) {
+    return {};
+  }
+  const FieldRecord& fields = *stage.records.fields();
   const measure::Fluctuations& fluctuations = fields.fluctuations();
   const auto distance = [&](const std::vector<double>& shares) {
     const auto reference = statistics::chi_square_shares(fluctuations.bins(), 2);
@@ -149,75 +99,138 @@ void add_fluctuations(Results& results, const FieldRecord& fields) {
                ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
                : store::MeasureValue();
   };
-  results.emplace_back("fluctuation_energy", fields.fluctuation_energy());
-  results.emplace_back("fluctuation_hellinger", distance(fluctuations.shares()));
-  results.emplace_back("fluctuation_hellinger_local", distance(fluctuations.local_shares()));
-  results.emplace_back("fluctuation_samples", static_cast<double>(fluctuations.samples()));
-  results.emplace_back("fluctuation_resting_share", fluctuations.resting_share());
-  results.emplace_back("fluctuation_sparse_share", fluctuations.sparse_share());
+  return {fields.fluctuation_energy(),           distance(fluctuations.shares()),
+          distance(fluctuations.local_shares()), static_cast<double>(fluctuations.samples()),
+          fluctuations.resting_share(),          fluctuations.sparse_share()};
+}
+
+Values energy_growth(const StageView& stage) {
+  const auto& energy = stage.records.energy();
+  const auto growth = energy ? energy->growth() : std::nullopt;
+  return growth ? Values{*growth} : Values{};
+}
+
+std::vector<QuantityGroup> made_groups() {
+  using scene::Measure;
+  std::vector<QuantityGroup> groups = {
+      {Measure::repose,
+       "",
+       {{"repose_angle_deg", "Slope", "degrees", kFlanks},
+        {"repose_left_deg", "Slope, left flank", "degrees", kFlank},
+        {"repose_right_deg", "Slope, right flank", "degrees", "the same on the other side"}},
+       repose},
+      {Measure::repose, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle},
+      {Measure::repose,
+       "with a [vessel](#vessel), not in a periodic box",
+       {{"repose_gravity_deg", "Slope against gravity", "degrees",
+         "mean of the flanks that are there, where gravity points down; all others are in the "
+         "frame of the vessel"},
+        {"repose_gravity_left_deg", "Slope against gravity, left flank", "degrees", kFlank},
+        {"repose_gravity_right_deg", "Slope against gravity, right flank", "degrees",
+         "the same on the other side"}},
+       repose_gravity},
+      {Measure::runout,
+       "",
+       {{"runout_99", "Run-out of 99 %", "spacings",
+         "how far the 99th percentile of its sites lies beyond its origins"},
+        {"runout_front", "Run-out of the front", "spacings",
+         "how far the outermost site lies beyond the origins"}},
+       runout},
+      {Measure::packing,
+       "",
+       {{"packing_fraction", "Packing fraction", "",
+         "sites of particles over the sites that the bed could fill"},
+        {"height_mean", "Mean height", "spacings",
+         "of the surface, over the columns with particles"}},
+       packing},
+      {Measure::moved,
+       "",
+       {{"moved_share", "Share moved", "",
+         "of the particles, by more than the smallest diameter from where the stage began"},
+        {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"}},
+       moved}};
+  const auto add = [&groups](std::vector<QuantityGroup> more) {
+    groups.insert(groups.end(), more.begin(), more.end());
+  };
+  add(outflow_quantities());
+  add(force_quantities());
+  add({{Measure::segregation,
+        "several species",
+        {{"segregation_index", "Segregation index", "",
+          "height of the large ones over the small ones, over half the bed"},
+         {"lacey_index", "Lacey’s index of mixing", "", "0 separated, 1 as random"}},
+        segregation},
+       {Measure::intruder,
+        "a single particle of a species",
+        {{"intruder_height_rel", "Height of the intruder", "",
+          "0 on the floor, 1 just buried at the top"}},
+        intruder},
+       {Measure::convection,
+        "a wall with a wave or shake",
+        {{"convection_centre_minus_wall", "Convection, centre less walls", "spacings/cycle",
+          "rise inside less that at the walls"},
+         {"convection_circulation_left", "Circulation, left half", "rad/cycle", "anticlockwise"},
+         {"convection_circulation_right", "Circulation, right half", "rad/cycle", "anticlockwise"}},
+        convection},
+       {{},
+        "`output.fields`",
+        {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
+          "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
+         {"fluctuation_hellinger", "Distance from chi-square", "",
+          "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
+         {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
+          "the same, over the mean of the cell"},
+         {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
+         {"fluctuation_resting_share", "Left out: resting", "",
+          "in cells that rest or move as one"},
+         {"fluctuation_sparse_share", "Left out: sparse", "",
+          "in cells of fewer than 5 particles"}},
+        fluctuations},
+       {{},
+        "model `contact`, without sources",
+        {{"energy_growth", "Growth of the energy", "",
+          "most that it has grown in the stage, as a share of that at its start"}},
+        energy_growth}});
+  return groups;
+}
+
+void add(std::vector<store::NamedMeasure>& results, const QuantityGroup& group,
+         const StageView& stage) {
+  const Values values = group.values(stage);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    results.emplace_back(group.quantities[i].key, values[i]);
+  }
+  if (group.apart != nullptr) {
+    const auto apart = group.apart(stage);
+    results.insert(results.end(), apart.begin(), apart.end());
+  }
 }
 
 }  // namespace
+
+const std::vector<QuantityGroup>& stage_quantities() {
+  static const std::vector<QuantityGroup> kGroups = made_groups();
+  return kGroups;
+}
 
 double StageHistory::discharged_share() const {
   const auto all = static_cast<double>(particles_at_start + emitted);
   return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
 }
 
-Results stage_measures(const scene::Scene& scene, const Model& model, const StageHistory& history,
-                       const Records& records) {
-  const grains::State& state = model.state();
-  Results results;
-  for (const scene::Measure measure : scene.measures) {
-    switch (measure) {
-      case scene::Measure::profile:
-        break;  // a table of its own
-      case scene::Measure::repose:
-        add_repose(results, state);
-        if (has_vessel(scene)) {
-          add_repose_in_gravity(results, model);
-        }
-        break;
-      case scene::Measure::runout:
-        add_runout(results, state);
-        break;
-      case scene::Measure::packing:
-        add_packing(results, state);
-        break;
-      case scene::Measure::moved:
-        add_moved(results, state);
-        break;
-      case scene::Measure::outflow:
-        add_outflow(results, scene, model, history);
-        break;
-      case scene::Measure::force:
-        if (records.contacts()) {
-          add_contact_forces(results, model, records.contacts()->at_end(model));
-        }
-        if (records.forces()) {
-          add_force(results, model, history.profile_at_start, *records.forces());
-        }
-        break;
-      case scene::Measure::segregation:
-        if (scene.species.size() > 1) {
-          add_segregation(results, state, records.cycles().cell());
-        }
-        break;
-      case scene::Measure::intruder:
-        if (const auto height = measure::intruder_height(state)) {
-          results.emplace_back("intruder_height_rel", *height);
-        }
-        break;
-      case scene::Measure::convection:
-        add_convection(results, records);
-        break;
+std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const Model& model,
+                                                const StageHistory& history,
+                                                const Records& records) {
+  const StageView stage = {scene, model, history, records};
+  std::vector<std::optional<scene::Measure>> wanted(scene.measures.begin(), scene.measures.end());
+  wanted.emplace_back();  // those that no measure asks for
+  std::vector<store::NamedMeasure> results;
+  for (const auto& measure : wanted) {
+    for (const QuantityGroup& group : stage_quantities()) {
+      if (group.measure == measure) {
+        add(results, group, stage);
+      }
     }
-  }
-  if (records.fields()) {
-    add_fluctuations(results, *records.fields());
-  }
-  if (const auto growth = records.energy() ? records.energy()->growth() : std::nullopt) {
-    results.emplace_back("energy_growth", *growth);
   }
   return results;
 }

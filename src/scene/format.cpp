@@ -5,6 +5,7 @@
 
 #include "clca/text/message.hpp"
 #include "scene/key_paths.hpp"
+#include "scene/names.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
@@ -188,6 +189,10 @@ std::string markdown_table(const std::vector<std::string>& paths) {
     }
   }
   return table;
+}
+
+std::string_view name_of_measure(Measure measure) {
+  return name_of(kMeasureNames, measure);
 }
 
 std::string json_schema() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "clca/run/run.hpp"
@@ -18,17 +19,23 @@ constexpr const char* kRuns = "runs.csv";
 constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
+/// Empty where it varies.
+std::string title_of(const Plan& plan) {
+  const std::string& title = plan.variants.front().scene.title;
+  const bool is_same = std::all_of(plan.variants.begin(), plan.variants.end(),
+                                   [&](const Variant& one) { return one.scene.title == title; });
+  return is_same ? title : "";
+}
+
 std::string to_json(const Plan& plan) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  const Json object = {{"clca", run::version()},
-                       {"scene", plan.request.scene.string()},
-                       {"set", plan.request.overrides},
-                       {"vary", std::move(variations)},
-                       {"seeds", to_text(plan.request.seeds)},
+  const Json object = {{"clca", run::version()},        {"scene", plan.request.scene.string()},
+                       {"title", title_of(plan)},       {"set", plan.request.overrides},
+                       {"vary", std::move(variations)}, {"seeds", to_text(plan.request.seeds)},
                        {"runs", plan.run_count()}};
   constexpr int kIndent = 2;
   // Names of files need not be UTF-8.

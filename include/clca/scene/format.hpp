@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clca/scene/scene.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::scene {
@@ -24,6 +25,9 @@ std::string explain(std::string_view path);
 /// A Markdown table of the keys of these maps, at least one; those of the second and further ones
 /// have their path in front, from the first map where they are inside it. Throws UnknownKeyError.
 std::string markdown_table(const std::vector<std::string>& paths);
+
+/// As scenes write it: `repose`.
+std::string_view name_of_measure(Measure measure);
 
 /// JSON Schema, draft 07, of both kinds of scenes.
 std::string json_schema();

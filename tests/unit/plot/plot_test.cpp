@@ -235,6 +235,19 @@ TEST_F(SweepFiguresTest, ThereIsOneForEachStageAndMeasureWithAMean) {
   EXPECT_THAT(found().back().setting, HasSubstr("array lows[1] = [50];array highs[1] = [50];"));
 }
 
+TEST_F(SweepFiguresTest, AxisAndTitleSayWhatIsDrawn) {
+  write("sweep.json", R"({"title": "Collapse"})");
+  write("measures.csv", std::string("rules.inertia,") + kSweepColumns +
+                            "0,flow,repose_angle_deg,40,1,0.5,4,39,41,39.5,40.5\n"
+                            "0,flow,clogged.drain,1,0,,4,1,1,,\n0,flow,own,1,0,,4,1,1,,\n");
+  const std::vector<Figure> all = found();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].title, "Collapse");
+  EXPECT_THAT(all[0].setting, HasSubstr("measure_label = \"Slope (degrees)\";"));
+  EXPECT_THAT(all[1].setting, HasSubstr("measure_label = \"Clogged, drain\";"));
+  EXPECT_THAT(all[2].setting, HasSubstr("measure_label = \"own\";"));
+}
+
 TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
   write("measures.csv", std::string("model,a,b,") + kSweepColumns +
                             "automaton,1,x,flow,slope,40,1,1,4,39,41,39,41\n"

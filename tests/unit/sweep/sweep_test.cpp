@@ -76,6 +76,7 @@ TEST_F(SweepTest, LeavesARunFolderForEachRunAndTablesOverAll) {
   EXPECT_EQ(totals.reused, 0U);
   const auto json = nlohmann::json::parse(text("out/sweep.json"));
   EXPECT_EQ(json["seeds"], "1..2,5");
+  EXPECT_EQ(json["title"], plan_of().variants.front().scene.title);
   EXPECT_EQ(json["vary"][0]["rows"][1][0], "0.9");
   const auto scene = scene::parse_file(at("out/runs/rules.inertia=0.9,seed=5/scene.yaml"));
   EXPECT_EQ(scene.seed, 5U);

@@ -1,0 +1,80 @@
+#include "run/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "clca/scene/format.hpp"
+
+namespace clca::run {
+
+namespace {
+
+constexpr auto kOfSweeps = std::to_array<Quantity>({
+    {"steps", "Steps", "", "of the stage"},
+    {"discharged_until_clog", "Discharged until a clog", "particles",
+     "all that left in the runs, over the number of clogs"},
+});
+
+const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const Quantity& one) { return one.key == key; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Quantity* find_quantity(std::string_view key) {
+  const std::string_view whole = key.substr(0, key.find('.'));
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (const Quantity* found = find_in(group.quantities, whole)) {
+      return found;
+    }
+  }
+  const Quantity* found = find_in(kOfSweeps, whole);
+  return found != nullptr ? found : find_in(series_quantities(), whole);
+}
+
+const Quantity* find_gas_quantity(std::string_view key) {
+  return find_in(gas_quantities(), key);
+}
+
+std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
+  std::string text(unit);
+  const auto replace = [&text](std::string_view word, const std::string& with) {
+    const std::size_t place = text.find(word);
+    if (place != std::string::npos) {
+      text.replace(place, word.size(), with);
+    }
+  };
+  if (units) {
+    replace("spacings/step", units->velocity_unit);
+    replace("time", units->time_unit);
+  }
+  return text;
+}
+
+std::string quantities_table() {
+  std::string table = "| measure | in run.json | unit | what |\n|---|---|---|---|\n";
+  std::optional<scene::Measure> above;
+  for (const QuantityGroup& group : stage_quantities()) {
+    const bool is_new = group.measure && group.measure != above;
+    std::string first = is_new ? fmt::format("`{}`", scene::name_of_measure(*group.measure)) : "";
+    if (!group.condition.empty()) {
+      first += fmt::format("{}({})", is_new ? " " : "", group.condition);
+    }
+    above = group.measure;
+    for (const Quantity& one : group.quantities) {
+      table += fmt::format("| {} | `{}` | {} | {}{}{} |\n", std::exchange(first, ""), one.key,
+                           one.unit.empty() ? "1" : one.unit, one.name,
+                           one.meaning.empty() ? "" : ": ", one.meaning);
+    }
+  }
+  return table;
+}
+
+}  // namespace clca::run
