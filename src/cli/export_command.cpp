@@ -43,11 +43,11 @@ struct Source {
 
 Source open_run(const ExportOptions& options) {
   const store::RunSummary summary = store::read_summary(options.run / "run.json");
-  if (summary.kind != "automaton" && summary.kind != "contact") {
+  if (summary.kind == "boltzmann") {
     throw exports::ExportError(
-        fmt::format("{}: expected a run of kind automaton or contact, found {}, which has no "
-                    "trajectory",
-                    options.run.string(), summary.kind));
+        fmt::format("{}: expected a run of grains, found one of the Boltzmann equation, which has "
+                    "no trajectory",
+                    options.run.string()));
   }
   std::error_code unknown;
   if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {

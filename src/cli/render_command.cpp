@@ -60,7 +60,7 @@ scene::Scene unpainted(scene::Scene scene) {
 /// The scene of the run with the picture options applied.
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   const store::RunSummary summary = store::read_summary(run / "run.json");
-  if (summary.kind != "automaton" && summary.kind != "contact") {
+  if (summary.kind == "boltzmann") {
     throw run::RedrawError(fmt::format(
         "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
         run.string()));

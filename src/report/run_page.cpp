@@ -22,7 +22,7 @@ store::RunSummary summary_of(const fs::path& run) {
   try {
     const fs::path file = run / "run.json";
     store::RunSummary summary = store::read_summary(file);
-    const auto kinds = {"automaton", "contact", "boltzmann"};
+    const auto kinds = {"automaton", "contact", "voids", "boltzmann"};
     if (std::find(kinds.begin(), kinds.end(), summary.kind) == kinds.end()) {
       throw store::StoreError(fmt::format("cannot read {}: no report of a run of kind '{}'",
                                           file.string(), summary.kind));
@@ -52,6 +52,9 @@ bool is_gas(const store::RunSummary& summary) {
 const char* kind_text(const store::RunSummary& summary) {
   if (is_gas(summary)) {
     return "Gas of rough spheres, Boltzmann equation";
+  }
+  if (summary.kind == "voids") {
+    return "Rising voids";
   }
   return summary.kind == "contact" ? "Lattice contact dynamics" : "Granular cellular automaton";
 }

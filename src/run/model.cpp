@@ -14,20 +14,27 @@ namespace {
 
 constexpr const char* kState = "state";
 
-using AnyModel = std::variant<automaton::Automaton, contact::ContactModel>;
-using AnyRules = std::variant<automaton::Rules, contact::Parameters>;
-
 AnyModel make_model(const AnyRules& rules, ModelState state, const grains::Options& options) {
-  if (auto* grains = std::get_if<grains::State>(&state)) {
-    return automaton::Automaton(std::move(*grains), std::get<automaton::Rules>(rules), options);
+  if (const auto* contact = std::get_if<contact::Parameters>(&rules)) {
+    return contact::ContactModel(std::get<contact::State>(std::move(state)), *contact, options);
   }
-  return contact::ContactModel(std::get<contact::State>(std::move(state)),
-                               std::get<contact::Parameters>(rules), options);
+  auto& grains = std::get<grains::State>(state);
+  if (const auto* voids = std::get_if<voids::Rules>(&rules)) {
+    return voids::VoidModel(std::move(grains), *voids, options);
+  }
+  return automaton::Automaton(std::move(grains), std::get<automaton::Rules>(rules), options);
 }
 
 AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
   if (scene.model == scene::Model::contact) {
     return scene::contact_parameters(scene, stage);
+  }
+  if (scene.model == scene::Model::voids) {
+    voids::Rules rules = scene.voids;
+    for (const scene::Species& species : scene.species) {
+      rules.sieve.push_back(species.sieve);
+    }
+    return rules;
   }
   return stage.rules.value_or(scene.rules);
 }

@@ -12,10 +12,11 @@
 #include "clca/contact/force.hpp"
 #include "clca/reflection/columns.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/voids/void_model.hpp"
 
 namespace clca::run {
 
-/// The state of either model.
+/// The state of any model; those without more have that of the grains.
 using ModelState = std::variant<grains::State, contact::State>;
 
 const grains::State& grains_of(const ModelState& state);
@@ -36,6 +37,9 @@ ModelState saved_state(const scene::Scene& scene, const reflection::Columns& col
 /// Whether the vessel is tilted or moves in some stage.
 bool has_vessel(const scene::Scene& scene);
 
+using AnyModel = std::variant<automaton::Automaton, contact::ContactModel, voids::VoidModel>;
+using AnyRules = std::variant<automaton::Rules, contact::Parameters, voids::Rules>;
+
 class Model {
  public:
   /// Throws as the models do.
@@ -47,18 +51,18 @@ class Model {
   std::uint64_t hash() const;
   /// Saves the state for saved_state().
   void save(reflection::Columns& columns) const;
-  // Contact model only; none for the automaton.
+  // Contact model only; none for others.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
-  /// By id, lattice spacings per step; empty for the automaton.
+  /// By id, lattice spacings per step; empty for others.
   std::vector<Eigen::Vector2d> velocities() const;
-  /// Upright and at rest for the automaton.
+  /// Upright and at rest for others.
   contact::Vessel vessel() const;
-  /// See contact::ContactModel::quiet; false for the automaton.
+  /// See contact::ContactModel::quiet; false for others.
   bool quiet() const;
   contact::EnergyExchange exchange() const;
 
-  /// Sets the vessel motion of a stage; no effect for the automaton.
+  /// Sets the vessel motion of a stage; no effect for others.
   void set_vessel(const scene::Stage& stage);
   /// Sets what a stage has in place of the rules or the friction of the scene.
   void set_rules(const scene::Stage& stage);
@@ -66,8 +70,8 @@ class Model {
  private:
   const scene::Scene& scene_;
   grains::Options options_;
-  std::variant<automaton::Rules, contact::Parameters> rules_;
-  std::variant<automaton::Automaton, contact::ContactModel> model_;
+  AnyRules rules_;
+  AnyModel model_;
 };
 
 }  // namespace clca::run

@@ -34,7 +34,15 @@ namespace {
 
 /// As run.json calls it.
 std::string kind_of(const scene::Scene& scene) {
-  return scene.model == scene::Model::contact ? "contact" : "automaton";
+  switch (scene.model) {
+    case scene::Model::automaton:
+      return "automaton";
+    case scene::Model::contact:
+      return "contact";
+    case scene::Model::voids:
+      return "voids";
+  }
+  return "";
 }
 
 /// Of a stage before which so much has left.

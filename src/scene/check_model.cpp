@@ -60,6 +60,32 @@ void check_shapes(const Scene& scene, const Value& species) {
   }
 }
 
+/// A void is one site, and takes the place of a whole grain.
+void check_single_sites(const Scene& scene, const Value& species) {
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const std::size_t sites = scene.species[i].shape.size();
+    if (sites != 1) {
+      fail(species.entries[i].location,
+           fmt::format("species.{}: grains of model voids have one site, these have {}; give it "
+                       "'shape: {{hexagon: 0}}'",
+                       scene.species[i].name, sites));
+    }
+  }
+}
+
+void check_standing(const Value& root) {
+  if (const Value* walls = root.find("walls")) {
+    for (const Entry& wall : walls->entries) {
+      if (const Value* motion = wall.value.find("motion")) {
+        fail(motion->location,
+             fmt::format("walls.{}.motion: model voids has no walls that move, model automaton "
+                         "does; remove it, or say 'model: automaton'",
+                         wall.key));
+      }
+    }
+  }
+}
+
 /// In a narrow periodic box two grains would touch on both sides, and have one contact.
 void check_periodic_width(const Scene& scene, const Value& box) {
   if (!scene.box.periodic) {
@@ -111,16 +137,18 @@ void check_vessels(const Scene& scene, const Value& stages) {
 }  // namespace
 
 void check_model(const Scene& scene, const Value& root) {
-  if (scene.model == Model::automaton) {
-    return;
+  if (scene.model == Model::contact) {
+    check_able(root);
+    check_shapes(scene, *root.find("species"));
+    check_periodic_width(scene, *root.find("box"));
+  } else if (scene.model == Model::voids) {
+    check_single_sites(scene, *root.find("species"));
+    check_standing(root);
   }
-  check_able(root);
-  check_shapes(scene, *root.find("species"));
-  check_periodic_width(scene, *root.find("box"));
 }
 
 void check_time_step(const Scene& scene, const Value& root) {
-  if (scene.model == Model::automaton) {
+  if (scene.model != Model::contact) {
     return;
   }
   const contact::Parameters parameters = contact_parameters(scene);

@@ -35,7 +35,7 @@ void require_overlap(const TextLocation& location, const std::string& path, std:
 /// What can be drawn depends on how walls move.
 void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   frames.location = FileReference(to_string(fields.location()));
-  if (frames.color_by == ColorBy::force && scene.model == Model::automaton) {
+  if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
     require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
   }
   if (frames.range && frames.color_by != ColorBy::force &&
@@ -44,7 +44,7 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
          fmt::format("{}: only color_by force and displacement have a colour bar",
                      fields.path("range")));
   }
-  if (frames.overlay == Overlay::forces && scene.model == Model::automaton) {
+  if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
@@ -124,7 +124,7 @@ Type<Fields> fields_type() {
 }
 
 void check_contacts(const KeyedMap& fields, Contacts& contacts, const Scene& scene) {
-  if (scene.model == Model::automaton) {
+  if (scene.model != Model::contact) {
     require_overlap(fields.location(), fields.path(), "contacts", scene);
     return;
   }

@@ -60,8 +60,8 @@ Keys<Scene> scene_keys() {
   Keys<Scene> keys = first_keys<Scene>();
   keys.add(
       {key("model", &Scene::model, choice(kModelNames),
-           "what moves the grains: rules, or velocities and the friction of contacts; "
-           "[model](#model)"),
+           "what moves the grains: rules, velocities and the friction of contacts, or voids that "
+           "rise; [model](#model)"),
        key("begin", &Scene::begin, begin_type(),
            "the state of another run that this one begins with: [begin](#begin)")
            .defaults_to("an empty box"),
@@ -74,6 +74,9 @@ Keys<Scene> scene_keys() {
        key("contact", &Scene::contact, contact_type(),
            "what particles do to each other where they touch: [contact](#contact)")
            .of(Model::contact)
+           .defaults_to("that of each of its keys"),
+       key("voids", &Scene::voids, voids_type(), "which grains rising voids take: [voids](#voids)")
+           .of(Model::voids)
            .defaults_to("that of each of its keys"),
        key("units", &Scene::units, units_type(),
            "the length of a lattice spacing, gravity: [units](#units)")
@@ -113,7 +116,9 @@ const Type<Scene>& scene_type() {
     "dependencies": {
       "contact": {"required": ["model"], "properties": {"model": {"const": "contact"}}},
       "units": {"required": ["model"], "properties": {"model": {"const": "contact"}}},
-      "rules": {"not": {"required": ["model"], "properties": {"model": {"const": "contact"}}}}}})"});
+      "voids": {"required": ["model"], "properties": {"model": {"const": "voids"}}},
+      "rules": {"not": {"required": ["model"],
+                        "properties": {"model": {"enum": ["contact", "voids"]}}}}}})"});
   return kType;
 }
 

@@ -222,7 +222,10 @@ Type<std::vector<Species>> species_type() {
                key("orientations", &Species::orientations, orientations(),
                    "angles it may start with, clockwise; one of them at random", {0}),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
-                   .defaults_to("palette")},
+                   .defaults_to("palette"),
+               key("sieve", &Species::sieve, number(0, 1),
+                   "factor of the chance that a void takes such a grain and not another beside it")
+                   .of(Model::voids)},
       .conditions = R"({"oneOf": [{"required": ["shape"]}, {"required": ["sizes"]}]})"};
   map.check = [](const KeyedMap& fields, Species& species, const Scene& scene) {
     try {

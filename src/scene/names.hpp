@@ -16,8 +16,8 @@ struct Named {
   T value;
 };
 
-inline constexpr std::array<Named<Model>, 2> kModelNames = {
-    {{"automaton", Model::automaton}, {"contact", Model::contact}}};
+inline constexpr std::array<Named<Model>, 3> kModelNames = {
+    {{"automaton", Model::automaton}, {"contact", Model::contact}, {"voids", Model::voids}}};
 inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
     {{"none", contact::Rolling::none},
      {"resistance", contact::Rolling::resistance},

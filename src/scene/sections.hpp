@@ -18,6 +18,7 @@ Type<Begin> begin_type();
 Type<Box> box_type();
 Type<automaton::Rules> rules_type();
 Type<contact::Parameters> contact_type();
+Type<voids::Rules> voids_type();
 /// Of a stage: what is left out is as in the scene.
 Type<automaton::Rules> stage_rules_type();
 Type<contact::Parameters> stage_contact_type();
@@ -57,7 +58,7 @@ void count_steps(Scene& scene, const Value& list);
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
 void check_history(const Scene& scene, const Value& list);
-/// Refuses what the contact model cannot do.
+/// Refuses what the model cannot do.
 void check_model(const Scene& scene, const Value& root);
 /// Contact model: resolution, fall height (which may depend on stages) and vessels.
 void check_time_step(const Scene& scene, const Value& root);

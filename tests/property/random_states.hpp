@@ -71,13 +71,8 @@ inline automaton::Rules any_rules(bool downward_only) {
   return rules;
 }
 
-/// A box with `min_walls` to two walls and some particles placed by the fill.
-inline RuledState any_state(bool downward_only, int min_walls = 0, int max_columns = 50) {
-  const automaton::Rules rules = any_rules(downward_only);
-  // Where gravity has a sideways part, a periodic box has no floor to come to rest on.
-  const bool upright =
-      rules.gravity == lattice::Direction::down || rules.gravity == lattice::Direction::up;
-  const bool periodic = *rc::gen::arbitrary<bool>() && (upright || !downward_only);
+/// An empty box with `min_walls` to two walls.
+inline grains::State any_box(bool periodic, int min_walls, int max_columns) {
   const int columns = 2 * *rc::gen::inRange(8, max_columns / 2);
   const int rows = *rc::gen::inRange(10, 70);
   grains::State state{.lattice = lattice::Lattice(columns, rows, periodic),
@@ -89,13 +84,29 @@ inline RuledState any_state(bool downward_only, int min_walls = 0, int max_colum
     const lattice::Segment segment{{along(width), along(rows)}, {along(width), along(rows)}, 1.5};
     state.walls.push_back({.sites = sites_along(state.lattice, segment), .present = true});
   }
+  return state;
+}
+
+/// All of a box.
+inline lattice::Rectangle whole(const lattice::Lattice& lattice) {
+  return {0, 0, lattice.columns() * lattice::kColumnPitch, static_cast<double>(lattice.rows())};
+}
+
+/// A box with `min_walls` to two walls and some particles placed by the fill.
+inline RuledState any_state(bool downward_only, int min_walls = 0, int max_columns = 50) {
+  const automaton::Rules rules = any_rules(downward_only);
+  // Where gravity has a sideways part, a periodic box has no floor to come to rest on.
+  const bool upright =
+      rules.gravity == lattice::Direction::down || rules.gravity == lattice::Direction::up;
+  const bool periodic = *rc::gen::arbitrary<bool>() && (upright || !downward_only);
+  grains::State state = any_box(periodic, min_walls, max_columns);
   const int species = *rc::gen::inRange(1, 4);
   for (int i = 0; i < species; ++i) {
     state.kinds.push_back({any_shape(), static_cast<std::uint16_t>(i)});
   }
   const std::vector<std::size_t> counts(state.kinds.size(), *rc::gen::inRange<std::size_t>(1, 40));
   automaton::Automaton automaton(state, rules);
-  automaton.fill({0, 0, width, static_cast<double>(rows)}, counts);
+  automaton.fill(whole(automaton.state().lattice), counts);
   return {automaton.state(), rules};
 }
 

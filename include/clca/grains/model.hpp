@@ -1,5 +1,5 @@
 #pragma once
-// A model of grains in a box: what automaton::Automaton and contact::ContactModel have in common.
+// A model of grains in a box: what all models of the same grains have in common.
 
 #include <cstddef>
 #include <memory>

@@ -22,6 +22,8 @@ enum class Purpose : std::uint32_t {
   deposit_column = 14,
   deposit_coin = 15,
   source_remainder = 16,
+  void_choice = 17,
+  void_coin = 18,
   // For the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,

@@ -20,6 +20,7 @@
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/circle.hpp"
 #include "clca/scene/output.hpp"
+#include "clca/voids/void_model.hpp"
 
 namespace clca::scene {
 
@@ -66,12 +67,13 @@ struct Species {
   lattice::Shape shape = lattice::Shape::hexagon(0);
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
   std::optional<image::Rgb> color;      ///< none: from the default palette
+  double sieve = 1;                     ///< of Model::voids, see voids::Rules
 
   bool operator==(const Species&) const = default;
 };
 
 /// The model that moves the grains.
-enum class Model : std::uint8_t { automaton, contact };
+enum class Model : std::uint8_t { automaton, contact, voids };
 
 /// Real units of the contact model.
 struct Units {
@@ -266,6 +268,7 @@ struct Scene {
   std::vector<Species> species;  ///< in the order of the file, as all lists here
   automaton::Rules rules;        ///< of Model::automaton
   contact::Parameters contact;   ///< of Model::contact
+  voids::Rules voids;            ///< of Model::voids; the species have the sieve
   std::optional<Units> units;    ///< of Model::contact
   std::vector<Wall> walls;
   std::vector<Source> sources;

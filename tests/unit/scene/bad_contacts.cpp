@@ -14,10 +14,30 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "friction, "
      "wall_friction, rolling_friction, restitution); did you mean 'restitution'?"},
     {"a misspelt model", "model: contct",
-     "scene.yaml:6:8: error: model: expected one of automaton, contact, found 'contct'; did you "
+     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, found 'contct'; did "
+     "you "
      "mean 'contact'?"},
     {"a model that is a map", "model: {contact: {}}",
-     "scene.yaml:6:8: error: model: expected one of automaton, contact, found a map"},
+     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, found a map"},
+    {"the void model without voids", "model: voids\nspecies: {small: {shape: {hexagon: 1}}}",
+     "scene.yaml:5:11: error: species.small: grains of model voids have one site, these have 7; "
+     "give it 'shape: {hexagon: 0}'",
+     Judge::parser},
+    {"a wall that moves among voids",
+     "model: voids\nspecies: {small: {shape: {hexagon: 0}}}\nwalls: {left: {box: [0, 0, 1, 50], "
+     "motion: {direction: up, distance: 5, period: 1}}}\n"
+     "stages: [{name: first, sources: [spout], move: [left]}]",
+     "scene.yaml:7:44: error: walls.left.motion: model voids has no walls that move, model "
+     "automaton does; remove it, or say 'model: automaton'",
+     Judge::parser},
+    {"more than a weight straight above voids", "model: voids\nvoids: {straight: 1.5}",
+     "scene.yaml:13:19: error: voids.straight: expected a number from 0 to 1, found '1.5'"},
+    {"voids of the contact model", "voids: {straight: 0.5}",
+     "scene.yaml:13:1: error: voids: only model voids has it; remove it, or say 'model: voids'"},
+    {"a sieve of the contact model", "species: {small: {shape: {hexagon: 1}, sieve: 0.5}}",
+     "scene.yaml:5:40: error: species.small.sieve: only model voids has it; remove it, or say "
+     "'model: voids'",
+     Judge::parser},
     {"rules", "rules:\n  inertia: 0.9",
      "scene.yaml:13:1: error: rules: only model automaton has it; remove it, or say 'model: "
      "automaton'"},

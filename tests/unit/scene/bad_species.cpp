@@ -74,7 +74,7 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      Judge::parser},
     {"an unknown key of a species", R"(species: {small: {shape: {hexagon: 1}, colour: "#ffffff"}})",
      "scene.yaml:5:40: error: unknown key 'colour' in species.small (allowed: shape, sizes, "
-     "orientations, color); did you mean 'color'?"},
+     "orientations, color, sieve); did you mean 'color'?"},
     {"an unknown shape", "species: {small: {shape: {hexagn: 1}}}",
      "scene.yaml:5:27: error: unknown key 'hexagn' in species.small.shape (allowed: hexagon, "
      "disc, sites, polygon, rod); did you mean 'hexagon'?"},

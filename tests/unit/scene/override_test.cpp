@@ -47,7 +47,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
      "unknown key 'rule' (allowed: clca, let, title, seed, model, begin, box, species, rules, "
-     "contact, "
+     "contact, voids, "
      "units, "
      "walls, "
      "sources, outlets, probes, lines, stages, measure, output); did you mean 'rules'?"},
