@@ -141,6 +141,17 @@ void add_convection(Results& results, const Records& records) {
                        of(&measure::ConvectionRolls::circulation_right));
 }
 
+void add_mixing(Results& results, const measure::Mixing& mixing) {
+  const auto at = [&](std::size_t diameters, double (measure::FallenPairs::*value)() const) {
+    const auto& fallen = mixing.fallen();
+    return diameters <= fallen.size() ? store::MeasureValue((fallen[diameters - 1].*value)())
+                                      : store::MeasureValue();
+  };
+  results.emplace_back("neighbours_kept_1", at(1, &measure::FallenPairs::kept_share));
+  results.emplace_back("neighbours_kept_10", at(10, &measure::FallenPairs::kept_share));
+  results.emplace_back("pair_diffusion_5", at(5, &measure::FallenPairs::diffusion));
+}
+
 void add_fluctuations(Results& results, const FieldRecord& fields) {
   const measure::Fluctuations& fluctuations = fields.fluctuations();
   const auto distance = [&](const std::vector<double>& shares) {
@@ -211,6 +222,9 @@ Results stage_measures(const scene::Scene& scene, const Model& model, const Stag
       case scene::Measure::convection:
         add_convection(results, records);
         break;
+      case scene::Measure::mixing:
+        add_mixing(results, *records.mixing());
+        break;
     }
   }
   if (records.fields()) {
@@ -242,6 +256,16 @@ std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& mod
     add("repose_gravity_right_deg", in_gravity.right_uneven);
   }
   return notes;
+}
+
+std::string mixing_table(const measure::Mixing& mixing) {
+  store::Table table({"fallen_d", "fallen", "pairs", "kept", "pair_diffusion"});
+  for (std::size_t i = 0; i < mixing.fallen().size(); ++i) {
+    const measure::FallenPairs& row = mixing.fallen()[i];
+    table.add_row({static_cast<double>(i + 1), row.fallen / static_cast<double>(row.pairs),
+                   row.pairs, row.kept_share(), row.diffusion()});
+  }
+  return table.to_csv();
 }
 
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end) {
