@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -52,10 +54,9 @@ Site risen(const voids::VoidModel& model, Site site) {
   return site;
 }
 
-/// Half the variance of x over the mean height, of voids that have risen by kRise.
-double spreading(double straight, int runs) {
-  double squares = 0;
-  double heights = 0;
+/// The ways of voids that have risen by kRise.
+std::vector<lattice::Axial> ways(double straight, int runs) {
+  std::vector<lattice::Axial> result;
   for (int run = 0; run < runs; ++run) {
     voids::VoidModel model(bed_with_voids(static_cast<std::uint64_t>(run) + 1),
                            {.straight = straight, .sieve = {}});
@@ -73,13 +74,42 @@ double spreading(double straight, int runs) {
       }
     }
     for (int i = 0; i < kVoids; ++i) {
-      const Eigen::Vector2d way = lattice::position(sites[static_cast<std::size_t>(i)]) -
-                                  lattice::position(Site{i * kColumns, 0});
-      squares += way.x() * way.x();
-      heights += way.y();
+      result.push_back(sites[static_cast<std::size_t>(i)] - Site{i * kColumns, 0});
     }
   }
+  return result;
+}
+
+/// Half the variance of x over the mean height, of voids that have risen by kRise.
+double spreading(double straight, int runs) {
+  double squares = 0;
+  double heights = 0;
+  for (const lattice::Axial way : ways(straight, runs)) {
+    const Eigen::Vector2d at = lattice::position(way);
+    squares += at.x() * at.x();
+    heights += at.y();
+  }
   return squares / (2 * heights);
+}
+
+/// Litwiniszyn 1958: the probability of a void is passed on by the weights, without draws. By
+/// columns to the right, where it comes to kRise.
+std::map<int, double> recursion(double straight) {
+  std::map<std::pair<int, int>, double> at = {{{0, 0}, 1}};  // by doubled height and column
+  std::map<int, double> arrived;
+  while (!at.empty()) {
+    const auto [place, chance] = *at.begin();
+    const auto [height, column] = place;
+    at.erase(at.begin());
+    if (height >= 2 * kRise) {
+      arrived[column] += chance;
+      continue;
+    }
+    at[{height + 2, column}] += chance * straight;
+    at[{height + 1, column - 1}] += chance * (1 - straight) / 2;
+    at[{height + 1, column + 1}] += chance * (1 - straight) / 2;
+  }
+  return arrived;
 }
 
 // A step of a lone void: up by 1 with chance s, else up by 1/2 and to a side by sqrt(3)/2. The mean
@@ -94,6 +124,20 @@ TEST(Voids, ALoneVoidSpreadsAsTheTheorySays) {
     const double measured = spreading(straight, kRuns);
     EXPECT_NEAR(measured / theory, 1, 0.01) << straight << ": " << measured;
     RecordProperty("straight_" + std::to_string(straight), std::to_string(measured));
+  }
+}
+
+TEST(Voids, ALoneVoidIsWhereLitwiniszynsRecursionHasIt) {
+  constexpr int kRuns = 100;
+  std::map<int, int> counts;
+  for (const lattice::Axial way : ways(1.0 / 3, kRuns)) {
+    ++counts[way.x];
+  }
+  constexpr double kPaths = kRuns * kVoids;
+  for (const auto& [column, chance] : recursion(1.0 / 3)) {
+    // Five standard errors, and one path where hardly any comes.
+    const double error = std::sqrt(chance / kPaths);
+    EXPECT_NEAR(counts[column] / kPaths, chance, 5 * error + 1 / kPaths) << column;
   }
 }
 
