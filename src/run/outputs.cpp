@@ -37,8 +37,8 @@ std::vector<std::string> Outputs::file_names() const {
       "trajectory/part-000000.h5",
       store::frame_path("", scene_.name, 0, scene::step_digits(scene_)).string()};
   for (const scene::Stage& stage : scene_.stages) {
-    for (const char* kind : {"profile", "convection", "fluctuation", "lines", "contacts", "forces",
-                             "loads", "walls", "stress"}) {
+    for (const char* kind : {"profile", "convection", "fluctuation", "lines", "mixing", "contacts",
+                             "forces", "loads", "walls", "stress"}) {
       names.push_back(store::table_name(kind, stage.name));
     }
   }
@@ -218,6 +218,9 @@ void Outputs::write_tables(const scene::Stage& stage, const Model& model, const 
   }
   if (records.lines()) {
     write("lines", records.lines()->csv());
+  }
+  if (records.mixing()) {
+    write("mixing", mixing_table(*records.mixing()));
   }
   if (requests(scene::Measure::force) && records.contacts()) {
     const std::vector<contact::Force> forces = records.contacts()->at_end(model);

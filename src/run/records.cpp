@@ -9,6 +9,7 @@ namespace {
 constexpr const char* kCycles = "records/cycles";
 constexpr const char* kFields = "records/fields";
 constexpr const char* kLines = "records/lines";
+constexpr const char* kMixing = "records/mixing";
 constexpr const char* kForces = "records/forces";
 constexpr const char* kContacts = "records/contacts";
 constexpr const char* kEnergy = "records/energy";
@@ -32,6 +33,10 @@ Records::Records(const scene::Scene& scene)
   if (!scene.lines.empty() && scene.output.series) {
     lines_.emplace(scene);
   }
+  const auto& wanted = scene.measures;
+  if (std::find(wanted.begin(), wanted.end(), scene::Measure::mixing) != wanted.end()) {
+    mixing_.emplace();
+  }
   if (has_overlaps(scene)) {
     forces_.emplace(scene.output.contacts);
   }
@@ -48,6 +53,9 @@ void Records::begin_stage(const scene::Stage& stage, const Model& model) {
   }
   if (lines_) {
     lines_->begin_stage(model.state());
+  }
+  if (mixing_) {
+    mixing_ = measure::Mixing(model.state());
   }
   if (forces_) {
     forces_->begin_stage();
@@ -67,6 +75,9 @@ void Records::after_step(const scene::Stage& stage, const Model& model,
   if (lines_) {
     lines_->after_step(model);
   }
+  if (mixing_) {
+    mixing_->add(model.state());
+  }
   if (forces_) {
     forces_->after_step(model, steps_in_stage);
   }
@@ -83,6 +94,9 @@ void Records::save(reflection::Columns& columns) const {
   }
   if (lines_) {
     reflection::encode(kLines, *lines_, columns);
+  }
+  if (mixing_) {
+    reflection::encode(kMixing, *mixing_, columns);
   }
   if (forces_) {
     reflection::encode(kForces, *forces_, columns);
@@ -105,6 +119,9 @@ void Records::resume_stage(const scene::Stage& stage, const Model& model,
   if (lines_) {
     lines_->begin_stage(now);
     load(kLines, columns, max_bytes, *lines_, now);
+  }
+  if (mixing_) {
+    load(kMixing, columns, max_bytes, *mixing_, now);
   }
   if (forces_) {
     load(kForces, columns, max_bytes, *forces_, now);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "clca/measure/mixing.hpp"
 #include "clca/reflection/columns.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/contact_record.hpp"
@@ -27,6 +28,8 @@ class Records {
   const std::optional<FieldRecord>& fields() const { return fields_; }
   /// None without lines, or without the steps at which they are observed.
   const std::optional<LineRecord>& lines() const { return lines_; }
+  /// None unless the scene asks for it.
+  const std::optional<measure::Mixing>& mixing() const { return mixing_; }
   /// New rows of cycles.csv and, if requested, fields.csv.
   store::Table& cycle_rows() { return cycles_.table(); }
   store::Table* field_rows() { return fields_ ? &fields_->table() : nullptr; }
@@ -48,6 +51,7 @@ class Records {
   CycleRecord cycles_;
   std::optional<FieldRecord> fields_;
   std::optional<LineRecord> lines_;
+  std::optional<measure::Mixing> mixing_;
   std::optional<ForceRecord> forces_;
   std::optional<ContactRecord> contacts_;
   std::optional<EnergyRecord> energy_;

@@ -87,6 +87,16 @@ Values convection(const StageView& stage) {
                : Values(3);
 }
 
+Values mixing(const StageView& stage) {
+  const std::vector<measure::FallenPairs>& fallen = stage.records.mixing()->fallen();
+  const auto at = [&](std::size_t diameters, double (measure::FallenPairs::*value)() const) {
+    return diameters <= fallen.size() ? store::MeasureValue((fallen[diameters - 1].*value)())
+                                      : store::MeasureValue();
+  };
+  return {at(1, &measure::FallenPairs::kept_share), at(10, &measure::FallenPairs::kept_share),
+          at(5, &measure::FallenPairs::diffusion)};
+}
+
 Values fluctuations(const StageView& stage) {
   if (!stage.records.fields()) {
     return {};
@@ -172,6 +182,14 @@ std::vector<QuantityGroup> made_groups() {
          {"convection_circulation_left", "Circulation, left half", "rad/cycle", "anticlockwise"},
          {"convection_circulation_right", "Circulation, right half", "rad/cycle", "anticlockwise"}},
         convection},
+       {Measure::mixing,
+        "",
+        {{"neighbours_kept_1", "Neighbours kept, 1 d", "",
+          "share still neighbours when they have fallen one mean diameter"},
+         {"neighbours_kept_10", "Neighbours kept, 10 d", "", "after ten"},
+         {"pair_diffusion_5", "Diffusion of pairs", "spacings",
+          "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen, at five mean diameters"}},
+        mixing},
        {{},
         "`output.fields`",
         {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
@@ -255,6 +273,16 @@ std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& mod
     add("repose_gravity_right_deg", in_gravity.right_uneven);
   }
   return notes;
+}
+
+std::string mixing_table(const measure::Mixing& mixing) {
+  store::Table table({"fallen_d", "fallen", "pairs", "kept", "pair_diffusion"});
+  for (std::size_t i = 0; i < mixing.fallen().size(); ++i) {
+    const measure::FallenPairs& row = mixing.fallen()[i];
+    table.add_row({static_cast<double>(i + 1), row.fallen / static_cast<double>(row.pairs),
+                   row.pairs, row.kept_share(), row.diffusion()});
+  }
+  return table.to_csv();
 }
 
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end) {

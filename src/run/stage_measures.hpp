@@ -46,6 +46,10 @@ std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const
 /// Why slopes among the measures have no value where it is not plain; one line for each flank.
 std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
 
+/// Columns fallen_d (mean diameters), fallen (mean of the pairs, lattice spacings), pairs, kept,
+/// pair_diffusion (lattice spacings); see measure::FallenPairs.
+std::string mixing_table(const measure::Mixing& mixing);
+
 /// Columns x, height_start, height_end: lattice spacings, one line per lattice column.
 std::string profile_table(const std::vector<double>& start, const std::vector<double>& end);
 

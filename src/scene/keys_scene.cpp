@@ -96,7 +96,7 @@ Keys<Scene> scene_keys() {
                 "what happens, one after the other: [stages](#stages)"),
        key("measure", &Scene::measures, measures_type(),
            "what is measured at the end of each stage: [measures](#measures)")
-           .defaults_to("all"),
+           .defaults_to("all but `mixing`"),
        key("output", &Scene::output, output_type(),
            "pictures, tables, trajectory and checkpoints: [output](#output)")
            .defaults_to("that of each of its keys")});
@@ -130,7 +130,9 @@ const Type<BoltzmannScene>& boltzmann_type() {
 Scene default_scene() {
   Scene scene;
   for (const auto& named : kMeasureNames) {
-    scene.measures.push_back(named.value);
+    if (named.value != Measure::mixing) {  // which takes time in each step
+      scene.measures.push_back(named.value);
+    }
   }
   scene.output.checkpoint = kDefaultCheckpoints;
   return scene;

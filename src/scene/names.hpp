@@ -49,7 +49,7 @@ inline constexpr std::array<Named<bool>, 2> kShakeDirectionNames = {
     {{"vertical", false}, {"horizontal", true}}};
 inline constexpr std::array<Named<grains::Passive>, 2> kPassiveNames = {
     {{"rigid", grains::Passive::rigid}, {"overlap", grains::Passive::overlap}}};
-inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {
+inline constexpr std::array<Named<Measure>, 11> kMeasureNames = {
     {{"profile", Measure::profile},
      {"repose", Measure::repose},
      {"runout", Measure::runout},
@@ -59,7 +59,8 @@ inline constexpr std::array<Named<Measure>, 10> kMeasureNames = {
      {"force", Measure::force},
      {"segregation", Measure::segregation},
      {"intruder", Measure::intruder},
-     {"convection", Measure::convection}}};
+     {"convection", Measure::convection},
+     {"mixing", Measure::mixing}}};
 inline constexpr std::array<Named<ColorBy>, 6> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},

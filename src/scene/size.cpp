@@ -46,6 +46,9 @@ constexpr double kVelocityBytes = 3 * sizeof(std::optional<Eigen::Vector2d>) + 4
 constexpr double kLinePartBytes = 256 * 8 + 2 * 16 * 56;
 // While there are lines: where each particle was at the last row, and its velocity.
 constexpr double kObservedBytes = 2 * 24 + 24 + 16;
+// Of the measure `mixing`: where each particle began and its path, and three pairs of neighbours,
+// in a list that doubles.
+constexpr double kMixingBytes = 12 + 64 + 2 * 3 * 12 + 28;
 // A site of a kind: in its shape, and from the reference site in columns of both parities.
 constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::Offset);
 // A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
@@ -200,12 +203,14 @@ double line_bytes(const Scene& scene, double particles) {
   return kLinePartBytes * parts + (scene.lines.empty() ? 0 : kObservedBytes * particles);
 }
 
+bool measures(const Scene& scene, Measure measure) {
+  return std::find(scene.measures.begin(), scene.measures.end(), measure) != scene.measures.end();
+}
+
 /// Windows of means of forces that may be there at a time: of tables, pictures and trajectory.
 double force_windows(const Scene& scene) {
-  const auto& measures = scene.measures;
   const Output& output = scene.output;
-  const bool in_tables =
-      std::find(measures.begin(), measures.end(), Measure::force) != measures.end();
+  const bool in_tables = measures(scene, Measure::force);
   const bool in_pictures = output.frames && (output.frames->overlay == Overlay::forces ||
                                              output.frames->color_by == ColorBy::force);
   const bool in_frames = output.trajectory && output.trajectory->contacts;
@@ -269,6 +274,9 @@ Size size_of(const Scene& scene) {
                  line_bytes(scene, particles);
   if (scene.model == Model::contact) {
     bytes += kForceWindowBytes * force_windows(scene) * particles;
+  }
+  if (measures(scene, Measure::mixing)) {
+    bytes += kMixingBytes * particles;
   }
   if (scene.output.frames && scene.output.frames->overlay == Overlay::velocity) {
     bytes += kVelocityBytes * particles;

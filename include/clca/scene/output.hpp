@@ -33,7 +33,8 @@ enum class Measure : std::uint8_t {
   force,
   segregation,
   intruder,
-  convection
+  convection,
+  mixing
 };
 
 enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, id, force };
