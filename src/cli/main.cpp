@@ -13,7 +13,6 @@
 #include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/tasks/leader.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
@@ -27,10 +26,21 @@ namespace {
 
 using clca::cli::ExitCode;
 
-/// One line on standard error.
-int fail(ExitCode code, std::string_view message) {
-  clca::cli::print_error("{}\n", clca::text::printable(message));
-  return static_cast<int>(code);
+/// How the program ends: its exit code and, if it has failed, a line about it.
+struct Ending {
+  Ending(int exit_code) : code(exit_code) {}
+  Ending(ExitCode exit_code, const std::string& message)
+      : code(static_cast<int>(exit_code)), line(clca::text::printable(message)) {}
+
+  int code;
+  std::string line;
+};
+
+int tell(const Ending& ending) {
+  if (!ending.line.empty()) {
+    clca::cli::print_error("{}\n", ending.line);
+  }
+  return ending.code;
 }
 
 /// `clca help COMMAND` is `clca COMMAND --help`.
@@ -67,51 +77,64 @@ int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
   return command_line.run(arguments_of(argc, argv));
 }
 
-int run_or_complain(int argc, char** argv, clca::tasks::Ranks* ranks) {
+Ending ending_of(int argc, char** argv, clca::tasks::Ranks* ranks) {
   try {
     return run_program(argc, argv, ranks);
   } catch (const clca::scene::SceneError& error) {
-    return fail(ExitCode::wrong_input, error.what());
+    return {ExitCode::wrong_input, error.what()};
+  } catch (const clca::tasks::StartError& error) {
+    return {ExitCode::wrong_input, error.what()};
   } catch (const clca::text::InputError& error) {
-    return fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
+    return {ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())};
   } catch (const clca::run::SceneRunError& error) {
-    return fail(ExitCode::wrong_input, error.what());
+    return {ExitCode::wrong_input, error.what()};
   } catch (const clca::process::StoppedError& error) {
-    return fail(
+    return {
         static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),
-        fmt::format("clca: error: {}", error.what()));
+        fmt::format("clca: error: {}", error.what())};
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::failed, "clca: error: out of memory");
+    return {ExitCode::failed, "clca: error: out of memory"};
   } catch (const std::exception& error) {
-    return fail(ExitCode::failed, fmt::format("clca: error: {}", error.what()));
+    return {ExitCode::failed, fmt::format("clca: error: {}", error.what())};
   }
 }
 
-/// Of several ranks the first runs the program, and the others serve it.
-int run_with_ranks(int argc, char** argv) {
+/// As one of several ranks. Rank 0 tells what all begin with; a rank that fails while they work
+/// tells that itself and ends all.
+int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
+  const bool is_first = ranks.rank() == 0;
+  if (!is_first) {
+    clca::cli::be_silent();
+  }
+  if (argc < 2 || !clca::cli::is_shared(argv[1])) {
+    return is_first ? tell(ending_of(argc, argv, nullptr)) : static_cast<int>(ExitCode::done);
+  }
+  const Ending ending = ending_of(argc, argv, &ranks);
+  if (ranks.is_at_work() && !ending.line.empty()) {
+    clca::cli::write_always(is_first ? ending.line + "\n"
+                                     : fmt::format("rank {}: {}\n", ranks.rank(), ending.line));
+    clca::cli::end_all_ranks(ending.code);
+  }
+  tell(ending);
+  if (!ranks.has_begun()) {
+    ranks.begin("", ending.line.empty() ? "nothing to do together" : ending.line);
+  } else if (ranks.is_at_work() && is_first) {
+    ranks.dismiss();
+  }
+  return is_first ? ending.code : static_cast<int>(ExitCode::done);
+}
+
+int run(int argc, char** argv) {
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {
     ranks = clca::cli::started_ranks(argv);
   } catch (const clca::text::InputError& error) {
-    if (*error.what() != '\0') {
-      fail(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
-    }
-    return static_cast<int>(ExitCode::wrong_input);
+    return *error.what() == '\0'
+               ? static_cast<int>(ExitCode::wrong_input)
+               : tell({ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())});
   }
-  if (!ranks || ranks->size() == 1) {
-    return run_or_complain(argc, argv, nullptr);
-  }
-  if (ranks->rank() == 0) {
-    const int code = run_or_complain(argc, argv, ranks.get());
-    clca::tasks::dismiss(*ranks);
-    return code;
-  }
-  clca::cli::be_silent();
-  if (argc > 1 && clca::cli::is_shared(argv[1])) {
-    const int code = run_or_complain(argc, argv, ranks.get());
-    return code == static_cast<int>(ExitCode::failed) ? code : static_cast<int>(ExitCode::done);
-  }
-  return static_cast<int>(ExitCode::done);
+  return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
+                                    : tell(ending_of(argc, argv, nullptr));
 }
 
 }  // namespace
@@ -121,9 +144,10 @@ int main(int argc, char** argv) {
   clca::cli::set_up_signals();
   int code = static_cast<int>(ExitCode::failed);
   try {
-    code = run_with_ranks(argc, argv);
+    code = run(argc, argv);
   } catch (...) {  // no memory for a message either
-    clca::cli::write_error("clca: error: out of memory\n");
+    clca::cli::write_always("clca: error: out of memory\n");
+    clca::cli::end_all_ranks(code);
   }
   return clca::cli::end_output(code);
 }

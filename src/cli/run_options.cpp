@@ -9,7 +9,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/ranks.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
@@ -70,10 +69,8 @@ void add_run_options(Command& command, RunCommonOptions& options) {
 }
 
 int serve_gases(const RunCommonOptions& options) {
-  const std::atomic<int>& stop = catch_stop_signals();
-  return serve_rank(*options.ranks, [&] {
-    run::serve({.threads = options.threads, .stop = &stop, .ranks = options.ranks});
-  });
+  run::serve({.threads = options.threads, .stop = &catch_stop_signals(), .ranks = options.ranks});
+  return static_cast<int>(ExitCode::done);
 }
 
 int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it) {

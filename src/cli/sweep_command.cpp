@@ -15,7 +15,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/ranks.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
@@ -120,22 +119,14 @@ sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& op
   return sweep::execute(plan, sweep_options(options, folder, jobs, stop), events);
 }
 
-int serve_sweep(const SweepCommandOptions& options) {
-  const std::atomic<int>& stop = catch_stop_signals();
-  return serve_rank(*options.ranks, [&] {
-    const sweep::Plan plan = plan_of(options);
-    sweep::serve(
-        plan, sweep_options(options, folder_of(plan, options), fitting_jobs(plan, options), stop));
-  });
-}
-
 int run_sweep(const SweepCommandOptions& options) {
-  if (options.ranks != nullptr && options.ranks->rank() > 0) {
-    return serve_sweep(options);
-  }
   const sweep::Plan plan = plan_of(options);
   const std::string folder = folder_of(plan, options);
   const std::atomic<int>& stop = catch_stop_signals();
+  if (options.ranks != nullptr && options.ranks->rank() > 0) {
+    sweep::serve(plan, sweep_options(options, folder, fitting_jobs(plan, options), stop));
+    return static_cast<int>(ExitCode::done);
+  }
   const auto start = std::chrono::steady_clock::now();
   const sweep::Progress totals = carry_out(plan, options, folder, stop);
   if (!options.quiet) {

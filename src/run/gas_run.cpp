@@ -18,8 +18,8 @@
 #include "clca/tasks/pool.hpp"
 #include "run/begin.hpp"
 #include "run/checkpoint_writer.hpp"
-#include "run/gas_request.hpp"
 #include "run/gas_saved.hpp"
+#include "run/gas_share.hpp"
 #include "run/gas_slots.hpp"
 #include "run/meter.hpp"
 #include "run/run_base.hpp"
@@ -54,6 +54,8 @@ class GasRun : public RunBase {
                 with_threads(options, parallel::startable_threads(options.threads), events),
                 events),
         scene_(scene),
+        ranks_(options.ranks != nullptr ? *options.ranks : alone_),
+        threads_(RunBase::options().threads, scene.ensemble, ranks_.size()),
         integrator_(scene),
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)),
@@ -69,28 +71,21 @@ class GasRun : public RunBase {
   void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
   void run_case(GasCase& one);
+  std::vector<GasShare> shares_of(const GasCase& one) const;
   tasks::Pool<bool>::Work work(GasCase& one, GasSlots& slots);
   /// True while the run goes on; shows progress in the thread that called run().
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
-  bool is_inline() const { return at_a_time() == 1 && !leader_; }
-  int ranks() const { return options().ranks != nullptr ? options().ranks->size() : 1; }
-  /// Gases at a time in this process, and threads of each.
-  std::size_t at_a_time() const {
-    const auto shares = static_cast<std::uint64_t>(ranks());
-    return std::min<std::uint64_t>(static_cast<std::uint64_t>(options().threads),
-                                   (scene_.ensemble + shares - 1) / shares);
-  }
-  int threads_of_gas() const {
-    return std::max(1, options().threads / static_cast<int>(at_a_time()));
-  }
+  bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
   void finish_case(const GasCase& one);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save();
   void warn();
-  void warn_of_rank(const std::string& text);
+  bool is_done(const GasMember& member) const {
+    return member.observations.size() == integrator_.times().size();
+  }
   bool complete(const GasCase& one) const {
     return one.at(integrator_.times().size() - 1).size() == one.members.size();
   }
@@ -104,6 +99,9 @@ class GasRun : public RunBase {
   }
 
   const scene::BoltzmannScene& scene_;
+  tasks::OneRank alone_;
+  tasks::Ranks& ranks_;
+  GasThreads threads_;
   IntervalTimer timer_{events().progress_interval};
   GasIntegrator integrator_;
   GasCourse course_;
@@ -113,8 +111,6 @@ class GasRun : public RunBase {
   std::uint64_t gases_done_ = 0;
   std::vector<GasAtWork> at_work_;          // one for each member of a case
   std::atomic<int> startable_threads_ = 1;  // of each gas
-  std::optional<tasks::Leader> leader_;
-  std::vector<std::string> rank_warnings_;  // that the log does not have yet
   std::thread::id thread_ = std::this_thread::get_id();
   TimeEstimate forecast_;
   bool complete_ = true;
@@ -128,21 +124,11 @@ void GasRun::carry_out() {
   if (log().bytes() == 0) {
     warn();
   }
-  if (ranks() > 1) {
-    leader_.emplace(*options().ranks, folder().path() / ".clca.ranks", gas_fingerprint(),
-                    at_a_time(), [this](const std::string& text) { warn_of_rank(text); });
+  if (ranks_.size() > 1) {
+    ranks_.begin(version());
   }
-  startable_threads_ = is_inline() ? parallel::start_team(threads_of_gas()) : threads_of_gas();
+  startable_threads_ = is_inline() ? parallel::start_team(threads_.of_gas) : threads_.of_gas;
   run_cases();
-  leader_.reset();
-}
-
-/// A checkpoint may just be reading the log, so it is told after the case.
-void GasRun::warn_of_rank(const std::string& text) {
-  if (events().warning) {
-    events().warning(text);
-  }
-  rank_warnings_.push_back(text);
 }
 
 void GasRun::warn() {
@@ -190,81 +176,85 @@ void GasRun::run_case(GasCase& one) {
   forecast_ = TimeEstimate();
   at_work_ = std::vector<GasAtWork>(one.members.size());
   GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
-  tasks::Pool<bool> pool(at_a_time(), leader_ ? &*leader_ : nullptr, work(one, slots),
-                         options().stop, true);
-  for (std::size_t number = 0; number < one.members.size(); ++number) {
+  const std::vector<GasShare> shares = shares_of(one);
+  ranks_.hand_out(
+      [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
+  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(one, slots), options().stop,
+                         true);
+  for (const auto& [number, _] : shares[0].begun) {
     pool.add(number);
   }
   constexpr std::chrono::milliseconds kPause(100);
   while (!pool.finished()) {
     for (const auto& [number, is_done] : pool.take_finished(kPause)) {
-      if (is_done) {
-        ++gases_done_;
-      } else if (!stop_asked()) {
-        pool.put_back(number);  // another rank was stopped
-      }
+      gases_done_ += is_done ? 1 : 0;
     }
     if (stop_asked()) {
       pool.stop();
     }
-    if (leader_) {
+    if (ranks_.size() > 1) {
       slots.save_if_time();
     }
     if (timer_.due()) {
       show_progress(one.restitution);
     }
   }
-  for (const std::string& text : std::exchange(rank_warnings_, {})) {
-    log().info(text);
+}
+
+/// By rank. Rank 0 has the members themselves, and those that are done, too.
+std::vector<GasShare> GasRun::shares_of(const GasCase& one) const {
+  std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
+                               {.restitution = one.restitution, .shared = {}, .begun = {}});
+  std::vector<std::size_t> shared;
+  std::size_t begun = 0;
+  for (std::size_t number = 0; number < one.members.size(); ++number) {
+    const GasMember& member = one.members[number];
+    const std::size_t rank = is_done(member) ? 0 : begun % shares.size();
+    if (!member.gas && !is_done(member)) {
+      shared.push_back(number);
+    } else {
+      shares[rank].begun.emplace(number, rank == 0 ? GasMember() : member);
+      begun += is_done(member) ? 0 : 1;
+    }
   }
+  for (GasShare& share : shares) {
+    share.shared = shared;
+  }
+  return shares;
 }
 
 tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
-  const auto seed = [this](std::size_t number) {
-    return boltzmann::member_seed(scene_.seed, number);
-  };
-  const auto is_done = [this](const GasMember& member) {
-    return member.observations.size() == integrator_.times().size();
-  };
-  return {
-      .carry_out =
-          [this, &one, &slots, seed, is_done](std::size_t number, const std::atomic<int>& stop) {
-            GasMember member = slots.begin(number);
-            collisions_ -= collisions(member.participations);
-            integrator_.integrate(member, one.restitution, seed(number), startable_threads_,
-                                  [&](const GasMember& now) {
-                                    slots.after_step(number, now);
-                                    return keep_going(number, *now.gas, one.restitution, stop);
-                                  });
-            collisions_ += collisions(member.participations);
-            at_work_[number].time = 0;
-            const bool done = is_done(member);
-            slots.end(number, std::move(member));
-            return done;
-          },
-      .request =
-          [this, &one, &slots, seed](std::size_t number) {
-            return to_bytes({.restitution = one.restitution,
-                             .seed = seed(number),
-                             .threads = threads_of_gas(),
-                             .member = slots.copy(number)},
-                            scene_);
-          },
-      .result =
-          [this, &slots, is_done](std::size_t number, const tasks::Bytes& answer) {
-            GasMember member = gas_member(answer);
-            collisions_ +=
-                collisions(member.participations) - collisions(slots.participations(number));
-            const bool done = is_done(member);
-            slots.end(number, std::move(member));
-            return done;
-          },
-      .begin = [this] {  // while there is memory for it
-        const int had = parallel::start_team(threads_of_gas());
-        int least = startable_threads_;
-        while (had < least && !startable_threads_.compare_exchange_weak(least, had)) {
-        }
-      }};
+  return {.carry_out =
+              [this, &one, &slots](std::size_t number, const std::atomic<int>& stop) {
+                GasMember member = slots.begin(number);
+                collisions_ -= collisions(member.participations);
+                integrator_.integrate(member, one.restitution,
+                                      boltzmann::member_seed(scene_.seed, number),
+                                      startable_threads_, [&](const GasMember& now) {
+                                        slots.after_step(number, now);
+                                        return keep_going(number, *now.gas, one.restitution, stop);
+                                      });
+                collisions_ += collisions(member.participations);
+                at_work_[number].time = 0;
+                const bool done = is_done(member);
+                slots.end(number, std::move(member));
+                return done;
+              },
+          .result =
+              [this, &slots](std::size_t number, const tasks::Bytes& answer) {
+                GasMember member = gas_member(answer);
+                collisions_ +=
+                    collisions(member.participations) - collisions(slots.participations(number));
+                const bool done = is_done(member);
+                slots.end(number, std::move(member));
+                return done;
+              },
+          .begin = [this] {  // while there is memory for it
+            const int had = parallel::start_team(threads_.of_gas);
+            int least = startable_threads_;
+            while (had < least && !startable_threads_.compare_exchange_weak(least, had)) {
+            }
+          }};
 }
 
 bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
@@ -331,7 +321,7 @@ void GasRun::save() {
 }
 
 void GasRun::complete_summary(store::RunSummary& summary) const {
-  summary.ranks = ranks();
+  summary.ranks = ranks_.size();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
   summary.step_seconds = summary.wall_seconds;

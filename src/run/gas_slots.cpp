@@ -11,11 +11,6 @@ GasMember GasSlots::begin(std::size_t number) {
   return std::exchange(members_[number], {});
 }
 
-GasMember GasSlots::copy(std::size_t number) {
-  const std::lock_guard lock(mutex_);
-  return members_[number];
-}
-
 void GasSlots::after_step(std::size_t number, const GasMember& member) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) {

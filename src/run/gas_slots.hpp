@@ -24,8 +24,6 @@ class GasSlots {
 
   /// Moves a member out, to be advanced.
   GasMember begin(std::size_t number);
-  /// A copy, for another process.
-  GasMember copy(std::size_t number);
   void after_step(std::size_t number, const GasMember& member);
   /// For rank 0 when no gas is running in this process: saves if that is due by the clock.
   void save_if_time();

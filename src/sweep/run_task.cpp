@@ -55,23 +55,6 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
   return run::run(scene, run, events);
 }
 
-/// What of a finished run goes from one process to another, beside its summary.
-struct SentRun {
-  Status status = Status::waiting;
-  std::string error;
-  std::vector<std::string> warnings;
-  std::string store_error;
-  bool is_in_use = false;
-
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("status", &SentRun::status), field("error", &SentRun::error),
-                           field("warnings", &SentRun::warnings),
-                           field("store_error", &SentRun::store_error),
-                           field("is_in_use", &SentRun::is_in_use));
-  }
-};
-
 }  // namespace
 
 FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
@@ -106,28 +89,19 @@ FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& 
 }
 
 tasks::Bytes to_bytes(const FinishedRun& run) {
-  const SentRun sent = {.status = run.result.status,
-                        .error = run.result.error,
-                        .warnings = run.warnings,
-                        .store_error = run.store_error,
-                        .is_in_use = run.is_in_use};
   return store::checkpoint_bytes({.kind = "finished run",
                                   .scene_name = "",
                                   .scene = "",
                                   .summary = store::to_json(run.result.summary),
-                                  .fields = reflection::encode(sent)});
+                                  .fields = reflection::encode(run)});
 }
 
 FinishedRun finished_run(const tasks::Bytes& bytes) {
   constexpr double kAnySize = std::numeric_limits<double>::infinity();
   const store::Checkpoint content = store::parse_checkpoint(bytes, kAnySize);
-  SentRun sent;
-  reflection::decode(content.fields, kAnySize, sent);
-  FinishedRun run = {.result = {.status = sent.status, .summary = {}, .error = sent.error},
-                     .warnings = sent.warnings,
-                     .store_error = sent.store_error,
-                     .is_in_use = sent.is_in_use};
-  if (sent.status == Status::done) {
+  FinishedRun run;
+  reflection::decode(content.fields, kAnySize, run);
+  if (run.result.status == Status::done) {
     run.result.summary = store::parse_summary(content.summary, "a run of another rank");
   }
   return run;

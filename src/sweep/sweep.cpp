@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -53,10 +54,24 @@ void prepare_drawing(const Plan& plan) {
 }
 
 /// The same for all ranks that do the same runs in the same way.
-std::uint64_t fingerprint(const Plan& plan, const Options& options) {
+std::string command(const Plan& plan, const Options& options) {
   const Part part = options.part.value_or(Part());
-  return hash_of(plan, fmt::format("{} {} {} {}", options.folder.string(), part.number, part.of,
-                                   options.all_pictures));
+  return fmt::format("sweep {}",
+                     hash_of(plan, fmt::format("{} {} {} {}", options.folder.string(), part.number,
+                                               part.of, options.all_pictures)));
+}
+
+/// A list of runs, from one rank to another.
+tasks::Bytes bytes_of(const std::vector<std::size_t>& runs) {
+  tasks::Bytes bytes(runs.size() * sizeof(std::size_t));
+  std::memcpy(bytes.data(), runs.data(), bytes.size());
+  return bytes;
+}
+
+std::vector<std::size_t> runs_of(const tasks::Bytes& bytes) {
+  std::vector<std::size_t> runs(bytes.size() / sizeof(std::size_t));
+  std::memcpy(runs.data(), bytes.data(), bytes.size());
+  return runs;
 }
 
 /// Which pictures each run draws: those of runs that the overview does not show are not asked for.
@@ -83,6 +98,7 @@ class Sweep {
       : plan_(plan),
         options_(options),
         events_(events),
+        ranks_(options.ranks != nullptr ? *options.ranks : alone_),
         pictures_(plan, options),
         folder_(options.folder),
         results_(plan.run_count()) {
@@ -106,13 +122,12 @@ class Sweep {
   /// Takes over what earlier sweeps have left; returns the runs that remain, the longest first as
   /// far as earlier runs tell.
   std::vector<std::size_t> remaining_runs();
-  void carry_out(const std::vector<std::size_t>& runs, tasks::Leader* leader);
-  std::optional<tasks::Leader> leader();
+  void carry_out(const std::vector<std::size_t>& runs);
   Pool::Work work();
-  void take(std::size_t run, FinishedRun one, Pool& pool);
+  void take(std::size_t run, FinishedRun one);
   /// Takes over what other processes have done meanwhile.
   void look_elsewhere();
-  void tell_shares(const tasks::Leader& leader) const;
+  void tell_shares(const std::vector<std::size_t>& runs) const;
   void show_progress();
   void write_tables();
   void refresh_tables();
@@ -123,12 +138,15 @@ class Sweep {
   const Plan& plan_;
   const Options& options_;
   const Events& events_;
+  tasks::OneRank alone_;
+  tasks::Ranks& ranks_;
   Pictures pictures_;
   SweepFolder folder_;
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::vector<Result> results_;         // in the order of the plan
-  std::set<std::size_t> tried_again_;   // as another process was at work on them
+  std::vector<std::size_t> in_use_;     // by other processes, to be tried again
+  bool tries_again_ = false;            // those
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
   std::string store_error_;  // the first
@@ -138,8 +156,9 @@ class Sweep {
 };
 
 Progress Sweep::execute() {
-  // First, as ranks wait for their leader for some minutes only.
-  std::optional<tasks::Leader> others = options_.collect_only ? std::nullopt : leader();
+  if (ranks_.size() > 1 && !options_.collect_only) {
+    ranks_.begin(command(plan_, options_));
+  }
   const std::vector<std::size_t> runs = remaining_runs();
   if (progress_.reused > 0) {
     tell(events_.message,
@@ -147,11 +166,7 @@ Progress Sweep::execute() {
   }
   start_ = Clock::now();
   if (!options_.collect_only && !runs.empty() && !stop_asked()) {
-    carry_out(runs, others ? &*others : nullptr);
-    look_elsewhere();
-    if (others) {
-      tell_shares(*others);
-    }
+    carry_out(runs);
   }
   if (!store_error_.empty()) {
     throw store::StoreError(store_error_);
@@ -197,56 +212,45 @@ std::vector<std::size_t> Sweep::remaining_runs() {
   return remaining;
 }
 
-std::optional<tasks::Leader> Sweep::leader() {
-  if (options_.ranks == nullptr || options_.ranks->size() == 1) {
-    return std::nullopt;
-  }
-  // Parts may be at work in the folder at the same time.
-  const std::string part =
-      options_.part ? fmt::format("-{}-{}", options_.part->number, options_.part->of) : "";
-  store::make_folder(options_.folder);
-  return std::optional<tasks::Leader>(
-      std::in_place, *options_.ranks, options_.folder / fmt::format(".clca.ranks{}", part),
-      fingerprint(plan_, options_), kMaxRuns,
-      [this](const std::string& text) { tell(events_.warning, text); });
-}
-
 Sweep::Pool::Work Sweep::work() {
   return {.carry_out =
               [this](std::size_t run, const std::atomic<int>& stop) {
                 return execute_run(plan_.scene(run), folder_.run(plan_.name(run)), options_,
                                    pictures_.of(run), &stop);
               },
-          .request = [](std::size_t /*run*/) { return tasks::Bytes(); },
           .result = [](std::size_t /*run*/,
                        const tasks::Bytes& answer) { return finished_run(answer); }};
 }
 
-void Sweep::carry_out(const std::vector<std::size_t>& runs, tasks::Leader* leader) {
+void Sweep::carry_out(const std::vector<std::size_t>& runs) {
+  ranks_.hand_out([&](int /*rank*/) { return bytes_of(runs); });
   constexpr std::chrono::milliseconds kPause(100);
   const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
-  Pool pool(wanted, leader, work(), options_.stop);
+  Pool pool(wanted, ranks_, runs, work(), options_.stop);
   if (pool.at_a_time() < wanted) {
     tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
                                       "started",
                                       pool.at_a_time(), wanted));
   }
-  for (const std::size_t run : runs) {
-    pool.add(run);
-  }
   while (!pool.finished()) {
     for (auto& [run, one] : pool.take_finished(kPause)) {
-      take(run, std::move(one), pool);
+      take(run, std::move(one));
     }
     if (!store_error_.empty()) {
       pool.stop();
     }
+    if (pool.finished() && !tries_again_) {
+      tries_again_ = true;
+      std::for_each(in_use_.begin(), in_use_.end(), [&](std::size_t run) { pool.add(run); });
+    }
     show_progress();
     refresh_tables();
   }
+  look_elsewhere();
+  tell_shares(pool.carried_out());
 }
 
-void Sweep::take(std::size_t run, FinishedRun one, Pool& pool) {
+void Sweep::take(std::size_t run, FinishedRun one) {
   const std::string name = plan_.name(run);
   for (const std::string& warning : one.warnings) {
     tell(events_.warning, fmt::format("{}: {}", name, warning));
@@ -260,14 +264,8 @@ void Sweep::take(std::size_t run, FinishedRun one, Pool& pool) {
   } else if (one.result.status == Status::done) {
     ++progress_.done;
   } else if (one.is_in_use) {
-    if (tried_again_.insert(run).second) {
-      pool.add(run);  // when all others have begun
-      return;
-    }
-    elsewhere_.push_back(run);
+    (tries_again_ ? elsewhere_ : in_use_).push_back(run);
     progress_.elsewhere = elsewhere_.size();
-  } else if (!stop_asked()) {
-    pool.put_back(run);  // another rank was stopped
   }
   results_[run] = std::move(one.result);
   tables_stale_ = true;
@@ -286,13 +284,12 @@ void Sweep::look_elsewhere() {
   progress_.elsewhere = elsewhere_.size();
 }
 
-void Sweep::tell_shares(const tasks::Leader& leader) const {
-  std::vector<std::size_t> runs = leader.carried_out();
-  const std::size_t all = progress_.done + progress_.failed - progress_.reused;
-  runs.push_back(all - std::min(all, std::accumulate(runs.begin(), runs.end(), std::size_t{0})));
-  const auto [least, most] = std::minmax_element(runs.begin(), runs.end());
-  tell(events_.message,
-       fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
+void Sweep::tell_shares(const std::vector<std::size_t>& runs) const {
+  if (runs.size() > 1) {
+    const auto [least, most] = std::minmax_element(runs.begin(), runs.end());
+    tell(events_.message,
+         fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
+  }
 }
 
 void Sweep::show_progress() {
@@ -349,13 +346,18 @@ Progress execute(const Plan& plan, const Options& options, const Events& events)
 void serve(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
   const Pictures pictures(plan, options);
-  const auto execute_one = [&](std::size_t run, const tasks::Bytes& /*request*/,
-                               const std::atomic<int>& stop) {
-    return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
-                                options, pictures.of(run), &stop));
-  };
-  tasks::serve(*options.ranks, static_cast<std::size_t>(options.jobs), fingerprint(plan, options),
-               execute_one, options.stop);
+  options.ranks->begin(command(plan, options));
+  while (const auto work = options.ranks->wait_for_work()) {
+    const std::vector<std::size_t> runs = runs_of(*work);
+    const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
+    const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {
+      return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
+                                  options, pictures.of(run), &stop));
+    };
+    tasks::Pool<tasks::Bytes> pool(jobs, *options.ranks, runs, {.carry_out = execute_one},
+                                   options.stop);
+    tasks::serve(pool, *options.ranks);
+  }
 }
 
 }  // namespace clca::sweep

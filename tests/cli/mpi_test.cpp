@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr const char* kScene = R"(clca: 1
@@ -84,6 +85,18 @@ class MpiTest : public ::testing::Test {
                                           .environment = kEnvironment,
                                           .program = mpirun_.string()});
   }
+  /// As together(), with a command of its own for each rank: a program and its arguments.
+  testing::ProgramResult each(const std::vector<std::vector<std::string>>& commands) const {
+    std::vector<std::string> all = {"--oversubscribe"};
+    for (const auto& command : commands) {
+      all.insert(all.end(), {":", "-n", "1"});
+      all.insert(all.end(), command.begin(), command.end());
+    }
+    all.erase(all.begin() + 1);
+    return testing::run_program(all, {.folder = folder_.path().string(),
+                                      .environment = kEnvironment,
+                                      .program = mpirun_.string()});
+  }
   std::string text(const std::string& file) const {
     const auto bytes = testing::bytes_of(folder_.path() / file);
     return {bytes.begin(), bytes.end()};
@@ -122,6 +135,28 @@ TEST_F(MpiTest, AMistakeIsToldOnce) {
   EXPECT_EQ(together({"-n", "2"}, {"sweep", "missing.yaml"}).code, 2);
 }
 
+TEST_F(MpiTest, WhyARankCannotBeginIsToldOnceAndNothingIsWritten) {
+  const auto sweep = [](const char* scene, const char* seeds) {
+    return std::vector<std::string>{CLCA_PROGRAM, "sweep", scene, "--seeds", seeds, "-o", "out"};
+  };
+  const auto result = each({sweep("small.yaml", "1..6"), sweep("missing.yaml", "1..6")});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, StartsWith("rank 1: missing.yaml:1:1: error: "));
+  const auto other = each({sweep("small.yaml", "1..6"), sweep("small.yaml", "1..7")});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, StartsWith("rank 1: error: it was started with another scene"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out/runs/seed=1"));
+}
+
+TEST_F(MpiTest, WhatCannotBeWrittenEndsAllRanksWithOneLine) {
+  fs::create_directories(folder_.path() / "out/runs");
+  std::ofstream(folder_.path() / "out/runs/seed=4") << "x";
+  const auto result =
+      together({"-n", "3"}, {"sweep", "small.yaml", "--seeds", "1..9", "-o", "out", "--quiet"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, StartsWith("clca: error: cannot write to out/runs/seed=4"));
+}
+
 TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
   clca({"boltzmann", "gas.yaml", "-o", "one", "--quiet"});
   const auto result = together({"-n", "3"}, {"boltzmann", "gas.yaml", "-o", "ranks"});
@@ -132,7 +167,6 @@ TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
   const std::size_t hash = json.find("\"state_hash\"");
   EXPECT_THAT(text("ranks/run.json"), HasSubstr(json.substr(hash, json.find('\n', hash) - hash)));
   EXPECT_THAT(text("ranks/run.json"), HasSubstr("\"ranks\": 3,"));
-  EXPECT_FALSE(fs::exists(folder_.path() / "ranks/.clca.ranks"));
 }
 
 TEST_F(MpiTest, ARunThatIsTheWorkOfOneProcessIsDoneOnceAndResumedOnce) {
@@ -144,7 +178,7 @@ TEST_F(MpiTest, ARunThatIsTheWorkOfOneProcessIsDoneOnceAndResumedOnce) {
 
 // In place of one rank mpirun starts a shell, which kills clca below it once runs are under way.
 // CLCA_KILLS says how often.
-TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
+TEST_F(MpiTest, IfARankIsKilledAllEndAndTheSameCommandGoesOn) {
   const char* kills = std::getenv("CLCA_KILLS");
   const int rounds = kills != nullptr ? std::atoi(kills) : 2;
   const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..300", "-o", "out"};
@@ -155,36 +189,47 @@ TEST_F(MpiTest, ARankThatIsKilledTakesNothingWithIt) {
   for (int round = 0; round < rounds; ++round) {
     fs::remove_all(folder_.path() / "out");
     const double seconds = std::uniform_real_distribution(0.0, 0.3)(random);
-    const bool is_leader = round % 2 == 1;
     const std::string script = fmt::format(
-        "\"$@\" & while ! [ -e out/runs/seed=5 ]; do sleep 0.01; done; sleep {}; kill -9 $!; wait",
+        "\"$@\" & while ! [ -e out/runs/seed=5 ]; do sleep 0.01; done; sleep {}; kill -9 $!; wait "
+        "$!",
         seconds);
-    std::vector<std::string> options = {"--enable-recovery"};
-    for (int rank = 0; rank < 3; ++rank) {
-      options.insert(options.end(), {"-n", "1"});
-      if (rank == (is_leader ? 0 : 1)) {
-        options.insert(options.end(), {"sh", "-c", script, "sh"});
-      }
-      options.emplace_back(CLCA_PROGRAM);
-      options.insert(options.end(), call.begin(), call.end());
-      options.emplace_back(":");
+    std::vector<std::vector<std::string>> commands(3);
+    commands[round % 2 == 0 ? 1 : 0] = {"sh", "-c", script, "sh"};
+    for (auto& command : commands) {
+      command.emplace_back(CLCA_PROGRAM);
+      command.insert(command.end(), call.begin(), call.end());
     }
-    options.pop_back();
-    options.insert(options.begin(), "--oversubscribe");
-    const auto result = testing::run_program(options, {.folder = folder_.path().string(),
-                                                       .environment = kEnvironment,
-                                                       .program = mpirun_.string()});
+    const auto result = each(commands);
     SCOPED_TRACE(::testing::Message() << "killed after " << seconds << " s: " << result.err);
-    if (is_leader) {  // the ranks that are left end, and the same command goes on
-      EXPECT_THAT(result.err, HasSubstr("rank 0 has ended before the others"));
-      EXPECT_EQ(together({"-n", "3"}, call).code, 0);
-    } else {
-      EXPECT_THAT(result.err, HasSubstr("rank 1 takes no more tasks: it has ended"));
-      EXPECT_THAT(result.err, HasSubstr("3 ranks, with "));
-      EXPECT_EQ(result.err.find("to 300 runs"), std::string::npos) << "rank 0 did all";
-    }
+    EXPECT_NE(result.code, 0);
+    EXPECT_THAT(clca({"sweep", "small.yaml", "--seeds", "1..300", "-o", "out", "--collect"}).err,
+                HasSubstr("of 300 runs are missing"));
+    EXPECT_EQ(together({"-n", "3"}, call).code, 0);
     expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
   }
+}
+
+TEST_F(MpiTest, AGasOfWhichARankWasKilledGoesOnToTheSameTables) {
+  const std::vector<std::string> call = {
+      "boltzmann", "gas.yaml",           "--set", "boltzmann.particles=4000",
+      "--set",     "boltzmann.until=20", "--set", "output.checkpoint.seconds=0.05"};
+  auto alone = call;
+  alone.insert(alone.end(), {"-o", "one", "--quiet"});
+  clca(alone);
+  const std::string script =
+      "\"$@\" & while ! [ -e ranks/checkpoint-previous.clca ]; do sleep 0.01; done; "
+      "kill -9 $!; wait $!";
+  std::vector<std::vector<std::string>> commands = {{}, {"sh", "-c", script, "sh"}};
+  for (auto& command : commands) {
+    command.emplace_back(CLCA_PROGRAM);
+    command.insert(command.end(), call.begin(), call.end());
+    command.insert(command.end(), {"-o", "ranks"});
+  }
+  EXPECT_NE(each(commands).code, 0);
+  EXPECT_THAT(text("ranks/run.json"), Not(HasSubstr("\"done\"")));
+  const auto result = together({"-n", "3"}, {"resume", "ranks"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  expect_same_tables("one", "ranks", {"series.csv", "histogram-0.csv", "histogram-1.csv"});
 }
 
 TEST_F(MpiTest, PartsStayOfTheProcessesThatAreToldThem) {

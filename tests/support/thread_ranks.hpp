@@ -16,7 +16,7 @@ class ThreadRanks {
   explicit ThreadRanks(int size) : boxes_(static_cast<std::size_t>(size)) {}
 
   /// Messages that rank 0 has received.
-  std::size_t received_by_leader() const { return received_; }
+  std::size_t received_by_first() const { return received_; }
 
   /// As rank `number` sees them.
   std::unique_ptr<tasks::Ranks> seen_from(int number) {
@@ -30,11 +30,18 @@ class ThreadRanks {
     int rank() const override { return number_; }
     int size() const override { return static_cast<int>(all_.boxes_.size()); }
     int on_this_machine() const override { return size(); }
-    void send(int to, tasks::Bytes bytes) override {
+    std::uint64_t next() override {
       const std::lock_guard lock(all_.mutex_);
-      all_.boxes_[static_cast<std::size_t>(to)].push_back({number_, std::move(bytes)});
+      return all_.next_++;
     }
-    void note_lost_rank() override {}
+    void restart() override {
+      const std::lock_guard lock(all_.mutex_);
+      all_.next_ = 0;
+    }
+    void send(int to, std::uint64_t number, const tasks::Bytes& bytes) override {
+      const std::lock_guard lock(all_.mutex_);
+      all_.boxes_[static_cast<std::size_t>(to)].push_back({number_, number, bytes});
+    }
     std::optional<tasks::Message> receive() override {
       const std::lock_guard lock(all_.mutex_);
       auto& box = all_.boxes_[static_cast<std::size_t>(number_)];
@@ -53,6 +60,7 @@ class ThreadRanks {
   };
 
   std::size_t received_ = 0;
+  std::uint64_t next_ = 1000;  // that of a process that has not set it
   std::mutex mutex_;
   std::vector<std::deque<tasks::Message>> boxes_;  // messages that have not been received
 };

@@ -113,7 +113,8 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
                       const RunEvents& events = {});
 
 /// What the other ranks call in place of run() or resume() of a scene of the Boltzmann equation:
-/// advances gases that rank 0 sends. Throws tasks::LeaderLostError.
+/// advances a share of the gases. Throws tasks::StartError if they cannot begin together, as run()
+/// and resume() do, too.
 void serve(const RunOptions& options);
 
 /// A run as of its last checkpoint: stopped, killed or finished. Locks its folder while it exists.

@@ -67,8 +67,8 @@ struct Events {
 /// can be drawn here.
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
 
-/// What the other ranks call in place of execute(), with the same plan: executes runs that rank 0
-/// chooses. Throws tasks::LeaderLostError if rank 0 ends before the sweep does.
+/// What the other ranks call in place of execute(), with the same plan: executes a share of the
+/// runs. Throws tasks::StartError if they cannot begin together, as execute() does, too.
 void serve(const Plan& plan, const Options& options);
 
 }  // namespace clca::sweep

@@ -8,10 +8,11 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "clca/tasks/leader.hpp"
+#include "clca/tasks/ranks.hpp"
 #include "clca/tasks/threads.hpp"
 
 namespace clca::tasks {
@@ -22,8 +23,7 @@ class Pool {
   struct Work {
     /// In a thread of this process, until `stop` is not zero; several are called at once.
     std::function<Result(std::size_t task, const std::atomic<int>& stop)> carry_out;
-    /// For another rank: what it needs, and the result from what it sends back.
-    std::function<Bytes(std::size_t task)> request = {};
+    /// For rank 0: the result from what another rank has sent.
     std::function<Result(std::size_t task, const Bytes& answer)> result = {};
     /// Each thread of this process begins with it.
     std::function<void()> begin = {};
@@ -33,15 +33,21 @@ class Pool {
     Result result;
   };
 
-  /// `threads`: tasks at a time in this process. `leader`: of the other ranks, if there are any.
-  /// `stop`: once it is not zero, all tasks are stopped. One thread without other ranks is the one
-  /// that calls take_finished(), if `inline_one` says so. All references must outlive this object.
-  Pool(std::size_t threads, Leader* leader, Work work, const std::atomic<int>* stop,
-       bool inline_one = false)
-      : leader_(leader),
+  /// `threads`: tasks at a time in this process. `shared`: the same on all ranks; each rank takes
+  /// the next of them when it has a thread for it. On rank 0, results of all ranks come together.
+  /// `stop`: once it is not zero, or rank 0 has dismissed the others, all tasks are stopped. One
+  /// thread without other ranks is the one that calls take_finished(), if `inline_one` says so. All
+  /// references must outlive this object.
+  Pool(std::size_t threads, Ranks& ranks, std::vector<std::size_t> shared, Work work,
+       const std::atomic<int>* stop, bool inline_one = false)
+      : ranks_(ranks),
+        shared_(std::move(shared)),
+        has_shared_(!shared_.empty()),
         work_(std::move(work)),
         stop_asked_(stop),
-        threads_(threads, inline_one && leader == nullptr, work_.begin) {}
+        carried_out_(static_cast<std::size_t>(ranks.size())),
+        others_at_work_(ranks.rank() == 0 && !ranks.is_dismissed() ? ranks.size() - 1 : 0),
+        threads_(threads, inline_one && ranks.size() == 1, work_.begin) {}
   /// Stops the tasks that are under way.
   ~Pool() {
     if (!finished()) {
@@ -54,56 +60,70 @@ class Pool {
   /// Tasks at a time in this process.
   std::size_t at_a_time() const { return threads_.count(); }
 
-  /// Tasks are started in the order in which they are added.
-  void add(std::size_t task) { waiting_.push_back(task); }
-  /// A task that is to be carried out once more, before the others.
-  void put_back(std::size_t task) { waiting_.push_front(task); }
-  /// Starts no more tasks and asks those under way to end, here and on other ranks.
+  /// A task of this process alone. They are started in this order, before those that are shared.
+  void add(std::size_t task) { own_.push_back(task); }
+  /// Starts no more tasks and asks those under way to end, on rank 0 those of all ranks.
   void stop() {
-    if (stop_tasks_.exchange(1) == 0 && leader_ != nullptr) {
-      leader_->stop();
+    if (stop_tasks_.exchange(1) == 0 && ranks_.rank() == 0) {
+      ranks_.dismiss();
     }
   }
+  bool is_stopped() const { return stop_tasks_ != 0; }
   /// True if nothing is left to do or, after stop(), nothing is under way.
   bool finished() const {
-    return (stop_tasks_ != 0 || waiting_.empty()) && under_way_ == 0 &&
-           (leader_ == nullptr || leader_->busy() == 0);
+    return (stop_tasks_ != 0 || (own_.empty() && !has_shared_)) && under_way_ == 0 &&
+           others_at_work_ == 0;
   }
 
   /// Starts what can be started and waits at most `most` for results. Rethrows what a task has
   /// thrown here.
   std::vector<Finished> take_finished(std::chrono::milliseconds most) {
     using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::microseconds kUntilMessages(2000);
     const Clock::time_point end = Clock::now() + most;
     std::vector<Finished> finished;
     do {
-      if (stop_asked_ != nullptr && *stop_asked_ != 0) {
+      if ((stop_asked_ != nullptr && *stop_asked_ != 0) || ranks_.is_dismissed()) {
         stop();
       }
       start_tasks();
+      if (this->finished()) {
+        break;
+      }
       const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - Clock::now());
-      threads_.wait(leader_ == nullptr ? left : std::min(left, leader_->poll_interval()));
+      threads_.wait(ranks_.size() == 1 ? left : std::min(left, kUntilMessages));
       finished = take_ended();
-      take_answers(finished);
+      take_messages(finished);
     } while (finished.empty() && Clock::now() < end && !this->finished());
     return finished;
   }
 
+  /// How many tasks each rank has carried out, for rank 0.
+  const std::vector<std::size_t>& carried_out() const { return carried_out_; }
+
  private:
   void start_tasks() {
-    while (stop_tasks_ == 0 && !waiting_.empty() && threads_.idle() > 0) {
+    while (stop_tasks_ == 0 && threads_.idle() > 0) {
+      const std::optional<std::size_t> task = next();
+      if (!task) {
+        return;
+      }
       ++under_way_;
-      threads_.start([this, task = next()] { carry_out(task); });
-    }
-    while (leader_ != nullptr && stop_tasks_ == 0 && !waiting_.empty() && leader_->idle() > 0) {
-      const std::size_t task = next();
-      leader_->start(task, work_.request(task));
+      threads_.start([this, task = *task] { carry_out(task); });
     }
   }
 
-  std::size_t next() {
-    const std::size_t task = waiting_.front();
-    waiting_.pop_front();
+  std::optional<std::size_t> next() {
+    if (own_.empty() && has_shared_) {
+      const std::uint64_t number = ranks_.next();
+      has_shared_ = number < shared_.size();
+      return has_shared_ ? std::optional(shared_[number]) : std::nullopt;
+    }
+    if (own_.empty()) {
+      return std::nullopt;
+    }
+    const std::size_t task = own_.front();
+    own_.pop_front();
     return task;
   }
 
@@ -126,31 +146,54 @@ class Pool {
       std::rethrow_exception(failure_);
     }
     under_way_ -= ended_.size();
+    carried_out_[static_cast<std::size_t>(ranks_.rank())] += ended_.size();
     return std::exchange(ended_, {});
   }
 
-  void take_answers(std::vector<Finished>& finished) {
-    if (leader_ == nullptr) {
-      return;
-    }
-    for (const Leader::Answer& answer : leader_->take_answers()) {
-      finished.push_back({answer.task, work_.result(answer.task, answer.result)});
-    }
-    for (const std::size_t task : leader_->take_lost()) {
-      put_back(task);
+  void take_messages(std::vector<Finished>& finished) {
+    while (others_at_work_ > 0) {
+      const auto message = ranks_.receive();
+      if (!message) {
+        return;
+      }
+      if (message->number == Ranks::kEnd) {
+        --others_at_work_;
+        if (!message->bytes.empty()) {
+          stop();
+        }
+      } else {
+        ++carried_out_[static_cast<std::size_t>(message->from)];
+        finished.push_back({message->number, work_.result(message->number, message->bytes)});
+      }
     }
   }
 
-  Leader* leader_;
+  Ranks& ranks_;
+  std::vector<std::size_t> shared_;
+  bool has_shared_;  // of which no rank has begun
   Work work_;
-  std::deque<std::size_t> waiting_;
+  std::deque<std::size_t> own_;  // waiting
   const std::atomic<int>* stop_asked_;
   std::atomic<int> stop_tasks_ = 0;
   std::size_t under_way_ = 0;  // in threads, with those that have ended
-  std::mutex mutex_;           // of all below
+  std::vector<std::size_t> carried_out_;
+  int others_at_work_;
+  std::mutex mutex_;  // of all below
   std::vector<Finished> ended_;
   std::exception_ptr failure_;
   Threads threads_;  // last: at the end it waits for its threads, which use the rest
 };
+
+/// What a rank that is not rank 0 does with its pool: sends the results to rank 0. If it is stopped
+/// all are, by a byte in its last message.
+inline void serve(Pool<Bytes>& pool, Ranks& ranks) {
+  constexpr std::chrono::milliseconds kPause(100);
+  while (!pool.finished()) {
+    for (const auto& [task, result] : pool.take_finished(kPause)) {
+      ranks.send(0, task, result);
+    }
+  }
+  ranks.send(0, Ranks::kEnd, Bytes(pool.is_stopped() ? 1 : 0));
+}
 
 }  // namespace clca::tasks

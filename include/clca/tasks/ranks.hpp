@@ -2,7 +2,10 @@
 // The processes that carry out one command together, as mpirun starts them.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace clca::tasks {
@@ -11,27 +14,83 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Message {
   int from = 0;  ///< rank
+  std::uint64_t number = 0;
   Bytes bytes;
 };
 
+/// A rank cannot begin. what() is one line that names it, the same on all ranks.
+class StartError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// All of them, seen from one. Called by one thread only.
+///
+/// All ranks call begin(). Rank 0 then sends work to each, as often as there is any, and at last
+/// dismisses them. Of their work they send the results, each under the number of its task, and at
+/// last kEnd.
 class Ranks {
  public:
+  /// Number of the last message: of rank 0, and of others about one work.
+  static constexpr std::uint64_t kEnd = UINT64_MAX;
+
   virtual ~Ranks() = default;
 
-  /// Number of this process, from 0. Rank 0 hands out the tasks and alone prints.
+  /// Number of this process, from 0. Rank 0 alone writes tables and prints.
   virtual int rank() const = 0;
   /// Number of all processes.
   virtual int size() const = 0;
   /// Number of those on this machine.
   virtual int on_this_machine() const = 0;
-  /// Returns at once; messages from one rank to another arrive in their order. A message to a rank
-  /// that has ended is lost.
-  virtual void send(int to, Bytes bytes) = 0;
-  /// A rank has ended before the others: they cannot end together any more.
-  virtual void note_lost_rank() = 0;
+
+  /// The next number of a counter that all ranks share, from 0 on.
+  virtual std::uint64_t next() = 0;
+  /// Sets it to 0. By rank 0, while no other rank works.
+  virtual void restart() = 0;
+  /// Messages from one rank to another arrive in their order.
+  virtual void send(int to, std::uint64_t number, const Bytes& bytes) = 0;
   /// The next message, if one has arrived.
   virtual std::optional<Message> receive() = 0;
+
+  /// Waits until all ranks have called it. Throws StartError on all if one has a `failure`, but
+  /// not on that one, or if one has another `command` than rank 0.
+  void begin(const std::string& command, const std::string& failure = "");
+  bool has_begun() const { return has_begun_; }
+  /// Whether begin() has thrown nothing anywhere.
+  bool is_at_work() const { return is_at_work_; }
+
+  /// For rank 0: sends each other rank what `work` says, and sets the counter to 0. Nothing after
+  /// dismiss().
+  void hand_out(const std::function<Bytes(int rank)>& work);
+  /// For rank 0: there is no more to do, and what others do is to be stopped. Once is enough.
+  void dismiss();
+  /// For the others: waits for the next work; none after dismiss().
+  std::optional<Bytes> wait_for_work();
+  /// Whether rank 0 has dismissed the others. They may ask while they work.
+  bool is_dismissed();
+
+ private:
+  Message wait();
+  void send_to_others(std::uint64_t number, const std::string& text);
+
+  bool has_begun_ = false;
+  bool is_at_work_ = false;
+  bool is_dismissed_ = false;
+};
+
+/// A process that carries out a command alone.
+class OneRank : public Ranks {
+ public:
+  int rank() const override { return 0; }
+  int size() const override { return 1; }
+  int on_this_machine() const override { return 1; }
+  std::uint64_t next() override { return next_++; }
+  void restart() override { next_ = 0; }
+  void send(int /*to*/, std::uint64_t /*number*/, const Bytes& /*bytes*/) override {}
+  std::optional<Message> receive() override { return std::nullopt; }
+
+ private:
+  std::uint64_t next_ = 0;
 };
 
 }  // namespace clca::tasks

@@ -206,8 +206,7 @@ TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
               {"boltzmann.until=40", "boltzmann.ensemble=8"});  // as the ranks are three
   const scene::BoltzmannScene scene = gas(more);
   testing::ThreadRanks all(3);
-  const auto ranks = all.seen_from(0);
-  const auto with_others = [&](const std::function<store::RunSummary()>& lead) {
+  const auto with_others = [&](const std::function<store::RunSummary(tasks::Ranks&)>& lead) {
     std::vector<std::thread> others;
     for (const int number : {1, 2}) {
       others.emplace_back([&, number] {
@@ -215,7 +214,9 @@ TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
         serve({.threads = 1, .ranks = mine.get()});
       });
     }
-    const store::RunSummary summary = lead();
+    const auto first = all.seen_from(0);
+    const store::RunSummary summary = lead(*first);
+    first->dismiss();
     for (std::thread& other : others) {
       other.join();
     }
@@ -225,12 +226,12 @@ TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
   const RunEvents stopping = {
       .gas_progress = [&](const GasProgress& at) { stop = at.stage_number == 2 ? 2 : 0; },
       .progress_interval = {}};
-  const auto first = with_others([&] {
-    return run(scene, {.folder = folder_.path(), .stop = &stop, .ranks = ranks.get()}, stopping);
+  const auto first = with_others([&](tasks::Ranks& ranks) {
+    return run(scene, {.folder = folder_.path(), .stop = &stop, .ranks = &ranks}, stopping);
   });
   ASSERT_EQ(first.status, "interrupted");
-  const auto second = with_others([&] {
-    return resume(load_run(folder_.path(), kMaxBytes), {.folder = {}, .ranks = ranks.get()});
+  const auto second = with_others([&](tasks::Ranks& ranks) {
+    return resume(load_run(folder_.path(), kMaxBytes), {.folder = {}, .ranks = &ranks});
   });
   EXPECT_EQ(second.status, "done");
   expect_as_unbroken(scene);
