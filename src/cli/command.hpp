@@ -43,8 +43,8 @@ class Option {
 
 /// Where the value of an option goes. It has to stay there until the command has run.
 using OptionTarget =
-    std::variant<int*, std::uint64_t*, std::string*, std::filesystem::path*, std::optional<double>*,
-                 std::optional<std::uint64_t>*, std::optional<std::string>*,
+    std::variant<int*, std::uint64_t*, std::string*, std::filesystem::path*, std::optional<int>*,
+                 std::optional<double>*, std::optional<std::uint64_t>*, std::optional<std::string>*,
                  std::vector<std::string>*, std::vector<std::filesystem::path>*,
                  std::function<void(const std::string&)>>;
 

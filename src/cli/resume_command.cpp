@@ -37,7 +37,9 @@ int resume_run(const ResumeOptions& options) {
   } else {
     check_memory(std::get<scene::BoltzmannScene>(saved.scene), limit, threads_here(options.run));
   }
-  return show_run(options.folder, options.run,
+  const int threads =
+      std::visit([&](const auto& scene) { return threads_of(options.run, scene); }, saved.scene);
+  return show_run(options.folder, options.run, threads,
                   [&](const run::RunOptions& run, const run::RunEvents& events) {
                     return run::resume(std::move(saved), run, events);
                   });
@@ -49,7 +51,7 @@ void add_resume_command(CommandLine& command_line, tasks::Ranks* ranks) {
   Command command = command_line.command(
       "resume", "Continue a run that was stopped or killed, or prolong one that is done");
   auto options = std::make_shared<ResumeOptions>();
-  share(options->run, ranks);
+  options->run.ranks = ranks;
   command.option("DIR", &options->folder, "Folder of the run").required();
   command.option("--until", &options->until,
                  "Run to this end instead of the scene's: steps of the last stage, the time "

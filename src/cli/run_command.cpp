@@ -38,18 +38,19 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
                     "--keep",
                     options.scene.file));
   }
-  return show_run(folder, options.run, [&](run::RunOptions run, const run::RunEvents& events) {
+  const auto run_it = [&](run::RunOptions run, const run::RunEvents& events) {
     run.overwrite = options.overwrite;
     run.keep = options.keep;
     if (options.scene.frames_every == std::uint64_t{0}) {
       run.pictures = run::WantedPictures::none;
     }
     return run::run(scene, run, events);
-  });
+  };
+  return show_run(folder, options.run, threads_of(options.run, scene), run_it);
 }
 
 int run_scene(const RunCommandOptions& options) {
-  const scene::AnyScene scene = load_any_scene(options.scene, options.run.threads);
+  const scene::AnyScene scene = load_any_scene(options.scene, threads_here(options.run));
   return std::visit([&](const auto& one) { return run_one(one, options); }, scene);
 }
 
@@ -72,7 +73,7 @@ Command add_command(CommandLine& command_line, tasks::Ranks* ranks, const char* 
                     const char* what, int (*run_it)(const RunCommandOptions&)) {
   Command command = command_line.command(name, what);
   auto options = std::make_shared<RunCommandOptions>();
-  share(options->run, ranks);
+  options->run.ranks = ranks;
   add_scene_options(command, options->scene);
   command.option("-o,--output", &options->folder, "Folder to write to [renders/SCENE-NAME]");
   const Option keep = command.flag(

@@ -34,21 +34,24 @@ int exit_code_of(const store::RunSummary& summary, int signal) {
 
 }  // namespace
 
-void share(RunCommonOptions& options, tasks::Ranks* ranks) {
-  if (ranks != nullptr) {
-    options.ranks = ranks;
-    options.threads = 1;
-  }
+int threads_of(const RunCommonOptions& options, const scene::Scene& /*scene*/) {
+  return options.threads.value_or(1);
+}
+
+int threads_of(const RunCommonOptions& options, const scene::BoltzmannScene& /*scene*/) {
+  return options.threads.value_or(options.ranks != nullptr ? 1 : machine_threads());
 }
 
 int threads_here(const RunCommonOptions& options) {
-  return options.threads * (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
+  return threads_of(options, scene::BoltzmannScene()) *
+         (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
 }
 
 void add_run_options(Command& command, RunCommonOptions& options) {
-  command.option("--threads", &options.threads, "Threads; the result does not depend on it")
-      .values(whole_number(1, 1024))
-      .show_default();
+  command
+      .option("--threads", &options.threads,
+              "Threads; the result does not depend on it [1 for grains, all for a gas]")
+      .values(whole_number(1, 1024));
   command
       .option(
           "--time-limit", &options.time_limit,
@@ -69,11 +72,14 @@ void add_run_options(Command& command, RunCommonOptions& options) {
 }
 
 int serve_gases(const RunCommonOptions& options) {
-  run::serve({.threads = options.threads, .stop = &catch_stop_signals(), .ranks = options.ranks});
+  run::serve({.threads = threads_of(options, scene::BoltzmannScene()),
+              .stop = &catch_stop_signals(),
+              .ranks = options.ranks});
   return static_cast<int>(ExitCode::done);
 }
 
-int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it) {
+int show_run(const std::string& folder, const RunCommonOptions& options, int threads,
+             const RunIt& run_it) {
   ProgressLine line;
   run::RunEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
@@ -89,7 +95,7 @@ int show_run(const std::string& folder, const RunCommonOptions& options, const R
   events.folder = [&](const std::filesystem::path& path) { used = path; };
   const std::atomic<int>& stop = catch_stop_signals();
   const store::RunSummary summary = run_it({.folder = folder,
-                                            .threads = options.threads,
+                                            .threads = threads,
                                             .reference = options.reference,
                                             .stop = &stop,
                                             .time_limit = options.time_limit,

@@ -10,7 +10,7 @@
 namespace clca::cli {
 
 struct RunCommonOptions {
-  int threads = machine_threads();
+  std::optional<int> threads;
   std::optional<double> time_limit;  ///< seconds
   bool reference = false;
   bool quiet = false;
@@ -19,9 +19,11 @@ struct RunCommonOptions {
   tasks::Ranks* ranks = nullptr;
 };
 
-/// Call first: a rank has one thread if it is not told otherwise.
-void share(RunCommonOptions& options, tasks::Ranks* ranks);
-/// Of all ranks on this machine, which share its memory.
+/// As asked for. Otherwise one for grains, whose steps take no less time with several, and for a
+/// gas all of the machine, one where ranks share it.
+int threads_of(const RunCommonOptions& options, const scene::Scene& scene);
+int threads_of(const RunCommonOptions& options, const scene::BoltzmannScene& scene);
+/// For a gas: those of all ranks on this machine, which share its memory.
 int threads_here(const RunCommonOptions& options);
 void add_run_options(Command& command, RunCommonOptions& options);
 
@@ -31,6 +33,7 @@ using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run:
 int serve_gases(const RunCommonOptions& options);
 
 /// Calls `run_it`, shows progress and results; `folder` is the run folder. Returns the exit code.
-int show_run(const std::string& folder, const RunCommonOptions& options, const RunIt& run_it);
+int show_run(const std::string& folder, const RunCommonOptions& options, int threads,
+             const RunIt& run_it);
 
 }  // namespace clca::cli
