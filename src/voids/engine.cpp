@@ -34,7 +34,7 @@ void Engine::wake(std::uint32_t id) {
   }
 }
 
-void Engine::wake_above(lattice::Site site) {
+void Engine::vacated(lattice::Site site) {
   for (const lattice::Direction direction : kDownward) {
     const grains::Owner above =
         box().occupancy.owner(state().lattice.index(site + unit(opposite(direction))));

@@ -14,16 +14,14 @@ class Engine final : public Steps {
 
  private:
   void added(std::size_t first) override { wake_from(first); }
-  void removing(std::uint32_t id) override { wake_above(state().particles[id].site()); }
   void reloaded() override { wake_from(0); }
   std::vector<GrainMove> granted_moves() override;
-  void vacated(lattice::Site site) override { wake_above(site); }
+  void vacated(lattice::Site site) override;
 
   bool can_move(const grains::Particle& grain) const;
   grains::Move granted_move(std::uint32_t id) const;
   void wake(std::uint32_t id);
   void wake_from(std::size_t first);
-  void wake_above(lattice::Site site);
 
   parallel::Threads threads_;
   parallel::PartLists<GrainMove> found_;

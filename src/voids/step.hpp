@@ -24,7 +24,8 @@ class Steps : public grains::Mechanics {
   void added(std::size_t first) override { static_cast<void>(first); }
   bool advance(grains::StepReport& report) final;
   std::vector<std::uint32_t> moved() const final { return moved_; }
-  void removing(std::uint32_t id) override { static_cast<void>(id); }
+  /// It has come into a site that was free, so grains above it are awake.
+  void removing(std::uint32_t id) final { static_cast<void>(id); }
   void reloaded() override {}
 
  protected:

@@ -177,7 +177,7 @@ TEST_F(Export, WrongInputIsExitCodeTwoWithOneLineAndNoFile) {
            {{"run"}, "--format"},
            {{"run", "--format", "png"}, "png"},
            {{"nowhere", "--format", "gsd"}, "run.json"},
-           {{"gas", "--format", "gsd"}, "boltzmann"},
+           {{"gas", "--format", "gsd"}, "Boltzmann"},
            {{"untracked", "--format", "gsd"}, "output.trajectory"},
            {{"run", "--format", "gsd", "--every", "0"}, "--every"},
            {{"run", "--format", "gsd", "--from", "21"}, "from step 0 to 20"},
