@@ -28,13 +28,13 @@ using clca::cli::ExitCode;
 
 /// How the program ends: its exit code and, if it has failed, a line about it.
 struct Ending {
-  Ending(int exit_code) : code(exit_code) {}
-  Ending(ExitCode exit_code, const std::string& message)
-      : code(static_cast<int>(exit_code)), line(clca::text::printable(message)) {}
-
-  int code;
-  std::string line;
+  int code = 0;
+  std::string line = {};
 };
+
+Ending failure(ExitCode code, std::string_view message) {
+  return {static_cast<int>(code), clca::text::printable(message)};
+}
 
 int tell(const Ending& ending) {
   if (!ending.line.empty()) {
@@ -79,23 +79,23 @@ int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
 
 Ending ending_of(int argc, char** argv, clca::tasks::Ranks* ranks) {
   try {
-    return run_program(argc, argv, ranks);
+    return {run_program(argc, argv, ranks)};
   } catch (const clca::scene::SceneError& error) {
-    return {ExitCode::wrong_input, error.what()};
+    return failure(ExitCode::wrong_input, error.what());
   } catch (const clca::tasks::StartError& error) {
-    return {ExitCode::wrong_input, error.what()};
+    return failure(ExitCode::wrong_input, error.what());
   } catch (const clca::text::InputError& error) {
-    return {ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())};
+    return failure(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
   } catch (const clca::run::SceneRunError& error) {
-    return {ExitCode::wrong_input, error.what()};
+    return failure(ExitCode::wrong_input, error.what());
   } catch (const clca::process::StoppedError& error) {
-    return {
+    return failure(
         static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),
-        fmt::format("clca: error: {}", error.what())};
+        fmt::format("clca: error: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    return {ExitCode::failed, "clca: error: out of memory"};
+    return failure(ExitCode::failed, "clca: error: out of memory");
   } catch (const std::exception& error) {
-    return {ExitCode::failed, fmt::format("clca: error: {}", error.what())};
+    return failure(ExitCode::failed, fmt::format("clca: error: {}", error.what()));
   }
 }
 
@@ -124,14 +124,14 @@ int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
   return is_first ? ending.code : static_cast<int>(ExitCode::done);
 }
 
-int run(int argc, char** argv) {
-  std::unique_ptr<clca::tasks::Ranks> ranks;
+int run(int argc, char** argv, std::unique_ptr<clca::tasks::Ranks>& ranks) {
   try {
     ranks = clca::cli::started_ranks(argv);
   } catch (const clca::text::InputError& error) {
-    return *error.what() == '\0'
+    const bool is_told = *error.what() == '\0';  // by another process
+    return is_told
                ? static_cast<int>(ExitCode::wrong_input)
-               : tell({ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())});
+               : tell(failure(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())));
   }
   return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
                                     : tell(ending_of(argc, argv, nullptr));
@@ -143,11 +143,15 @@ int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
   clca::cli::set_up_signals();
   int code = static_cast<int>(ExitCode::failed);
+  std::unique_ptr<clca::tasks::Ranks> ranks;
   try {
-    code = run(argc, argv);
+    code = run(argc, argv, ranks);
   } catch (...) {  // no memory for a message either
     clca::cli::write_always("clca: error: out of memory\n");
-    clca::cli::end_all_ranks(code);
+    if (ranks) {
+      clca::cli::end_all_ranks(code);
+    }
   }
+  ranks.reset();
   return clca::cli::end_output(code);
 }

@@ -73,8 +73,8 @@ struct RunOptions {
   bool overwrite = false;
   /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
   bool keep = false;
-  /// Processes among which the gases of an ensemble are divided; the caller is rank 0. A run of
-  /// grains is the work of one process.
+  /// Processes among which the gases of an ensemble are divided; the caller is rank 0 and has to
+  /// dismiss the others afterwards. A run of grains is the work of one process.
   tasks::Ranks* ranks = nullptr;
 };
 

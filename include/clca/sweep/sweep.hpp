@@ -38,7 +38,8 @@ struct Options {
   bool all_pictures = false;
   /// Memory for what is read of a run that goes on, in bytes.
   double max_bytes = std::numeric_limits<double>::infinity();
-  tasks::Ranks* ranks = nullptr;  ///< that share the runs
+  /// That share the runs. Who calls execute() has to dismiss the others afterwards.
+  tasks::Ranks* ranks = nullptr;
   /// If not zero, the sweep stops with complete files.
   const std::atomic<int>* stop = nullptr;
 };
