@@ -110,10 +110,6 @@ TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {
   const auto refused = run({"check", "scenes/more.yaml", "--begin", "third"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("third/run.json: No such file or directory\n"));
-  fs::remove(folder_.path() / "first" / "checkpoint.clca");
-  const auto lost = run({"check", "scenes/more.yaml", "--begin", "first"});
-  EXPECT_EQ(lost.code, 2);
-  EXPECT_THAT(lost.err, HasSubstr("has lost the checkpoint of its end"));
 }
 
 TEST_F(CliTest, OsMesaIsLoadedForPicturesOnly) {

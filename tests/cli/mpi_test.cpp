@@ -181,18 +181,17 @@ TEST_F(MpiTest, ARunThatIsTheWorkOfOneProcessIsDoneOnceAndResumedOnce) {
 TEST_F(MpiTest, IfARankIsKilledAllEndAndTheSameCommandGoesOn) {
   const char* kills = std::getenv("CLCA_KILLS");
   const int rounds = kills != nullptr ? std::atoi(kills) : 2;
-  const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..300", "-o", "out"};
+  const std::vector<std::string> call = {"sweep", "small.yaml", "--seeds", "1..400", "-o", "out"};
   auto alone = call;
   alone.back() = "one";
   clca(alone);
   std::mt19937 random(std::random_device{}());
   for (int round = 0; round < rounds; ++round) {
     fs::remove_all(folder_.path() / "out");
-    const double seconds = std::uniform_real_distribution(0.0, 0.3)(random);
+    const int seed = std::uniform_int_distribution(5, 40)(random);
     const std::string script = fmt::format(
-        "\"$@\" & while ! [ -e out/runs/seed=5 ]; do sleep 0.01; done; sleep {}; kill -9 $!; wait "
-        "$!",
-        seconds);
+        "\"$@\" & while ! [ -e out/runs/seed={} ]; do sleep 0.005; done; kill -9 $!; wait $!",
+        seed);
     std::vector<std::vector<std::string>> commands(3);
     commands[round % 2 == 0 ? 1 : 0] = {"sh", "-c", script, "sh"};
     for (auto& command : commands) {
@@ -200,10 +199,10 @@ TEST_F(MpiTest, IfARankIsKilledAllEndAndTheSameCommandGoesOn) {
       command.insert(command.end(), call.begin(), call.end());
     }
     const auto result = each(commands);
-    SCOPED_TRACE(::testing::Message() << "killed after " << seconds << " s: " << result.err);
+    SCOPED_TRACE(::testing::Message() << "killed at run " << seed << ": " << result.err);
     EXPECT_NE(result.code, 0);
-    EXPECT_THAT(clca({"sweep", "small.yaml", "--seeds", "1..300", "-o", "out", "--collect"}).err,
-                HasSubstr("of 300 runs are missing"));
+    EXPECT_THAT(clca({"sweep", "small.yaml", "--seeds", "1..400", "-o", "out", "--collect"}).err,
+                HasSubstr("of 400 runs are missing"));
     EXPECT_EQ(together({"-n", "3"}, call).code, 0);
     expect_same_tables("one", "out", {"runs.csv", "measures.csv"});
   }

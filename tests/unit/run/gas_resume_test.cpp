@@ -177,10 +177,11 @@ class GasResumeTest : public ::testing::Test {
   }
 };
 
-/// Long enough for several threads to have a gas each.
+/// Long enough for several threads to have a gas each, and more gases than threads: when the first
+/// is done, others are not.
 const Overrides kLong = {"boltzmann.particles=2000",       "boltzmann.until=100",
                          "boltzmann.restitution=[0.8, 1]", "boltzmann.friction=0",
-                         "boltzmann.ensemble=3",           "output.series.every=4",
+                         "boltzmann.ensemble=5",           "output.series.every=4",
                          "output.histograms=[0, 10]"};
 
 TEST_F(GasResumeTest, StoppedInAnyEnsembleItEndsAsAnUnbrokenRun) {

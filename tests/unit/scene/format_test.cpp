@@ -120,8 +120,7 @@ TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
   };
   EXPECT_EQ(refusal("rules.inerta"),
             "the scene format has no key 'rules.inerta'; did you mean 'inertia'?");
-  EXPECT_EQ(refusal("adaptive"),
-            "the scene format has no key 'adaptive'; see contact.resolution");
+  EXPECT_EQ(refusal("adaptive"), "the scene format has no key 'adaptive'; see contact.resolution");
   EXPECT_EQ(refusal("boltzman"),
             "the scene format has no key 'boltzman'; did you mean 'boltzmann'?");
   EXPECT_EQ(refusal("walls.gate.motion.wave.x.y"),
