@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "clca/measure/force_distribution.hpp"
@@ -33,16 +32,6 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   }
 }
 
-std::optional<measure::ForceDistribution> distribution(const Forces& forces) {
-  std::vector<double> strengths;
-  for (const contact::Force& force : forces) {
-    if (grains::is_particle(force.other) && force.along_normal > 0) {
-      strengths.push_back(force.along_normal);
-    }
-  }
-  return measure::force_distribution(strengths, measure::Strength::averaged);
-}
-
 /// Number of contacts and sum of normal forces of a grain.
 struct GrainLoad {
   std::uint64_t contacts = 0;
@@ -65,6 +54,16 @@ std::vector<GrainLoad> loads(const grains::State& state, const Forces& forces) {
 }
 
 }  // namespace
+
+std::optional<measure::ForceDistribution> distribution(const Forces& forces) {
+  std::vector<double> strengths;
+  for (const contact::Force& force : forces) {
+    if (grains::is_particle(force.other) && force.along_normal > 0) {
+      strengths.push_back(force.along_normal);
+    }
+  }
+  return measure::force_distribution(strengths, measure::Strength::averaged);
+}
 
 std::string contact_forces_csv(const scene::Scene& scene, const Forces& forces) {
   store::Table table(

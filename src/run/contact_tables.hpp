@@ -1,14 +1,19 @@
 #pragma once
 // Force tables of a stage of the contact model. Forces are in weights of a grain of mean mass.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/contact/force.hpp"
+#include "clca/measure/force_distribution.hpp"
 #include "clca/scene/scene.hpp"
 #include "run/model.hpp"
 
 namespace clca::run {
+
+/// Of the normal forces between grains; none without any.
+std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces);
 
 /// Columns: first, second (grain ids, the upper one first; the name of a wall, or floor, ceiling,
 /// left, right of the box), x, y (place), normal_x, normal_y (towards the first), normal_force,

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "clca/measure/force_distribution.hpp"
+#include "run/contact_tables.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {

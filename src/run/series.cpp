@@ -30,7 +30,7 @@ struct Moment {
   const std::string& stage;
   const Model& model;
   const Records& records;
-  std::size_t moving;
+  std::size_t moving = 0;
   std::optional<contact::Energy> energy;  ///< of the contact model
 };
 
@@ -63,9 +63,9 @@ double moving_share(const Moment& now) {
   return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
 }
 
-template <double contact::EnergyExchange::*part>
+template <double contact::EnergyExchange::*kPart>
 store::Cell exchanged(const Moment& now) {
-  return now.records.energy()->exchanged().*part;
+  return now.records.energy()->exchanged().*kPart;
 }
 
 constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
