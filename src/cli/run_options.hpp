@@ -19,8 +19,8 @@ struct RunCommonOptions {
   tasks::Ranks* ranks = nullptr;
 };
 
-/// As asked for. Otherwise one for grains, whose steps take no less time with several, and for a
-/// gas all of the machine, one where ranks share it.
+/// As asked for. Otherwise one for grains, since it depends on the machine whether several are
+/// faster or slower; for a gas all of the machine, or one where ranks share it.
 int threads_of(const RunCommonOptions& options, const scene::Scene& scene);
 int threads_of(const RunCommonOptions& options, const scene::BoltzmannScene& scene);
 /// For a gas: those of all ranks on this machine, which share its memory.
