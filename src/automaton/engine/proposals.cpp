@@ -43,16 +43,18 @@ void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
     }
     list_begin = list_end;
   };
-  const auto examine_once = [&](const AwakeParticle& awake) __attribute__((always_inline)) {
-    if (owner.strip == 0 || !awake_in_earlier_strip(owner, awake.id, awake.site)) {
-      examine(worker, awake);
-    }
+  const auto is_first = [&](std::uint32_t id, lattice::Site at) {
+    return owner.strip == 0 || !awake_in_earlier_strip(owner, id, at);
   };
   for (const StripWorker& finder : workers_) {
     const Proposals& proposals = finder.proposals_before[owner.strip];
     for (const auto* list : {&proposals.falling, &proposals.sloping}) {
-      take_batches(list->size(),
-                   [&](std::size_t i) { examine_once(particle_after(list->begin()[i])); });
+      take_batches(list->size(), [&](std::size_t i) {
+        const AwakeParticle awake = particle_after(list->begin()[i]);
+        if (is_first(awake.id, awake.site)) {
+          examine(worker, awake);
+        }
+      });
     }
   }
   const grains::State& state = world_.state;
@@ -60,11 +62,13 @@ void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
   take_batches(listed.size(), [&](std::size_t i) {
     const std::uint32_t id = listed[i];
     const grains::Particle& particle = state.particles[id];
-    if (particle.present && !(overlaps_ && world_.pushes.overlapping(id))) {
-      examine_once({.site = site_of(particle),
-                    .id = id,
-                    .kind = particle.kind,
-                    .previous = particle.previous});
+    // The strip that examines it may be writing `previous`: only that one reads it.
+    if (particle.present && !(overlaps_ && world_.pushes.overlapping(id)) &&
+        is_first(id, site_of(particle))) {
+      examine(worker, {.site = site_of(particle),
+                       .id = id,
+                       .kind = particle.kind,
+                       .previous = particle.previous});
     }
   });
 }
