@@ -113,10 +113,11 @@ void check_valid(const State& state) {
         !in_range(contact.normal.y, 1 << kUnitBits)) {
       fail("a normal is out of range");
     }
-    if (contact.impulse.normal < 0 || !in_range(contact.impulse.normal, kMaxImpulse) ||
-        !in_range(contact.impulse.shear, kMaxImpulse) ||
-        !in_range(contact.impulse.rolling, kMaxImpulse)) {
-      fail("an impulse is out of range");
+    for (const Impulse<std::int32_t>& impulse : {contact.impulse, contact.impact}) {
+      if (impulse.normal < 0 || !in_range(impulse.normal, kMaxImpulse) ||
+          !in_range(impulse.shear, kMaxImpulse) || !in_range(impulse.rolling, kMaxImpulse)) {
+        fail("an impulse is out of range");
+      }
     }
     const auto upper = static_cast<grains::Owner>(contact.upper);
     pairs.emplace_back(

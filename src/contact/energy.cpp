@@ -97,7 +97,9 @@ double wall_work(const State& state, std::span<const Contact> contacts,
       const Eigen::Vector2d normal = as_double(contact.normal);
       const Eigen::Vector2d tangent(-normal.y(), normal.x());
       const Eigen::Vector2d impulse =
-          (contact.impulse.normal * normal + contact.impulse.shear * tangent) / kSpacing;
+          ((contact.impulse.normal + contact.impact.normal) * normal +
+           (contact.impulse.shear + contact.impact.shear) * tangent) /
+          kSpacing;
       sum += (now[wall] - before[wall]) *
              impulse.dot(lattice::position(lattice::unit(motion->direction)));
     }

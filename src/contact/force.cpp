@@ -155,8 +155,8 @@ std::vector<Force> forces(const State& state, double gravity) {
     force.upper = contact.upper;
     force.other = contact.other;
     force.normal = normal;
-    force.along_normal = contact.impulse.normal / weight;
-    force.along_shear = contact.impulse.shear / weight;
+    force.along_normal = (contact.impulse.normal + contact.impact.normal) / weight;
+    force.along_shear = (contact.impulse.shear + contact.impact.shear) / weight;
     put_geometry(state.grains, by_kind, force);
   }
   return result;

@@ -93,12 +93,16 @@ struct Contact {
   grains::Owner other = 0;
   UnitVector normal = {};  ///< towards the upper grain, in the last step
   Impulse<std::int32_t> impulse = {};
+  /// Of an impact that was solved on its own in the last step. The next step does not begin with
+  /// it.
+  Impulse<std::int32_t> impact = {};
 
   bool operator==(const Contact&) const = default;
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("upper", &Contact::upper), field("other", &Contact::other),
-                           field("normal", &Contact::normal), field("impulse", &Contact::impulse));
+                           field("normal", &Contact::normal), field("impulse", &Contact::impulse),
+                           field("impact", &Contact::impact));
   }
 };
 
@@ -113,7 +117,8 @@ struct State {
   std::vector<Contact> contacts = {};
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
-  std::uint64_t quiet_steps = 0;  ///< in a row: without a move, and with hardly any velocity
+  std::uint64_t unmoved_steps = 0;  ///< in a row: no grain or wall moved by a site
+  std::uint64_t quiet_steps = 0;    ///< in a row: unmoved, and with hardly any velocity
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;
@@ -123,7 +128,8 @@ struct State {
         field("grains", &State::grains), field("velocities", &State::velocities),
         field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
         field("contacts", &State::contacts), field("changed", &State::changed),
-        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
+        field("unmoved_steps", &State::unmoved_steps), field("quiet_steps", &State::quiet_steps),
+        field("vessel", &State::vessel));
   }
 };
 

@@ -236,7 +236,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
 }
 
 void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
-                         std::vector<std::int32_t>& lanes) {
+                         std::vector<std::int32_t>& new_slots) {
   // From the order of the last time, which is nearly right.
   listed_.resize(state_.particles.size());
   std::erase_if(order_, [&](const auto& one) {
@@ -276,7 +276,7 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
     for (const std::int32_t at : of_one_) {
       sorted_.add(slots.content(at), slots.at(at).apart);
       if (static_cast<std::size_t>(at) >= first_new) {
-        lanes.push_back(sorted_.all().back().lane);
+        new_slots.push_back(static_cast<std::int32_t>(sorted_.all().size()) - 1);
       }
     }
   }

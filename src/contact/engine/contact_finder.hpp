@@ -35,9 +35,9 @@ class ContactFinder {
   /// others. Returns the number of the first of them. `walls`: their velocities.
   std::size_t update(std::span<const std::uint32_t> moved, WallVelocities walls,
                      ContactSlots& slots);
-  /// Puts all in order anew and forgets the empty ones. Adds to `lanes` those of contacts whose
+  /// Puts all in order anew and forgets the empty ones. Adds to `new_slots` those of contacts whose
   /// slots were `first_new` and behind it.
-  void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& lanes);
+  void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& new_slots);
 
  private:
   /// Of two grains that have both moved one is checked for both.

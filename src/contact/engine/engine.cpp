@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "contact/engine/impact_slots.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/cuts.hpp"
 #include "contact/rule/remainders.hpp"
@@ -88,6 +89,7 @@ std::size_t Engine::move_grains() {
   update_contacts();
   set_walls();
   bounce_new();
+  collide();
   accelerate_all();
   clock_.end(&Profile::motion);
   sweep_contacts();
@@ -103,13 +105,12 @@ void Engine::update_contacts() {
   }
   const std::size_t first_new = finder_.update(changed_, wall_velocities(state_), slots_);
   clock_.end(&Profile::contacts);
-  new_lanes_.clear();
+  new_slots_.clear();
   if (sorts_contacts(state_)) {
-    finder_.sort(slots_, first_new, new_lanes_);
+    finder_.sort(slots_, first_new, new_slots_);
   } else {
-    for (const Slot& slot : slots_.all().subspan(first_new)) {
-      new_lanes_.push_back(slot.lane);
-    }
+    new_slots_.resize(slots_.all().size() - first_new);
+    std::iota(new_slots_.begin(), new_slots_.end(), static_cast<std::int32_t>(first_new));
   }
   state_.changed = false;
   for (const std::uint32_t id : changed_) {
@@ -128,10 +129,32 @@ void Engine::set_walls() {
 }
 
 void Engine::bounce_new() {
-  for (const std::int32_t lane : new_lanes_) {
-    slots_.batches().bounce(lane) =
-        bounce(-separation_velocity(slots_.batches().touching(lane, bodies_)), rule_.restitution);
+  Batches& batches = slots_.batches();
+  for (const std::int32_t slot : new_slots_) {
+    const std::int32_t lane = slots_.at(slot).lane;
+    batches.bounce(lane) =
+        bounce(-separation_velocity(batches.touching(lane, bodies_)), rule_.restitution);
   }
+}
+
+void Engine::collide() {
+  impacts_.clear();
+  const auto bounce = [&](std::size_t slot) -> std::int32_t& {
+    return slots_.batches().bounce(slots_.at(static_cast<std::int32_t>(slot)).lane);
+  };
+  for (const std::int32_t slot : new_slots_) {
+    if (bounce(static_cast<std::size_t>(slot)) == 0) {
+      continue;
+    }
+    std::vector<ImpactContact> impact = isolated_impact(slots_, slot);
+    solve_impact(impact, state_.grains, rule_, velocity_of());
+    for (const ImpactContact& one : impact) {
+      bounce(one.at) = 0;
+    }
+    impacts_.insert(impacts_.end(), impact.begin(), impact.end());
+  }
+  std::sort(impacts_.begin(), impacts_.end(),
+            [](const ImpactContact& one, const ImpactContact& other) { return one.at < other.at; });
 }
 
 void Engine::accelerate_all() {
@@ -175,8 +198,8 @@ void Engine::sweep_contacts() {
       batch_.sweep(batches, count, bodies_.data(), rule_.law, backwards);
     });
   }
-  for (const std::int32_t lane : new_lanes_) {
-    slots_.batches().bounce(lane) = 0;
+  for (const std::int32_t slot : new_slots_) {
+    slots_.batches().bounce(slots_.at(slot).lane) = 0;
   }
   clock_.end(&Profile::sweeps);
 }
@@ -185,13 +208,13 @@ void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
-  std::atomic<bool> quiet = true;
+  std::atomic<bool> at_rest = true;
   may_move_.clear();
   parallel::split(threads_, state_.grains.particles.size(),
                   [&, particles = std::span(state_.grains.particles), motions = grain_bodies(),
                    remainders = std::span(state_.remainders)](std::size_t part, std::size_t first,
                                                               std::size_t last) {
-                    bool at_rest = true;
+                    bool part_rests = true;
                     std::vector<std::uint32_t>& near = may_move_.of(part);
                     near.resize(last - first);
                     std::size_t count = 0;
@@ -199,17 +222,17 @@ void Engine::advance_and_move() {
                       if (!particles[id].present) {
                         continue;
                       }
-                      at_rest =
+                      part_rests =
                           contact::advance(remainders[id], motions[id].velocity,
                                            slots_.touches_anything(static_cast<std::uint32_t>(id)),
                                            slow) &&
-                          at_rest;
+                          part_rests;
                       near[count] = static_cast<std::uint32_t>(id);  // overwritten unless counted
                       count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
                     }
                     near.resize(count);
-                    if (!at_rest) {
-                      quiet = false;
+                    if (!part_rests) {
+                      at_rest = false;
                     }
                   });
   candidates_.clear();
@@ -219,13 +242,10 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  cut_remainders(state_, moves, rule_, mover_.ids(),
-                 [&](grains::Owner body) -> Velocity<std::int32_t>& {
-                   return bodies_[slots_.batches().body(body)].velocity;
-                 });
+  cut_remainders(state_, moves, rule_, mover_.ids(), velocity_of());
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
-  end_step(state_, walls, quiet && moved_.empty());
+  end_step(state_, walls, moved_.empty(), at_rest);
 }
 
 void Engine::write_back() {
@@ -234,12 +254,7 @@ void Engine::write_back() {
   }
   written_back_ = true;
   write_back_velocities();
-  state_.contacts.clear();
-  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
-    if (slots_.at(at).lane >= 0) {
-      state_.contacts.push_back(slots_.content(at).contact);
-    }
-  }
+  state_.contacts = contacts([](const Slot& /*slot*/) { return true; });
 }
 
 void Engine::write_back_velocities() {
@@ -248,11 +263,24 @@ void Engine::write_back_velocities() {
 }
 
 std::vector<Contact> Engine::wall_contacts() const {
+  return contacts([](const Slot& slot) { return !grains::is_particle(slot.other); });
+}
+
+/// Those that `chosen` returns true for, in order.
+template <class Chosen>
+std::vector<Contact> Engine::contacts(Chosen chosen) const {
   std::vector<Contact> result;
-  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
-    if (slots_.at(at).lane >= 0 && !grains::is_particle(slots_.at(at).other)) {
-      result.push_back(slots_.content(at).contact);
+  auto impact = impacts_.begin();
+  for (std::size_t at = 0; at < slots_.all().size(); ++at) {
+    const Slot& slot = slots_.all()[at];
+    const bool is_impact = impact != impacts_.end() && impact->at == at;
+    if (slot.lane >= 0 && chosen(slot)) {
+      result.push_back(slots_.content(static_cast<std::int32_t>(at)).contact);
+      if (is_impact) {
+        result.back().impact = impact->contact.impact;
+      }
     }
+    impact += is_impact ? 1 : 0;
   }
   return result;
 }

@@ -10,6 +10,7 @@
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/engine/mover.hpp"
+#include "contact/rule/impacts.hpp"
 #include "contact/rule/step.hpp"
 #include "grains/internal/phase_clock.hpp"
 
@@ -30,13 +31,21 @@ class Engine final : public Steps {
  private:
   std::size_t move_grains() override;
   std::vector<Contact> wall_contacts() const override;
+  template <class Chosen>
+  std::vector<Contact> contacts(Chosen chosen) const;
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
+  VelocityOf velocity_of() {
+    return [this](grains::Owner body) -> Velocity<std::int32_t>& {
+      return bodies_[slots_.batches().body(body)].velocity;
+    };
+  }
   std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
   void load();
   void load_bodies();
   void update_contacts();
   void set_walls();
   void bounce_new();
+  void collide();
   void accelerate_all();
   void sweep_contacts();
   template <class Work>
@@ -55,7 +64,8 @@ class Engine final : public Steps {
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> new_lanes_;  // lanes of contacts that are new in this step
+  std::vector<std::int32_t> new_slots_;  // contacts that are new in this step
+  std::vector<ImpactContact> impacts_;   // of this step, in the order of the slots
   std::vector<std::uint32_t> moved_;     // in the last step, once each
   std::vector<std::uint32_t> changed_;   // grains that may touch other bodies than they did
   parallel::PartLists<std::uint32_t> may_move_;

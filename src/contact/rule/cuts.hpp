@@ -2,16 +2,12 @@
 // Cuts of remainders: what a grain that is held up loses in distance, it passes on as momentum.
 
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "contact/rule/moves.hpp"
 #include "contact/rule/rule.hpp"
 
 namespace clca::contact {
-
-/// Velocity of a grain, wall or side. Only those of grains are changed.
-using VelocityOf = std::function<Velocity<std::int32_t>&(grains::Owner)>;
 
 /// Shortens remainders to two spacings along any direction. Where a remainder is cut and the grain
 /// approaches what is in its way, the two collide along that direction, without restitution and

@@ -2,6 +2,7 @@
 // The constants of a run, as integers.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "clca/contact/parameters.hpp"
@@ -29,6 +30,9 @@ struct Rule {
     return is_side(other) ? side_friction : wall_friction[grains::wall_number(other)];
   }
 };
+
+/// Velocity of a grain, wall or side. Only those of grains are changed.
+using VelocityOf = std::function<Velocity<std::int32_t>&(grains::Owner)>;
 
 /// Throws std::invalid_argument if a parameter is out of range. `gravity` in lattice spacings per
 /// step squared.

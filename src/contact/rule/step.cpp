@@ -11,6 +11,7 @@
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/cuts.hpp"
+#include "contact/rule/impacts.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
 #include "contact/rule/touching.hpp"
@@ -68,6 +69,23 @@ std::vector<std::int32_t> bounces(Contacts& all, const std::vector<Touch>& conta
     }
   }
   return result;
+}
+
+/// Solves the impacts among few grains. Their contacts do not bounce once more.
+void collide(Contacts& all, const State& state, std::vector<Touch>& contacts,
+             std::vector<std::int32_t>& bounces, const Rule& rule) {
+  for (Touch& touch : contacts) {
+    touch.contact.impact = {};
+  }
+  for (std::vector<ImpactContact>& impact :
+       isolated_impacts(contacts, bounces, state.grains.particles.size())) {
+    solve_impact(impact, state.grains, rule,
+                 [&](grains::Owner body) -> Velocity<std::int32_t>& { return all.velocity(body); });
+    for (const ImpactContact& one : impact) {
+      contacts[one.at].contact.impact = one.contact.impact;
+      bounces[one.at] = 0;
+    }
+  }
 }
 
 /// Sweeps alternate forwards and backwards.
@@ -185,9 +203,9 @@ bool Steps::advance(grains::StepReport& report) {
     exchange_.vessel = vessel_work(state_, vessel, gravity_);
   }
   if (report.emitted > 0) {
-    state_.quiet_steps = 0;  // what is new still has to fall
+    disturb(state_);  // what is new still has to fall
   }
-  return state_.quiet_steps >= kQuietSteps && walls_rest(state_);
+  return grains_rest(state_, slow_speed(rule_)) && walls_rest(state_);
 }
 
 void Steps::removing(std::uint32_t id) {
@@ -199,14 +217,14 @@ void Steps::removing(std::uint32_t id) {
 void Steps::reloaded() {
   add_motions(state_);
   state_.changed = true;
-  state_.quiet_steps = 0;
+  disturb(state_);
 }
 
 void Steps::set_vessel(const Vessel& vessel) {
   check_valid(vessel);
   state_.changed = state_.changed || contact::down(vessel) != down();
   state_.vessel = vessel;
-  state_.quiet_steps = 0;
+  disturb(state_);
 }
 
 Reference::Reference(State initial, const Parameters& parameters)
@@ -226,8 +244,9 @@ std::size_t Reference::move_grains() {
   state_.changed = false;
   Contacts all(state_, rule_);
 
-  // 2. New contacts bounce.
-  const std::vector<std::int32_t> bounce = bounces(all, contacts, rule_.restitution);
+  // 2. New contacts bounce: impacts among few grains at once, others in the sweeps.
+  std::vector<std::int32_t> bounce = bounces(all, contacts, rule_.restitution);
+  collide(all, state_, contacts, bounce, rule_);
 
   // 3. Gravity and the vessel.
   accelerate_all(state_, rule_);
@@ -257,7 +276,7 @@ std::size_t Reference::move_grains() {
                  [&](grains::Owner body) -> Velocity<std::int32_t>& { return all.velocity(body); });
 
   // 10. Walls and vessel end the step.
-  end_step(state_, walls, at_rest && moved_.empty());
+  end_step(state_, walls, moved_.empty(), at_rest);
   return moved_.size();
 }
 

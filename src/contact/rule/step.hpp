@@ -8,6 +8,7 @@
 #include "clca/contact/state.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/rule.hpp"
+#include "contact/rule/walls.hpp"
 #include "grains/internal/mechanics.hpp"
 
 namespace clca::contact {
@@ -45,7 +46,7 @@ class Steps : public grains::Mechanics {
   bool advance(grains::StepReport& report) final;
   void removing(std::uint32_t id) override;
   void reloaded() override;
-  void motion_set() final { state_.quiet_steps = 0; }
+  void motion_set() final { disturb(state_); }
 
  protected:
   /// Everything else of a step. Returns how many grains moved.

@@ -118,7 +118,8 @@ std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<
   std::vector<bool> taken(now.size(), false);
   for (std::size_t i = 0; i < before.size(); ++i) {
     for (std::size_t k = 0; k < now.size(); ++k) {
-      if (now[k].contact.other == before[i].other) {
+      if (now[k].contact.other == before[i].other &&
+          cosine(before[i].normal, now[k].contact.normal) > kLeastCosine) {
         result[i] = k;
         taken[k] = true;
       }

@@ -68,15 +68,17 @@ std::vector<WallMove> advance_walls(State& state) {
   return result;
 }
 
-void end_step(State& state, std::span<const WallMove> walls, bool quiet) {
+void end_step(State& state, std::span<const WallMove> walls, bool unmoved, bool at_rest) {
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     std::int64_t& ahead = state.wall_remainders[move.wall];
     ahead -= move.done ? move.desired * grains::kSpacing : 0;
     take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
-    quiet = quiet && !move.done;
+    unmoved = unmoved && !move.done;
   }
-  state.quiet_steps = quiet && !state.vessel.moves() ? state.quiet_steps + 1 : 0;
+  unmoved = unmoved && !state.vessel.moves();
+  state.unmoved_steps = unmoved ? state.unmoved_steps + 1 : 0;
+  state.quiet_steps = unmoved && at_rest ? state.quiet_steps + 1 : 0;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     grains::end_step(*wall.motion, wall.travel, state.quiet_steps < kQuietSteps);
@@ -85,6 +87,18 @@ void end_step(State& state, std::span<const WallMove> walls, bool quiet) {
   state.vessel = next(state.vessel);
   state.changed = state.changed || down(state.vessel) != before;
   ++state.grains.step;
+}
+
+void disturb(State& state) {
+  state.unmoved_steps = 0;
+  state.quiet_steps = 0;
+}
+
+bool grains_rest(const State& state, std::int32_t slow) {
+  // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
+  constexpr std::int64_t kFarthest = 3 * kSpacing;
+  return state.quiet_steps >= kQuietSteps ||
+         (slow > 0 && state.unmoved_steps >= static_cast<std::uint64_t>(kFarthest / slow));
 }
 
 bool walls_rest(const State& state) {

@@ -92,7 +92,8 @@ TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
   // A pile of three on the floor; the one on top is listed first when all is sorted.
   const grains::State state = hexagons({{10, 1}, {10, 4}, {10, 7}});
   const std::vector<Touch> now = touches_of(state);
-  const std::vector<Contact> before = {{.upper = 0, .other = kFloor, .impulse = {5, 4, 3}}};
+  const std::vector<Contact> before = {
+      {.upper = 0, .other = kFloor, .normal = {0, 1 << kUnitBits}, .impulse = {5, 4, 3}}};
   const auto kept = next_contacts(state, before, now, kDown, false);
   EXPECT_EQ(pairs(kept), (std::vector<Bodies2>{{0, kFloor}, {2, 1}, {1, 0}}));
   EXPECT_EQ(kept[0].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
@@ -109,7 +110,7 @@ TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
 TEST(NextContacts, LeaveOutWhatNoLongerTouches) {
   const grains::State state = hexagons({{10, 1}, {20, 20}});
   const std::vector<Contact> before = {{.upper = 1, .other = 0, .impulse = {9, 0, 0}},
-                                       {.upper = 0, .other = kFloor},
+                                       {.upper = 0, .other = kFloor, .normal = {0, 1 << kUnitBits}},
                                        {.upper = 1, .other = kLeftSide}};
   EXPECT_EQ(pairs(next_contacts(state, before, touches_of(state), kDown, false)),
             (std::vector<Bodies2>{{0, kFloor}}));

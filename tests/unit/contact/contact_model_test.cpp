@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "contact/rule/bodies.hpp"
+#include "contact/rule/walls.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::contact_model_test {
@@ -68,6 +69,19 @@ TEST_P(ContactModelTest, WhatRestsIsSettledAfterSixtySteps) {
   ContactModel one = model(box({particle_at(10, 1)}));
   EXPECT_EQ(settle(one), 60);
   EXPECT_EQ(one.state().quiet_steps, 60U);
+}
+
+// A grain that is faster than that and free would have moved by a site.
+TEST(GrainsRest, IfNoneHasMovedForLongEvenIfSomeAreFaster) {
+  State held{.grains = box({particle_at(10, 1)})};
+  const std::int32_t slow = kSpacing / 1000;
+  held.unmoved_steps = 2999;
+  EXPECT_FALSE(grains_rest(held, slow));
+  held.unmoved_steps = 3001;
+  EXPECT_TRUE(grains_rest(held, slow));
+  EXPECT_FALSE(grains_rest(held, 0)) << "without gravity nothing says how long that is";
+  disturb(held);
+  EXPECT_FALSE(grains_rest(held, slow));
 }
 
 TEST_P(ContactModelTest, AGrainThatBouncesComesToRest) {

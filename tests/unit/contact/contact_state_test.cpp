@@ -92,6 +92,7 @@ TEST(TheContactModel, RefusesNumbersOutOfRange) {
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.shear = kLeast; }), impulse);
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.rolling = kMaxImpulse + 1; }),
             impulse);
+  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impact.normal = -1; }), impulse);
 }
 
 TEST(TheContactModel, RefusesContactsOfWhatIsNotThere) {
@@ -226,7 +227,8 @@ TEST(TheHash, TellsOfEverythingThatARunChanges) {
            [](State& state) { ++state.remainders[0].x; },
            [](State& state) { std::swap(state.contacts[0], state.contacts[1]); },
            [](State& state) { ++state.contacts[1].impulse.rolling; },
-           [](State& state) { state.changed = false; },
+           [](State& state) { ++state.contacts[1].impact.normal; },
+           [](State& state) { state.changed = false; }, [](State& state) { ++state.unmoved_steps; },
            [](State& state) { ++state.quiet_steps; }}) {
     State state = good_state();
     change(state);
