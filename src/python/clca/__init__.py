@@ -1,0 +1,31 @@
+"""Granular flow by cellular automata, contact dynamics and the Boltzmann equation.
+
+    run = clca.run("wall-removal", seed=3, set={"rules.inertia": 0.5})
+    run.measures["flow"]["repose_angle_deg"]
+    run.frames[-1].positions
+
+See docs/python.md.
+"""
+
+from ._clca import version
+from ._error import Error
+from ._frames import Frame, Frames, Kind
+from ._run import Run, Stage, open, resume, run
+from ._scene import Scene
+from ._table import Table, Value
+
+__version__ = version()
+__all__ = [
+    "Error",
+    "Frame",
+    "Frames",
+    "Kind",
+    "Run",
+    "Scene",
+    "Stage",
+    "Table",
+    "Value",
+    "open",
+    "resume",
+    "run",
+]

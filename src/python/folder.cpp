@@ -1,0 +1,157 @@
+// Run folders: summaries, tables and trajectories.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <mutex>
+
+#include "clca/run/load.hpp"
+#include "clca/run/quantity.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "clca/store/table.hpp"
+#include "clca/store/trajectory.hpp"
+#include "python/arrays.hpp"
+#include "python/scene.hpp"
+
+namespace clca::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+py::object value(const store::MeasureValue& value) {
+  if (const auto* answer = std::get_if<bool>(&value)) {
+    return py::bool_(*answer);
+  }
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? py::object(py::float_(*number)) : py::none();
+}
+
+/// (name, unit, meaning), of what is not declared empty.
+py::tuple quantity(const std::string& key, const store::RunSummary& summary) {
+  const auto find = summary.kind == "boltzmann" ? run::find_gas_quantity : run::find_quantity;
+  const run::Quantity* found = find(key);
+  return found != nullptr ? py::make_tuple(found->name, run::shown_unit(found->unit, summary.units),
+                                           found->meaning)
+                          : py::make_tuple("", "", "");
+}
+
+py::dict summary(const fs::path& folder) {
+  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  py::list stages;
+  for (const store::StageSummary& stage : summary.stages) {
+    py::list measures;
+    for (const auto& [key, number] : stage.measures) {
+      measures.append(py::make_tuple(key, value(number), quantity(key, summary)));
+    }
+    stages.append(py::make_tuple(stage.name, stage.steps, stage.ended, measures, stage.notes));
+  }
+  py::dict result;
+  result["kind"] = summary.kind;
+  result["scene"] = summary.scene;
+  result["title"] = summary.title;
+  result["version"] = summary.version;
+  result["seed"] = summary.seed;
+  result["status"] = summary.status;
+  result["particles"] = summary.particles;
+  result["steps"] = summary.steps;
+  result["state_hash"] = summary.state_hash;
+  result["stages"] = stages;
+  return result;
+}
+
+/// Columns as (key, values, quantity): an array where all cells are numbers or empty, else a list.
+py::list table(const fs::path& folder, const std::string& name, const std::set<std::string>& text) {
+  const store::ReadTable table = store::read_table(folder / store::table_name(name));
+  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  py::list columns;
+  for (const std::string& key : table.names) {
+    py::object cells = py::cast(*table.find(key));
+    if (!text.contains(key)) {
+      const std::vector<double> numbers = table.numbers(key);
+      cells = py::array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+    }
+    columns.append(py::make_tuple(key, cells, quantity(key, summary)));
+  }
+  return columns;
+}
+
+/// May be used from several threads.
+class Trajectory {
+ public:
+  explicit Trajectory(const fs::path& folder)
+      : scene_(scene_of(folder)),
+        initial_(run::initial_state(scene_)),
+        trajectory_(folder, scene_, initial_, run::default_memory_limit()) {
+    run::check_memory(scene_, run::default_memory_limit());
+  }
+
+  /// (step, stage, particles) of each; a step has one, that of the stage that ends with it.
+  py::list frames() const {
+    py::list result;
+    for (const std::size_t place : places_) {
+      const store::Trajectory::Frame& frame = trajectory_.frames()[place];
+      result.append(py::make_tuple(frame.step, scene_.stages[frame.stage].name, frame.particles));
+    }
+    return result;
+  }
+
+  py::tuple frame(std::size_t number) {
+    std::optional<FrameData> data;
+    {
+      const py::gil_scoped_release free;
+      const std::scoped_lock one(mutex_);
+      const std::size_t place = places_.at(number);
+      const grains::State state = trajectory_.state(place);
+      data.emplace(scene_, state, trajectory_.contact_frame(place));
+    }
+    return std::move(*data).to_python();
+  }
+
+  py::list kinds() const { return python::kinds(scene_, initial_.kinds); }
+  py::list walls() const { return python::walls(scene_, initial_); }
+  py::dict units() const { return python::units(scene_); }
+
+ private:
+  static scene::Scene scene_of(const fs::path& folder) {
+    scene::Scene scene = scene::parse_file(folder / store::kSceneFile);
+    scene.name = store::read_summary(folder / store::kSummaryFile).scene;
+    return scene;
+  }
+  static std::vector<std::size_t> first_of_each_step(
+      const std::vector<store::Trajectory::Frame>& frames) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (i == 0 || frames[i].step != frames[i - 1].step) {
+        places.push_back(i);
+      }
+    }
+    return places;
+  }
+
+  scene::Scene scene_;
+  grains::State initial_;
+  store::Trajectory trajectory_;
+  std::vector<std::size_t> places_ = first_of_each_step(trajectory_.frames());
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+void add_folder(py::module_& module) {
+  module.def("summary", summary);
+  module.def("table", table);
+  py::class_<Trajectory>(module, "Trajectory")
+      .def(py::init<fs::path>(), py::call_guard<py::gil_scoped_release>())
+      .def("frames", &Trajectory::frames)
+      .def("frame", &Trajectory::frame)
+      .def("kinds", &Trajectory::kinds)
+      .def("walls", &Trajectory::walls)
+      .def("units", &Trajectory::units);
+}
+
+}  // namespace clca::python

@@ -1,0 +1,114 @@
+// Runs of scenes, stopped as Python's signal handlers say.
+
+#include "clca/run/run.hpp"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "clca/run/load.hpp"
+#include "python/scene.hpp"
+
+namespace clca::python {
+
+namespace {
+
+/// Looks for signals while the interpreter is free, and keeps what their handlers raise.
+class Interrupt {
+ public:
+  const std::atomic<int>* stop() const { return &stop_; }
+  void look() {
+    const py::gil_scoped_acquire interpreter;
+    if (!raised_ && PyErr_CheckSignals() != 0) {
+      raised_.emplace();
+      stop_ = SIGINT;
+    }
+  }
+  /// Needs the interpreter.
+  void raise() {
+    if (raised_) {
+      throw *std::exchange(raised_, std::nullopt);
+    }
+  }
+
+ private:
+  std::atomic<int> stop_ = 0;
+  std::optional<py::error_already_set> raised_;
+};
+
+struct Done {
+  std::string status;
+  std::filesystem::path folder;
+};
+
+/// Calls `run_it` without the interpreter. Its warnings become those of Python.
+template <class RunIt>
+Done carry_out(run::RunOptions options, RunIt run_it) {
+  Interrupt interrupt;
+  std::vector<std::string> warnings;
+  Done done;
+  {
+    const py::gil_scoped_release free;
+    options.stop = interrupt.stop();
+    run::RunEvents events;
+    events.progress = [&](const run::Progress& /*progress*/) { interrupt.look(); };
+    events.gas_progress = [&](const run::GasProgress& /*progress*/) { interrupt.look(); };
+    events.folder = [&](const std::filesystem::path& folder) { done.folder = folder; };
+    events.warning = [&](const std::string& text) { warnings.push_back(text); };
+    done.status = run_it(options, events).status;
+  }
+  interrupt.raise();
+  for (const std::string& text : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
+      throw py::error_already_set();
+    }
+  }
+  return done;
+}
+
+/// As of the commands.
+int default_threads(const scene::AnyScene& scene) {
+  return std::holds_alternative<scene::BoltzmannScene>(scene) ? run::machine_threads() : 1;
+}
+
+std::filesystem::path run_scene(const LoadedScene& loaded,
+                                const std::optional<std::filesystem::path>& output,
+                                std::optional<int> threads, bool keep, bool overwrite) {
+  const auto run_it = [&](const auto& scene) {
+    run::RunOptions options = {.folder = output.value_or("renders/" + scene.name),
+                               .threads = threads.value_or(default_threads(loaded.scene)),
+                               .overwrite = overwrite,
+                               .keep = keep};
+    if (!keep) {
+      run::check_output(loaded.file, options.folder);
+    }
+    return carry_out(std::move(options),
+                     [&](const run::RunOptions& chosen, const run::RunEvents& events) {
+                       return run::run(scene, chosen, events);
+                     })
+        .folder;
+  };
+  return std::visit(run_it, loaded.scene);
+}
+
+void resume(const std::filesystem::path& folder, const std::optional<std::string>& until,
+            std::optional<int> threads) {
+  run::SavedRun saved = run::load_run(folder, run::default_memory_limit(), until);
+  const int chosen = threads.value_or(default_threads(saved.scene));
+  carry_out({.threads = chosen}, [&](const run::RunOptions& options, const run::RunEvents& events) {
+    return run::resume(std::move(saved), options, events);
+  });
+}
+
+}  // namespace
+
+void add_run(py::module_& module) {
+  module.def("run", run_scene);
+  module.def("resume", resume);
+  module.def("version", run::version);
+}
+
+}  // namespace clca::python
