@@ -8,13 +8,13 @@
 #include <mutex>
 
 #include "clca/run/load.hpp"
-#include "clca/run/quantity.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 #include "clca/store/trajectory.hpp"
 #include "python/arrays.hpp"
+#include "python/quantities.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {
@@ -23,32 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-py::object value(const store::MeasureValue& value) {
-  if (const auto* answer = std::get_if<bool>(&value)) {
-    return py::bool_(*answer);
-  }
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? py::object(py::float_(*number)) : py::none();
-}
-
-/// (name, unit, meaning), of what is not declared empty.
-py::tuple quantity(const std::string& key, const store::RunSummary& summary) {
-  const auto find = summary.kind == "boltzmann" ? run::find_gas_quantity : run::find_quantity;
-  const run::Quantity* found = find(key);
-  return found != nullptr ? py::make_tuple(found->name, run::shown_unit(found->unit, summary.units),
-                                           found->meaning)
-                          : py::make_tuple("", "", "");
+Declared declared(const store::RunSummary& summary) {
+  return {.of_gas = summary.kind == "boltzmann", .units = summary.units};
 }
 
 py::dict summary(const fs::path& folder) {
   const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
   py::list stages;
   for (const store::StageSummary& stage : summary.stages) {
-    py::list measures;
-    for (const auto& [key, number] : stage.measures) {
-      measures.append(py::make_tuple(key, value(number), quantity(key, summary)));
-    }
-    stages.append(py::make_tuple(stage.name, stage.steps, stage.ended, measures, stage.notes));
+    stages.append(py::make_tuple(stage.name, stage.steps, stage.ended,
+                                 measures(stage.measures, declared(summary)), stage.notes));
   }
   py::dict result;
   result["kind"] = summary.kind;
@@ -75,7 +59,7 @@ py::list table(const fs::path& folder, const std::string& name, const std::set<s
       const std::vector<double> numbers = table.numbers(key);
       cells = py::array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
     }
-    columns.append(py::make_tuple(key, cells, quantity(key, summary)));
+    columns.append(py::make_tuple(key, cells, quantity(key, declared(summary))));
   }
   return columns;
 }
@@ -149,9 +133,9 @@ void add_folder(py::module_& module) {
       .def(py::init<fs::path>(), py::call_guard<py::gil_scoped_release>())
       .def("frames", &Trajectory::frames)
       .def("frame", &Trajectory::frame)
-      .def("kinds", &Trajectory::kinds)
-      .def("walls", &Trajectory::walls)
-      .def("units", &Trajectory::units);
+      .def("_kinds", &Trajectory::kinds)
+      .def("_walls", &Trajectory::walls)
+      .def("_units", &Trajectory::units);
 }
 
 }  // namespace clca::python

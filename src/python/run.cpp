@@ -6,38 +6,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <atomic>
-#include <csignal>
-
 #include "clca/run/load.hpp"
+#include "python/interrupt.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {
 
 namespace {
-
-/// Looks for signals while the interpreter is free, and keeps what their handlers raise.
-class Interrupt {
- public:
-  const std::atomic<int>* stop() const { return &stop_; }
-  void look() {
-    const py::gil_scoped_acquire interpreter;
-    if (!raised_ && PyErr_CheckSignals() != 0) {
-      raised_.emplace();
-      stop_ = SIGINT;
-    }
-  }
-  /// Needs the interpreter.
-  void raise() {
-    if (raised_) {
-      throw *std::exchange(raised_, std::nullopt);
-    }
-  }
-
- private:
-  std::atomic<int> stop_ = 0;
-  std::optional<py::error_already_set> raised_;
-};
 
 struct Done {
   std::string status;

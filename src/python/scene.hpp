@@ -29,5 +29,7 @@ struct LoadedScene {
 void add_scene(py::module_& module);
 void add_run(py::module_& module);
 void add_folder(py::module_& module);
+void add_pictures(py::module_& module);
+void add_simulation(py::module_& module);
 
 }  // namespace clca::python

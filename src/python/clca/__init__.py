@@ -10,8 +10,10 @@ See docs/python.md.
 from ._clca import version
 from ._error import Error
 from ._frames import Frame, Frames, Kind
+from ._picture import Picture
 from ._run import Run, Stage, open, resume, run
 from ._scene import Scene
+from ._simulation import Simulation
 from ._table import Table, Value
 
 __version__ = version()
@@ -20,8 +22,10 @@ __all__ = [
     "Frame",
     "Frames",
     "Kind",
+    "Picture",
     "Run",
     "Scene",
+    "Simulation",
     "Stage",
     "Table",
     "Value",

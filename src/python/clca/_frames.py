@@ -23,9 +23,9 @@ class Look:
     """What all frames of a run share."""
 
     def __init__(self, source: Any) -> None:
-        self.kinds = [Kind(*kind) for kind in source.kinds()]
-        self.walls: dict[str, NDArray[numpy.float64]] = dict(source.walls())
-        self.units: dict[str, tuple[str, float]] = source.units()
+        self.kinds = [Kind(*kind) for kind in source._kinds()]
+        self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
+        self.units: dict[str, tuple[str, float]] = source._units()
         self.species = numpy.array([kind.species for kind in self.kinds])
         self.degrees = numpy.array([kind.degrees for kind in self.kinds])
 

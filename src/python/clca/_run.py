@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import _clca
 from ._frames import Frames, Kind
+from ._picture import Picture, overrides
 from ._scene import Scene, to_yaml
 from ._table import TEXT, Table, Value
 
@@ -88,6 +89,18 @@ class Run:
     def contacts(self, step: int) -> NDArray[numpy.void]:
         """`contacts` of the frame of that step."""
         return self.frames.at(step).contacts
+
+    def picture(self, step: int, **frames: Any) -> Picture:
+        """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
+        `color_by="stage_layer"`, `width=400`. Throws Error.
+        """
+        return _clca.picture(self.folder, step, overrides(frames)).view(Picture)
+
+    def movie(self, file: str | os.PathLike[str], fps: int = 25, **frames: Any) -> None:
+        """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm or .png (animated), by
+        ffmpeg. `frames` are as for `picture`; `every` chooses the steps. Throws Error.
+        """
+        _clca.movie(self.folder, Path(file), fps, overrides(frames))
 
 
 def open(folder: str | os.PathLike[str]) -> Run:
