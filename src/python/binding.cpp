@@ -30,4 +30,6 @@ PYBIND11_MODULE(_clca, module) {
   clca::python::add_folder(module);
   clca::python::add_pictures(module);
   clca::python::add_simulation(module);
+  clca::python::add_gas(module);
+  clca::python::add_sweep(module);
 }

@@ -9,6 +9,7 @@
 
 #include "clca/run/load.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
@@ -48,18 +49,28 @@ py::dict summary(const fs::path& folder) {
   return result;
 }
 
-/// Columns as (key, values, quantity): an array where all cells are numbers or empty, else a list.
-py::list table(const fs::path& folder, const std::string& name, const std::set<std::string>& text) {
+/// An array if all cells are numbers or empty and may be, else a list.
+py::object cells_of(const store::ReadTable& table, const std::string& key, bool is_text) {
+  if (!is_text) {
+    try {
+      const std::vector<double> numbers = table.numbers(key);
+      return py::array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+    } catch (const store::StoreError&) {  // some are names
+    }
+  }
+  return py::cast(*table.find(key));
+}
+
+/// Columns as (key, values, quantity).
+/// `run`: the folder of one whose units the table has.
+py::list table(const fs::path& folder, const std::string& name, const std::set<std::string>& text,
+               const std::optional<fs::path>& run) {
   const store::ReadTable table = store::read_table(folder / store::table_name(name));
-  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  const Declared all = run ? declared(store::read_summary(*run / store::kSummaryFile)) : Declared();
   py::list columns;
   for (const std::string& key : table.names) {
-    py::object cells = py::cast(*table.find(key));
-    if (!text.contains(key)) {
-      const std::vector<double> numbers = table.numbers(key);
-      cells = py::array(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-    }
-    columns.append(py::make_tuple(key, cells, quantity(key, declared(summary))));
+    columns.append(
+        py::make_tuple(key, cells_of(table, key, text.contains(key)), quantity(key, all)));
   }
   return columns;
 }

@@ -1,12 +1,16 @@
 #pragma once
-// Ctrl-C and other signals while the interpreter is free.
+// Signals and warnings while the interpreter is free.
 
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <functional>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace clca::python {
 
@@ -22,6 +26,13 @@ class Interrupt {
       stop_ = SIGINT;
     }
   }
+  /// The same some ten times a second.
+  void look_at_times() {
+    if (const auto now = Clock::now(); now >= due_) {
+      look();
+      due_ = now + kInterval;
+    }
+  }
   /// Needs the interpreter.
   void raise() {
     if (raised_) {
@@ -30,8 +41,31 @@ class Interrupt {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::milliseconds(100);
+
   std::atomic<int> stop_ = 0;
   std::optional<pybind11::error_already_set> raised_;
+  Clock::time_point due_ = Clock::now() + kInterval;
+};
+
+/// Keeps warnings, to be those of Python.
+class Warnings {
+ public:
+  std::function<void(const std::string&)> take() {
+    return [this](const std::string& text) { texts_.push_back(text); };
+  }
+  /// Needs the interpreter.
+  void issue() const {
+    for (const std::string& text : texts_) {
+      if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
+        throw pybind11::error_already_set();
+      }
+    }
+  }
+
+ private:
+  std::vector<std::string> texts_;
 };
 
 }  // namespace clca::python

@@ -23,7 +23,7 @@ struct Done {
 template <class RunIt>
 Done carry_out(run::RunOptions options, RunIt run_it) {
   Interrupt interrupt;
-  std::vector<std::string> warnings;
+  Warnings warnings;
   Done done;
   {
     const py::gil_scoped_release free;
@@ -32,15 +32,11 @@ Done carry_out(run::RunOptions options, RunIt run_it) {
     events.progress = [&](const run::Progress& /*progress*/) { interrupt.look(); };
     events.gas_progress = [&](const run::GasProgress& /*progress*/) { interrupt.look(); };
     events.folder = [&](const std::filesystem::path& folder) { done.folder = folder; };
-    events.warning = [&](const std::string& text) { warnings.push_back(text); };
+    events.warning = warnings.take();
     done.status = run_it(options, events).status;
   }
   interrupt.raise();
-  for (const std::string& text : warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
-      throw py::error_already_set();
-    }
-  }
+  warnings.issue();
   return done;
 }
 

@@ -24,6 +24,14 @@ const scene::Scene& LoadedScene::of_grains() const {
   return std::get<scene::Scene>(scene);
 }
 
+const scene::BoltzmannScene& LoadedScene::of_gas() const {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    throw scene::SceneError(fmt::format("{}: error: expected a scene of a gas, found one of grains",
+                                        grains->box.location));
+  }
+  return std::get<scene::BoltzmannScene>(scene);
+}
+
 void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),

@@ -22,14 +22,17 @@ struct LoadedScene {
   std::string file;  ///< for messages
   scene::AnyScene scene;
 
-  /// Throws scene::SceneError for a gas.
+  // Throw scene::SceneError for one of the other kind.
   const scene::Scene& of_grains() const;
+  const scene::BoltzmannScene& of_gas() const;
 };
 
 void add_scene(py::module_& module);
 void add_run(py::module_& module);
 void add_folder(py::module_& module);
+void add_gas(py::module_& module);
 void add_pictures(py::module_& module);
 void add_simulation(py::module_& module);
+void add_sweep(py::module_& module);
 
 }  // namespace clca::python

@@ -7,7 +7,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "clca/measure/profile.hpp"
 #include "clca/scene/format.hpp"
@@ -24,24 +23,15 @@ namespace clca::python {
 namespace {
 
 using run::Simulation;
-using Clock = std::chrono::steady_clock;
-
-/// Between two looks for signals.
-constexpr auto kInterval = std::chrono::milliseconds(100);
-
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
   const py::gil_scoped_release free;
   Interrupt interrupt;
   std::uint64_t taken = 0;
-  for (Clock::time_point due = Clock::now() + kInterval; taken < steps && !simulation.is_over();) {
+  while (taken < steps && !simulation.is_over() && *interrupt.stop() == 0) {
     simulation.step();
     ++taken;
-    if (taken < steps && Clock::now() >= due) {  // between two calls Python looks itself
-      interrupt.look();
-      if (*interrupt.stop() != 0) {
-        break;
-      }
-      due = Clock::now() + kInterval;
+    if (taken < steps) {  // between two calls Python looks itself
+      interrupt.look_at_times();
     }
   }
   const py::gil_scoped_acquire interpreter;

@@ -64,7 +64,7 @@ class Run:
 
     def table(self, name: str) -> Table:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN."""
-        return Table(_clca.table(self.folder, name, TEXT))
+        return Table(_clca.table(self.folder, name, TEXT, self.folder))
 
     @cached_property
     def series(self) -> Table:

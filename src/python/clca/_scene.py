@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -27,7 +28,10 @@ def plain(value: Any) -> Any:
 
 def to_yaml(value: Any, indent: int | None = None) -> str:
     """A value in the syntax of a scene. Throws TypeError for one that a scene cannot have."""
-    return json.dumps(plain(value), ensure_ascii=False, indent=indent)
+    value = plain(value)
+    if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
+        return value  # as one writes it, also in tables and names of folders
+    return json.dumps(value, ensure_ascii=False, indent=indent)
 
 
 class Scene(_clca.Scene):
@@ -47,18 +51,25 @@ class Scene(_clca.Scene):
     ) -> None:
         self.source = source
         self.set = dict(set or {}) | ({} if seed is None else {"seed": seed})
-        overrides = [f"{key}={to_yaml(value)}" for key, value in self.set.items()]
-        if isinstance(source, Mapping):
-            super().__init__(name, to_yaml(source, indent=1), overrides)
-        else:
-            super().__init__(os.fspath(source), None, overrides)
+        self._name = name
+        super().__init__(*self.parts(), self.overrides())
+
+    def parts(self) -> tuple[str, str | None]:
+        """File or name, and the text of a scene without a file."""
+        if isinstance(self.source, Mapping):
+            return self._name, to_yaml(self.source, indent=1)
+        return os.fspath(self.source), None
+
+    def overrides(self) -> list[str]:
+        """As for `--set`."""
+        return [f"{key}={to_yaml(value)}" for key, value in self.set.items()]
 
     @classmethod
     def of(cls, scene: Any, seed: int | None = None, set: Mapping[str, Any] | None = None) -> Scene:
         """`scene`, if it is one, with more keys replaced; else the scene from that source."""
         if not isinstance(scene, Scene):
             return cls(scene, seed, set)
-        return scene if seed is None and not set else cls(scene.source, seed, scene.set | dict(set or {}), scene.name)
+        return scene if seed is None and not set else cls(scene.source, seed, scene.set | dict(set or {}), scene._name)
 
     def __repr__(self) -> str:
         return f"<scene {self.name}>"
