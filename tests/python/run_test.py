@@ -13,7 +13,7 @@ import warnings
 
 import clca
 import numpy
-from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
+from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program, needs
 
 
 class RunTest(ScratchTest):
@@ -101,6 +101,13 @@ class RunTest(ScratchTest):
         self.assertIs(type(series["step"]), numpy.ndarray)
         with self.assertRaisesRegex(clca.Error, "no-such.csv"):
             run.table("no-such")
+
+    def test_tables_are_data_frames_too(self):
+        needs("pandas")
+        series = clca.run(SCENE, output="run").series
+        frame = series.to_pandas()
+        self.assertEqual(list(frame.columns), list(series.dtype.names))
+        self.assertEqual(frame["mean_height"].tolist(), series["mean_height"].tolist())
 
     def test_names_that_look_like_numbers_stay_names(self):
         scene = SCENE | {"stages": [SCENE["stages"][0] | {"name": "1"}]}

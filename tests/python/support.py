@@ -1,5 +1,6 @@
 """What the tests of the Python package share."""
 
+import importlib.util
 import os
 import subprocess
 import tempfile
@@ -59,3 +60,9 @@ class ScratchTest(unittest.TestCase):
 def clca_program(*arguments):
     """Runs the program; its output."""
     return subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+def needs(module):
+    """Skips a test without this module, but not in CI, where it has to be there."""
+    if os.environ.get("CLCA_CI") is None and importlib.util.find_spec(module) is None:
+        raise unittest.SkipTest(f"no module {module}")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, overload
+from typing import NamedTuple, overload
 
 import numpy
 from numpy.typing import NDArray
+
+from . import _clca
 
 
 class Kind(NamedTuple):
@@ -22,7 +24,7 @@ class Kind(NamedTuple):
 class Look:
     """What all frames of a run share."""
 
-    def __init__(self, source: Any) -> None:
+    def __init__(self, source: _clca.Trajectory | _clca.Simulation) -> None:
         self.kinds = [Kind(*kind) for kind in source._kinds()]
         self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
         self.units: dict[str, tuple[str, float]] = source._units()
@@ -36,7 +38,7 @@ class Frame:
     Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
     """
 
-    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], tuple[Any, ...]]) -> None:
+    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], _clca._FrameData]) -> None:
         self._look = look
         self._load = load
         self.step = step
@@ -46,7 +48,7 @@ class Frame:
         return f"<frame of step {self.step}, stage {self.stage}>"
 
     @cached_property
-    def _data(self) -> tuple[Any, ...]:
+    def _data(self) -> _clca._FrameData:
         return self._load()
 
     @property
@@ -125,7 +127,7 @@ class Frame:
 class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
-    def __init__(self, trajectory: Any) -> None:
+    def __init__(self, trajectory: _clca.Trajectory) -> None:
         self._trajectory = trajectory
         self._list = trajectory.frames()
         self._look = Look(trajectory)
@@ -143,9 +145,9 @@ class Frames(Sequence[Frame]):
     def __getitem__(self, number: int | slice) -> Frame | list[Frame]:
         if isinstance(number, slice):
             return [self[i] for i in range(*number.indices(len(self)))]
-        number = range(len(self))[number]
-        step, stage, _ = self._list[number]
-        return Frame(self._look, step, stage, lambda: self._trajectory.frame(number))
+        place = range(len(self))[number]
+        step, stage, _ = self._list[place]
+        return Frame(self._look, step, stage, lambda: self._trajectory.frame(place))
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""

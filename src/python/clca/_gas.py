@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
 from . import _clca
-from ._scene import Scene
+from ._scene import AnyScene, Scene
 
 
 class Gas(_clca.Gas):
@@ -19,7 +18,7 @@ class Gas(_clca.Gas):
 
     def __init__(
         self,
-        scene: Scene | str | os.PathLike[str] | Mapping[str, Any],
+        scene: AnyScene,
         seed: int | None = None,
         set: Mapping[str, Any] | None = None,
         threads: int | None = None,

@@ -12,7 +12,7 @@ from . import _clca
 from ._scene import to_yaml
 
 
-class Picture(numpy.ndarray):
+class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
     """Rows from the top x columns x 3, bytes of red, green and blue. Shows itself in a notebook."""
 
     def _repr_png_(self) -> bytes | None:

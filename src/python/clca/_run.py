@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from . import _clca
 from ._frames import Frames, Kind
 from ._picture import Picture, overrides
-from ._scene import Scene, to_yaml
+from ._scene import AnyScene, Scene, to_yaml
 from ._table import TEXT, Table, Value
 
 
@@ -109,7 +109,7 @@ def open(folder: str | os.PathLike[str]) -> Run:
 
 
 def run(
-    scene: Scene | str | os.PathLike[str] | Mapping[str, Any],
+    scene: AnyScene,
     seed: int | None = None,
     set: Mapping[str, Any] | None = None,
     output: str | os.PathLike[str] | None = None,

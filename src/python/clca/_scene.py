@@ -65,7 +65,7 @@ class Scene(_clca.Scene):
         return [f"{key}={to_yaml(value)}" for key, value in self.set.items()]
 
     @classmethod
-    def of(cls, scene: Any, seed: int | None = None, set: Mapping[str, Any] | None = None) -> Scene:
+    def of(cls, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None) -> Scene:
         """`scene`, if it is one, with more keys replaced; else the scene from that source."""
         if not isinstance(scene, Scene):
             return cls(scene, seed, set)
@@ -73,3 +73,7 @@ class Scene(_clca.Scene):
 
     def __repr__(self) -> str:
         return f"<scene {self.name}>"
+
+
+#: A scene, a file, the name of a scene that comes with clca, or a dictionary.
+AnyScene = Scene | str | os.PathLike[str] | Mapping[str, Any]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 from . import _clca
 from ._frames import Frame, Kind, Look
 from ._picture import Picture, overrides
-from ._scene import Scene
+from ._scene import AnyScene, Scene
 from ._table import Table, Value
 
 
@@ -25,7 +24,7 @@ class Simulation(_clca.Simulation):
 
     def __init__(
         self,
-        scene: Scene | str | os.PathLike[str] | Mapping[str, Any],
+        scene: AnyScene,
         seed: int | None = None,
         set: Mapping[str, Any] | None = None,
         threads: int = 1,

@@ -12,7 +12,7 @@ import numpy
 
 from . import _clca
 from ._run import Run
-from ._scene import Scene, to_yaml
+from ._scene import AnyScene, Scene, to_yaml
 from ._table import TEXT, Table
 
 
@@ -62,7 +62,7 @@ class Sweep:
                 combinations.setdefault(tuple(values), []).append(series[series["stage"] == stage])
         rows: dict[str, list[Any]] = {key: [] for key in (*self.keys, "step", "mean", "standard_error", "runs")}
         unit = ("", "", "")
-        for values, runs in combinations.items():
+        for combination, runs in combinations.items():
             steps = [run["step"] - run["step"][0] if len(run) else run["step"] for run in runs]
             shared = steps[0]
             for one in steps[1:]:
@@ -70,7 +70,7 @@ class Sweep:
             cells = numpy.array([run[column][numpy.isin(own, shared)] for run, own in zip(runs, steps)])
             count = len(runs)
             spread = cells.std(0, ddof=1) if count > 1 else numpy.full(len(shared), numpy.nan)
-            for key, value in zip(self.keys, values):
+            for key, value in zip(self.keys, combination):
                 rows[key] += [value] * len(shared)
             rows["step"] += [*shared]
             rows["mean"] += [*cells.mean(0)]
@@ -90,7 +90,7 @@ def _numbers(cells: list[Any]) -> Any:
 
 
 def sweep(
-    scene: Scene | str | os.PathLike[str] | Mapping[str, Any],
+    scene: AnyScene,
     seeds: Iterable[int] = range(1, 9),
     vary: Mapping[str | tuple[str, ...], Sequence[Any]] | None = None,
     set: Mapping[str, Any] | None = None,

@@ -29,7 +29,7 @@ class Value(float):
         return Value, (float(self), self.name, self.unit, self.description)
 
 
-class Table(numpy.ndarray):
+class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
     `units` and `descriptions` are by column; empty where there is none.
@@ -61,6 +61,6 @@ class Table(numpy.ndarray):
 
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""
-        import pandas
+        import pandas  # type: ignore[import]
 
         return pandas.DataFrame({name: self[name] for name in self.dtype.names or ()})
