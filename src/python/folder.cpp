@@ -81,9 +81,7 @@ class Trajectory {
   explicit Trajectory(const fs::path& folder)
       : scene_(scene_of(folder)),
         initial_(run::initial_state(scene_)),
-        trajectory_(folder, scene_, initial_, run::default_memory_limit()) {
-    run::check_memory(scene_, run::default_memory_limit());
-  }
+        trajectory_(folder, scene_, initial_, run::default_memory_limit()) {}
 
   /// (step, stage, particles) of each; a step has one, that of the stage that ends with it.
   py::list frames() const {
@@ -115,6 +113,7 @@ class Trajectory {
   static scene::Scene scene_of(const fs::path& folder) {
     scene::Scene scene = scene::parse_file(folder / store::kSceneFile);
     scene.name = store::read_summary(folder / store::kSummaryFile).scene;
+    run::check_memory(scene, run::default_memory_limit());
     return scene;
   }
   static std::vector<std::size_t> first_of_each_step(

@@ -34,8 +34,7 @@ class Gas {
   /// Arrays of before keep what they had.
   void advance(double time) {
     Interrupt interrupt;
-    {
-      const py::gil_scoped_release free;
+    interrupt.during([&] {
       if (gas_.use_count() > 1) {
         gas_ = std::make_shared<boltzmann::Gas>(*gas_);
       }
@@ -44,8 +43,7 @@ class Gas {
                            interrupt.look_at_times();
                            return *interrupt.stop() == 0;
                          });
-    }
-    interrupt.raise();
+    });
   }
 
   /// Rows `first` and the two after it of the motions, one particle a row; no copy.

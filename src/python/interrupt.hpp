@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "clca/process/program.hpp"
+
 namespace clca::python {
 
 /// Looks for signals, and keeps what their handlers in Python raise.
@@ -33,14 +35,26 @@ class Interrupt {
       due_ = now + kInterval;
     }
   }
-  /// Needs the interpreter.
+  /// Calls `work` without the interpreter, which the caller has; then raises what was kept.
+  template <class Work>
+  void during(Work work) {
+    try {
+      const pybind11::gil_scoped_release free;
+      work();
+    } catch (const process::StoppedError&) {  // of a program that was stopped for that reason
+      raise();
+      throw;
+    }
+    raise();
+  }
+
+ private:
   void raise() {
     if (raised_) {
       throw *std::exchange(raised_, std::nullopt);
     }
   }
 
- private:
   using Clock = std::chrono::steady_clock;
   static constexpr auto kInterval = std::chrono::milliseconds(100);
 

@@ -38,17 +38,16 @@ py::array picture(const fs::path& folder, std::uint64_t step, const Overrides& o
 
 void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
            const Overrides& overrides) {
-  const py::gil_scoped_release free;
   Interrupt interrupt;
-  run::Redraw redraw({run_to_draw(folder, overrides)}, {.movie = file,
-                                                        .frames_per_second = frames_per_second,
-                                                        .max_bytes = run::default_memory_limit(),
-                                                        .stop = interrupt.stop()});
-  run::RedrawEvents events;
-  events.progress = [&](const run::RedrawProgress& /*progress*/) { interrupt.look(); };
-  redraw.draw(events);
-  const py::gil_scoped_acquire interpreter;
-  interrupt.raise();
+  interrupt.during([&] {
+    run::Redraw redraw({run_to_draw(folder, overrides)}, {.movie = file,
+                                                          .frames_per_second = frames_per_second,
+                                                          .max_bytes = run::default_memory_limit(),
+                                                          .stop = interrupt.stop()});
+    run::RedrawEvents events;
+    events.progress = [&](const run::RedrawProgress& /*progress*/) { interrupt.look(); };
+    redraw.draw(events);
+  });
 }
 
 py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {

@@ -14,30 +14,24 @@ namespace clca::python {
 
 namespace {
 
-struct Done {
-  std::string status;
-  std::filesystem::path folder;
-};
-
-/// Calls `run_it` without the interpreter. Its warnings become those of Python.
+/// Calls `run_it` without the interpreter; the folder that it names. Its warnings become those of
+/// Python.
 template <class RunIt>
-Done carry_out(run::RunOptions options, RunIt run_it) {
+std::filesystem::path carry_out(run::RunOptions options, RunIt run_it) {
   Interrupt interrupt;
   Warnings warnings;
-  Done done;
-  {
-    const py::gil_scoped_release free;
+  std::filesystem::path used;
+  interrupt.during([&] {
     options.stop = interrupt.stop();
     run::RunEvents events;
     events.progress = [&](const run::Progress& /*progress*/) { interrupt.look(); };
     events.gas_progress = [&](const run::GasProgress& /*progress*/) { interrupt.look(); };
-    events.folder = [&](const std::filesystem::path& folder) { done.folder = folder; };
+    events.folder = [&](const std::filesystem::path& folder) { used = folder; };
     events.warning = warnings.take();
-    done.status = run_it(options, events).status;
-  }
-  interrupt.raise();
+    run_it(options, events);
+  });
   warnings.issue();
-  return done;
+  return used;
 }
 
 /// As of the commands.
@@ -59,16 +53,17 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
     return carry_out(std::move(options),
                      [&](const run::RunOptions& chosen, const run::RunEvents& events) {
                        return run::run(scene, chosen, events);
-                     })
-        .folder;
+                     });
   };
   return std::visit(run_it, loaded.scene);
 }
 
 void resume(const std::filesystem::path& folder, const std::optional<std::string>& until,
             std::optional<int> threads) {
-  run::SavedRun saved = run::load_run(folder, run::default_memory_limit(), until);
+  const double limit = run::default_memory_limit();
+  run::SavedRun saved = run::load_run(folder, limit, until);
   const int chosen = threads.value_or(default_threads(saved.scene));
+  run::check_memory(saved.scene, limit, chosen);
   carry_out({.threads = chosen}, [&](const run::RunOptions& options, const run::RunEvents& events) {
     return run::resume(std::move(saved), options, events);
   });

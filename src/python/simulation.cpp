@@ -23,19 +23,19 @@ namespace clca::python {
 namespace {
 
 using run::Simulation;
+
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
-  const py::gil_scoped_release free;
   Interrupt interrupt;
   std::uint64_t taken = 0;
-  while (taken < steps && !simulation.is_over() && *interrupt.stop() == 0) {
-    simulation.step();
-    ++taken;
-    if (taken < steps) {  // between two calls Python looks itself
-      interrupt.look_at_times();
+  interrupt.during([&] {
+    while (taken < steps && !simulation.is_over() && *interrupt.stop() == 0) {
+      simulation.step();
+      ++taken;
+      if (taken < steps) {  // between two calls Python looks itself
+        interrupt.look_at_times();
+      }
     }
-  }
-  const py::gil_scoped_acquire interpreter;
-  interrupt.raise();
+  });
   return taken;
 }
 

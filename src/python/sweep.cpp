@@ -72,8 +72,7 @@ py::tuple sweep_scene(const std::string& source, const std::optional<std::string
   Warnings warnings;
   sweep::Plan plan;
   std::filesystem::path folder;
-  {
-    const py::gil_scoped_release free;
+  interrupt.during([&] {
     plan = plan_of(source, text, overrides, varied, seeds);
     folder = output.value_or("renders/" + plan.variants.front().scene.name + "-sweep");
     const double memory = run::default_memory_limit();
@@ -85,8 +84,7 @@ py::tuple sweep_scene(const std::string& source, const std::optional<std::string
                     .stop = interrupt.stop()},
                    {.progress = [&](const sweep::Progress& /*progress*/) { interrupt.look(); },
                     .warning = warnings.take()});
-  }
-  interrupt.raise();
+  });
   warnings.issue();
   py::list runs;
   for (std::size_t run = 0; run < plan.run_count(); ++run) {

@@ -97,16 +97,21 @@ void check_memory(const scene::BoltzmannScene& scene, double limit, int threads)
   }
 }
 
+void check_memory(const scene::AnyScene& scene, double limit, int threads) {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    check_memory(*grains, limit);
+  } else {
+    check_memory(std::get<scene::BoltzmannScene>(scene), limit, threads);
+  }
+}
+
 void complete(scene::AnyScene& scene, const std::string& file, double limit, int threads) {
   if (auto* grains = std::get_if<scene::Scene>(&scene)) {
     find_begin(*grains, limit);
-    scene::check_resolved(scene::to_yaml(*grains), file);
-    check_memory(*grains, limit);
-    return;
   }
-  const auto& gas = std::get<scene::BoltzmannScene>(scene);
-  scene::check_resolved(scene::to_yaml(gas), file);
-  check_memory(gas, limit, threads);
+  scene::check_resolved(std::visit([](const auto& one) { return scene::to_yaml(one); }, scene),
+                        file);
+  check_memory(scene, limit, threads);
 }
 
 void check_output(const std::string& file, const std::filesystem::path& folder) {
