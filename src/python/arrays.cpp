@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "clca/run/quantity.hpp"
 #include "clca/scene/units.hpp"
 
 namespace clca::python {
@@ -110,6 +111,19 @@ py::dict units(const scene::Scene& scene) {
   result["velocity"] = py::make_tuple(conversion ? conversion->velocity_unit : "spacings/step",
                                       exports::velocity_unit(scene));
   return result;
+}
+
+py::dict body_names(const scene::Scene& scene) {
+  std::vector<grains::Owner> bodies = {contact::kFloor, contact::kCeiling, contact::kLeftSide,
+                                       contact::kRightSide};
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    bodies.push_back(grains::wall_code(wall));
+  }
+  py::dict names;
+  for (const grains::Owner body : bodies) {
+    names[py::int_(body)] = run::body_name(scene, body);
+  }
+  return names;
 }
 
 py::list walls(const scene::Scene& scene, const grains::State& state) {

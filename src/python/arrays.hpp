@@ -65,6 +65,8 @@ struct FrameData {
 py::list kinds(const scene::Scene& scene, const std::vector<grains::Kind>& kinds);
 /// Of time and velocity, by these names: (unit, what a step or a spacing a step is in it).
 py::dict units(const scene::Scene& scene);
+/// By the number in a contact: the names of the walls and the sides of the box.
+py::dict body_names(const scene::Scene& scene);
 /// (name, places of its sites at home) of each wall.
 py::list walls(const scene::Scene& scene, const grains::State& state);
 

@@ -107,6 +107,7 @@ class Trajectory {
 
   py::list kinds() const { return python::kinds(scene_, initial_.kinds); }
   py::list walls() const { return python::walls(scene_, initial_); }
+  py::dict body_names() const { return python::body_names(scene_); }
   py::dict units() const { return python::units(scene_); }
 
  private:
@@ -145,6 +146,7 @@ void add_folder(py::module_& module) {
       .def("frame", &Trajectory::frame)
       .def("_kinds", &Trajectory::kinds)
       .def("_walls", &Trajectory::walls)
+      .def("_body_names", &Trajectory::body_names)
       .def("_units", &Trajectory::units);
 }
 

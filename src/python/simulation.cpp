@@ -158,6 +158,8 @@ void add_simulation(py::module_& module) {
            [](const Simulation& simulation) {
              return walls(simulation.scene(), simulation.grains());
            })
+      .def("_body_names",
+           [](const Simulation& simulation) { return body_names(simulation.scene()); })
       .def("_units", [](const Simulation& simulation) { return units(simulation.scene()); });
 }
 

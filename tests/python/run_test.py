@@ -194,6 +194,18 @@ class FramesTest(ScratchTest):
         self.assertEqual(run.walls["gate"].shape[1], 2)
         self.assertTrue(numpy.all((run.walls["gate"][:, 0] >= 19.5) & (run.walls["gate"][:, 0] <= 21.5)))
 
+    def test_contacts_name_walls_and_sides(self):
+        run = clca.run(CONTACT, output="run")
+        frame = run.frames.at(run.stages["packing"].steps)
+        names = frame.contact_names
+        other = frame.contacts["other"]
+        self.assertEqual(set(names[other >= 0]), {""})
+        self.assertEqual(set(names[other == -2]), {"gate"})
+        self.assertEqual(set(names[other == -2**31]), {"box.floor"})
+        # The floor carries the grains, up to what still moves.
+        weight = frame.contacts["force"][names == "box.floor", 0].sum()
+        self.assertAlmostEqual(weight, len(frame.ids), delta=0.25 * len(frame.ids))
+
     def test_arrays_cannot_be_written_and_outlive_the_run(self):
         positions = clca.run(SCENE, output="run").frames[0].positions
         expected = positions.copy()

@@ -28,6 +28,7 @@ class Look:
         self.kinds = [Kind(*kind) for kind in source._kinds()]
         self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
         self.units: dict[str, tuple[str, float]] = source._units()
+        self.bodies = source._body_names()
         self.species = numpy.array([kind.species for kind in self.kinds])
         self.degrees = numpy.array([kind.degrees for kind in self.kinds])
 
@@ -114,14 +115,20 @@ class Frame:
 
     @property
     def contacts(self) -> NDArray[numpy.void]:
-        """Of the contact model, with `output.trajectory.contacts`: a row for each contact, else none.
+        """Of the contact model, with `output.trajectory.contacts`: a row for each of C contacts, else none.
 
-        `upper` is a particle, `other` a particle, -2 for the first wall, -3 for the second ..., or -2**31 and
-        up: floor, top, left and right of the box. `place`, `normal` (to the upper particle) and `branch` (from
-        the other centre to the upper one) are x and y; `force` is along the normal and along the normal turned
-        anticlockwise, in weights of a grain of mean mass.
+        `upper` is a particle, `other` a particle or, below 0, a wall or side of the box: see `contact_names`. `place`,
+        `normal` (to the upper particle) and `branch` (from the other centre to the upper one) are x and y; `force` is
+        along the normal and along the normal turned anticlockwise, in weights of a grain of mean mass.
         """
         return self._data[3]
+
+    @property
+    def contact_names(self) -> NDArray[numpy.str_]:
+        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty for
+        a particle.
+        """
+        return numpy.array([self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()], dtype=str)
 
 
 class Frames(Sequence[Frame]):
