@@ -12,7 +12,6 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "clca/store/summary.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -47,37 +46,11 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// The scene without the keys that only affect pictures.
-scene::Scene unpainted(scene::Scene scene) {
-  scene.title.clear();
-  scene.output.frames.reset();
-  for (scene::Species& species : scene.species) {
-    species.color.reset();
-  }
-  return scene;
-}
-
 /// The scene of the run with the picture options applied.
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
-  const store::RunSummary summary = store::read_summary(run / "run.json");
-  if (summary.kind == "boltzmann") {
-    throw run::RedrawError(fmt::format(
-        "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
-        run.string()));
-  }
-  const scene::Scene stored = scene::parse_file(run / "scene.yaml");
   std::vector<scene::Override> overrides = options.look;
   overrides.insert(overrides.end(), options.scene.overrides.begin(), options.scene.overrides.end());
-  if (!stored.output.frames) {
-    overrides.insert(overrides.begin(), "output.frames={}");
-  }
-  scene::Scene scene = scene::parse_file(run / "scene.yaml", overrides);
-  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
-    throw run::RedrawError(
-        "what is drawn again can differ in output.frames, title and the colour of species only; "
-        "for all else, run the scene anew");
-  }
-  scene.name = summary.scene;
+  scene::Scene scene = run::drawn_scene(run, overrides);
   check_memory(scene, memory_limit(options.scene));
   return scene;
 }

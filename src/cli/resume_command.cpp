@@ -32,11 +32,7 @@ int resume_run(const ResumeOptions& options) {
     print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
     return static_cast<int>(ExitCode::done);
   }
-  if (const auto* automaton = std::get_if<scene::Scene>(&saved.scene)) {
-    check_memory(*automaton, limit);
-  } else {
-    check_memory(std::get<scene::BoltzmannScene>(saved.scene), limit, threads_here(options.run));
-  }
+  check_memory(saved.scene, limit, threads_here(options.run));
   const int threads =
       std::visit([&](const auto& scene) { return threads_of(options.run, scene); }, saved.scene);
   return show_run(options.folder, options.run, threads,

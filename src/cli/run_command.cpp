@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
-#include <system_error>
 #include <variant>
 
 #include "clca/run/run.hpp"
-#include "clca/store/run_folder.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/run_options.hpp"
@@ -29,14 +26,8 @@ struct RunCommandOptions {
 template <class Scene>
 int run_one(const Scene& scene, const RunCommandOptions& options) {
   const std::string folder = options.folder.empty() ? "renders/" + scene.name : options.folder;
-  std::error_code unknown;
-  if (!options.keep &&
-      std::filesystem::equivalent(options.scene.file,
-                                  std::filesystem::path(folder) / store::kSceneFile, unknown)) {
-    throw run::SceneRunError(
-        fmt::format("{}: error: the run would replace this file; run in another folder, or with "
-                    "--keep",
-                    options.scene.file));
+  if (!options.keep) {
+    run::check_output(options.scene.file, folder);
   }
   const auto run_it = [&](run::RunOptions run, const run::RunEvents& events) {
     run.overwrite = options.overwrite;

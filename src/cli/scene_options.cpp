@@ -1,42 +1,16 @@
 #include "cli/scene_options.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <limits>
-#include <system_error>
-#include <thread>
 
-#include "clca/process/data_folder.hpp"
-#include "clca/run/setup.hpp"
-#include "clca/scene/resolve.hpp"
-#include "clca/text/message.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 
 namespace clca::cli {
 
 namespace {
-
-constexpr double kShareOfMemory = 0.8;
-
-/// Available memory without swapping; file caches count as free.
-double available_bytes() {
-  std::ifstream meminfo("/proc/meminfo");
-  std::string key;
-  for (double kibibytes = 0; meminfo >> key >> kibibytes;) {
-    if (key == "MemAvailable:") {
-      return 1024 * kibibytes;
-    }
-    meminfo.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
-  const auto pages = static_cast<double>(::sysconf(_SC_AVPHYS_PAGES));
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
 
 /// A path on the command line begins at the current folder.
 scene::Override begin_override(const std::string& folder) {
@@ -45,44 +19,6 @@ scene::Override begin_override(const std::string& folder) {
     quoted += letter == '\'' ? "''" : std::string(1, letter);
   }
   return fmt::format("begin={{run: '{}'}}", quoted);
-}
-
-/// The scene with the options applied. Throws scene::SceneError if it does not fit into memory.
-scene::Scene fitting(scene::Scene scene, const SceneOptions& options) {
-  run::find_begin(scene, memory_limit(options));
-  scene::check_resolved(scene::to_yaml(scene), options.file);
-  check_memory(scene, memory_limit(options));
-  return scene;
-}
-
-/// The file of an installed scene if `name` is the name of one and of no file. Throws
-/// scene::SceneError for what may be meant as one.
-std::string find_scene(const std::string& name) {
-  std::error_code error;
-  if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, error)) {
-    return name;
-  }
-  std::vector<std::string> known;
-  for (const std::filesystem::path& folder : process::data_folders("scenes")) {
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
-         it.increment(error)) {
-      if (it->path().extension() != ".yaml") {
-        continue;
-      }
-      known.push_back(it->path().stem().string());
-      if (known.back() == name) {
-        return it->path().string();
-      }
-    }
-  }
-  std::sort(known.begin(), known.end());
-  const std::vector<std::string_view> names(known.begin(), known.end());
-  if (text::nearest(name, names)) {
-    throw scene::SceneError(
-        fmt::format("{}:1:1: error: cannot read the file: No such file or directory{}",
-                    text::printable(name), text::suggestion(name, names)));
-  }
-  return name;
 }
 
 std::string standard_input() {
@@ -122,29 +58,7 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
 
 double memory_limit(const SceneOptions& options) {
   return options.memory_limit ? static_cast<double>(*options.memory_limit)
-                              : kShareOfMemory * available_bytes();
-}
-
-void check_memory(const scene::Scene& scene, double limit) {
-  const scene::Size size = scene::size_of(scene);
-  if (size.bytes > limit) {
-    throw scene::SceneError(fmt::format(
-        "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
-        "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
-        scene.box.location, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
-        limit / kMebibyte));
-  }
-}
-
-void check_memory(const scene::BoltzmannScene& scene, double limit, int threads) {
-  const double bytes = scene::bytes_of(scene, threads);
-  if (bytes > limit) {
-    throw scene::SceneError(fmt::format(
-        "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
-        "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
-        "bins, or raise --memory-limit",
-        scene.location, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
-  }
+                              : run::default_memory_limit();
 }
 
 void add_scene_and_set(Command& command, SceneOptions& options) {
@@ -153,7 +67,7 @@ void add_scene_and_set(Command& command, SceneOptions& options) {
               "Scene file (YAML), - for standard input, or the name of a scene of this program")
       .required()
       .values({[](std::string& name) {
-                 name = find_scene(name);
+                 name = run::scene_file(name);
                  return std::string();
                },
                ""});
@@ -190,17 +104,9 @@ void add_scene_options(Command& command, SceneOptions& options) {
   add_memory_limit(command, options);
 }
 
-int machine_threads() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
 scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
   scene::AnyScene scene = parsed(options);
-  if (auto* automaton = std::get_if<scene::Scene>(&scene)) {
-    return fitting(std::move(*automaton), options);
-  }
-  scene::check_resolved(scene::to_yaml(std::get<scene::BoltzmannScene>(scene)), options.file);
-  check_memory(std::get<scene::BoltzmannScene>(scene), memory_limit(options), threads);
+  run::complete(scene, options.file, memory_limit(options), threads);
   return scene;
 }
 

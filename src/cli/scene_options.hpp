@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "clca/run/load.hpp"
 #include "clca/scene/parse.hpp"
 
 namespace clca::cli {
 
 class Command;
 
-/// In which memory is told, in bytes.
-inline constexpr double kMebibyte = 1 << 20;
+using run::check_memory;
+using run::kMebibyte;
+using run::machine_threads;
 
 struct SceneOptions {
   std::string file;
@@ -36,12 +38,6 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options);
 
 /// Memory limit in bytes.
 double memory_limit(const SceneOptions& options);
-/// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
-void check_memory(const scene::Scene& scene, double limit);
-void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
-
-/// Number of threads of the machine, the default of a run.
-int machine_threads();
 
 /// The scene with the options applied. Throws scene::SceneError, also when it would need more
 /// memory than the limit; that of a Boltzmann run depends on its threads.

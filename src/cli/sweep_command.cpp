@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
 
-#include "clca/scene/resolve.hpp"
-#include "clca/scene/walls.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
@@ -54,18 +51,9 @@ sweep::Plan plan_of(const SweepCommandOptions& options) {
   return sweep::plan(std::move(request), memory_of_rank(options));
 }
 
-/// Number of parallel runs: as requested and as fit into memory. Throws scene::SceneError if not
-/// even one fits.
+/// Number of parallel runs: as requested and as fit into memory.
 int fitting_jobs(const sweep::Plan& plan, const SweepCommandOptions& options) {
-  const double limit = memory_of_rank(options);
-  double largest = 1;
-  for (const sweep::Variant& variant : plan.variants) {
-    check_memory(variant.scene, limit);
-    scene::check_walls(variant.scene);
-    scene::check_room(variant.scene);
-    largest = std::max(largest, scene::size_of(variant.scene).bytes);
-  }
-  return static_cast<int>(std::min<double>(options.jobs, limit / largest));
+  return sweep::fitting_jobs(plan, options.jobs, memory_of_rank(options));
 }
 
 void print_totals(const sweep::Progress& totals, double seconds, const std::string& folder) {

@@ -1,4 +1,4 @@
-#include "export/frame.hpp"
+#include "clca/export/frame.hpp"
 
 #include <fmt/format.h>
 
@@ -97,11 +97,12 @@ std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
     const auto same_species =
         std::count_if(kinds.begin(), kinds.end(),
                       [&](const grains::Kind& other) { return other.species == kind.species; });
-    looks.push_back({.name = same_species > 1
-                                 ? fmt::format("{}@{}", species.name, degrees_of(species, kind))
-                                 : species.name,
-                     .species = kind.species,
-                     .outline = outline_of(kind.shape)});
+    const int degrees = degrees_of(species, kind);
+    looks.push_back(
+        {.name = same_species > 1 ? fmt::format("{}@{}", species.name, degrees) : species.name,
+         .species = kind.species,
+         .degrees = degrees,
+         .outline = outline_of(kind.shape)});
   }
   return looks;
 }

@@ -2,7 +2,7 @@
 // GSD with the schema of HOOMD (gsd.readthedocs.io, "HOOMD schema").
 
 #include "clca/export/export.hpp"
-#include "export/frame.hpp"
+#include "clca/export/frame.hpp"
 #include "export/gsd_file.hpp"
 
 namespace clca::exports {

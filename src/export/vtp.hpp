@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clca/export/export.hpp"
-#include "export/frame.hpp"
+#include "clca/export/frame.hpp"
 
 namespace clca::exports {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "clca/export/export.hpp"
-#include "export/frame.hpp"
+#include "clca/export/frame.hpp"
 
 namespace clca::exports {
 

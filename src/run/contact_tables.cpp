@@ -7,15 +7,12 @@
 
 #include "clca/measure/force_distribution.hpp"
 #include "clca/measure/stress.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
 
-namespace {
-
-using Forces = std::vector<contact::Force>;
-
-/// No wall has a dot in its name, so none is called as a side of the box.
+// No wall has a dot in its name, so none is called as a side of the box.
 std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   switch (owner) {
     case contact::kFloor:
@@ -31,6 +28,10 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner) {
                                         : scene.walls[grains::wall_number(owner)].name;
   }
 }
+
+namespace {
+
+using Forces = std::vector<contact::Force>;
 
 /// Number of contacts and sum of normal forces of a grain.
 struct GrainLoad {

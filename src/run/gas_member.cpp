@@ -51,10 +51,6 @@ std::size_t lasting_times(const scene::BoltzmannScene& scene) {
   return shared_times(gas_times(scene), gas_times(longer));
 }
 
-boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution) {
-  return {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness};
-}
-
 statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
   if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
     return statistics::Bins::uniform(uniform->width, uniform->end);
@@ -108,15 +104,9 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
     return;
   }
   if (!member.gas) {
-    member.gas = boltzmann::make_gas({.particles = scene_.particles,
-                                      .initial = scene_.initial,
-                                      .energy_ratio = scene_.energy_ratio,
-                                      .exact_moments = scene_.exact_moments,
-                                      .quasi = scene_.quasi},
-                                     seed);
+    member.gas = boltzmann::make_gas(scene::initial_condition(scene_), seed);
   }
-  const boltzmann::Process process = {
-      .law = law_of(scene_, restitution), .scheme = scene_.scheme, .shear_rate = scene_.shear_rate};
+  const boltzmann::Process process = scene::process(scene_, restitution);
   boltzmann::Gas& gas = *member.gas;
   // A cold gas may take a single step between two times, which cannot be interrupted.
   while (member.observations.size() < times_.size() && keep_going(member)) {

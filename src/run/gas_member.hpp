@@ -37,8 +37,6 @@ std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasT
 /// Number of initial times shared with a scene that only runs longer: all, or all but the end.
 std::size_t lasting_times(const scene::BoltzmannScene& scene);
 
-boltzmann::Law law_of(const scene::BoltzmannScene& scene, double restitution);
-
 statistics::Bins bins_of(const scene::BoltzmannScene& scene);
 
 /// Unit of rotational temperatures: that of time 0, or the translational one if there is no spin.

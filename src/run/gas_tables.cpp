@@ -137,7 +137,7 @@ std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<Ga
     if (one.observations() == 0) {
       continue;
     }
-    const boltzmann::Law law = law_of(scene, one.restitution);
+    const boltzmann::Law law = scene::process(scene, one.restitution).law;
     std::vector<double> spins;
     for (const GasMember* member : one.at(0)) {
       spins.push_back(member->observations.front().moments.rotational);

@@ -106,6 +106,10 @@ std::uint64_t Model::hash() const {
   return contact != nullptr ? contact::hash(contact->state()) : grains::hash(state());
 }
 
+ModelState Model::copied_state() const {
+  return std::visit([](const auto& model) { return ModelState(model.state()); }, model_);
+}
+
 void Model::save(reflection::Columns& columns) const {
   std::visit([&](const auto& model) { reflection::encode(kState, model.state(), columns); },
              model_);
@@ -162,8 +166,7 @@ void Model::set_rules(const scene::Stage& stage) {
     return;
   }
   // Beside the old one, which the summary of the run needs if there is no memory for another.
-  ModelState state = std::visit([](auto& model) { return ModelState(model.state()); }, model_);
-  model_ = make_model(rules, std::move(state), options_);
+  model_ = make_model(rules, copied_state(), options_);
   rules_ = rules;
 }
 

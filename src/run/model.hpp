@@ -49,6 +49,7 @@ class Model {
   grains::Model& grains();
   const grains::State& state() const { return grains().grains(); }
   std::uint64_t hash() const;
+  ModelState copied_state() const;
   /// Saves the state for saved_state().
   void save(reflection::Columns& columns) const;
   // Contact model only; none for others.

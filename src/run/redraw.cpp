@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "clca/scene/units.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
 #include "run/meter.hpp"
 #include "run/picture_targets.hpp"
 #include "run/run_drawing.hpp"
@@ -90,7 +92,47 @@ std::size_t picture_at(const std::vector<double>& times, double moment) {
   return static_cast<std::size_t>(nearest - times.begin());
 }
 
+/// The scene without the keys that only affect pictures.
+scene::Scene unpainted(scene::Scene scene) {
+  scene.title.clear();
+  scene.output.frames.reset();
+  for (scene::Species& species : scene.species) {
+    species.color.reset();
+  }
+  return scene;
+}
+
 }  // namespace
+
+scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Override>& overrides) {
+  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  if (summary.kind == "boltzmann") {
+    throw RedrawError(fmt::format(
+        "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
+        folder.string()));
+  }
+  const fs::path file = folder / store::kSceneFile;
+  const scene::Scene stored = scene::parse_file(file);
+  std::vector<scene::Override> all = overrides;
+  if (!stored.output.frames) {
+    all.insert(all.begin(), "output.frames={}");
+  }
+  scene::Scene scene = scene::parse_file(file, all);
+  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
+    throw RedrawError(
+        "what is drawn again can differ in output.frames, title and the colour of species only; "
+        "for all else, run the scene anew");
+  }
+  scene.name = summary.scene;
+  return scene;
+}
+
+image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes) {
+  run.scene.output.frames->every = 1;  // each frame of the trajectory has one
+  RunDrawing drawing(run, {.from = step, .to = step}, max_bytes);
+  drawing.prepare();
+  return drawing.painter().rasterize(drawing.capture(0)).image;
+}
 
 class Redraw::Impl {
  public:

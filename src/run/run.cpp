@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/measure/profile.hpp"
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
@@ -43,26 +42,6 @@ std::string kind_of(const scene::Scene& scene) {
       return "voids";
   }
   return "";
-}
-
-/// Of a stage before which so much has left.
-StageHistory history_from(const grains::State& state, const scene::Scene& scene) {
-  StageHistory history;
-  history.outflow = measure::Outflow(measure::discharge(state));
-  for (const grains::Outlet& outlet : state.outlets) {
-    history.outlets.emplace_back(measure::discharge(outlet));
-  }
-  history.discharged_at_start = measure::discharged_particles(state, scene.species.size());
-  return history;
-}
-
-/// Adds what has left to the outflow of all outlets and of each.
-void add_discharge(StageHistory& history, const grains::State& state,
-                   void (measure::Outflow::*add)(measure::Discharge)) {
-  (history.outflow.*add)(measure::discharge(state));
-  for (std::size_t outlet = 0; outlet < history.outlets.size(); ++outlet) {
-    (history.outlets[outlet].*add)(measure::discharge(state.outlets[outlet]));
-  }
 }
 
 class Run : public RunBase {
@@ -176,8 +155,8 @@ void Run::carry_out() {
 
 void Run::prepare() {
   // Those of another run may have been in outlets when this one took them.
-  history_ = course_.stage > 0 ? history_from(model_.state(), scene_)
-                               : history_from(grains_of(empty_state(scene_)), scene_);
+  history_ = course_.stage > 0 ? StageHistory(scene_, model_.state())
+                               : StageHistory(scene_, grains_of(empty_state(scene_)));
   prepare_stage(model_, scene_, stage());
 }
 
@@ -185,10 +164,7 @@ void Run::begin_stage() {
   if (course_.stage > 0) {
     prepare();
   }
-  add_discharge(history_, model_.state(), &measure::Outflow::add_at_start);
-  history_.profile_at_start = measure::surface_profile(model_.state());
-  history_.particles_at_start =
-      grains::present_count(model_.state()) + history_.outflow.during_stage().particles;
+  history_.begin(model_.state());
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                    model_.state().step, grains::present_count(model_.state())));
   records_.begin_stage(stage(), model_);
@@ -241,10 +217,7 @@ void Run::step() {
   step_clock_.start();
   const grains::StepReport report = model_.grains().step();
   step_clock_.stop();
-  ++history_.steps;
-  history_.resting = report.settled;
-  history_.emitted += report.emitted;
-  add_discharge(history_, model_.state(), &measure::Outflow::add);
+  history_.add_step(report, model_.state());
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
   records_.after_step(stage(), model_, history_.steps);

@@ -212,15 +212,30 @@ std::vector<QuantityGroup> made_groups() {
   return groups;
 }
 
-void add(std::vector<store::NamedMeasure>& results, const QuantityGroup& group,
+/// Adds those of one measure, or those that no measure asks for.
+void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::Measure>& measure,
          const StageView& stage) {
-  const Values values = group.values(stage);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    results.emplace_back(group.quantities[i].key, values[i]);
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (group.measure != measure) {
+      continue;
+    }
+    const Values values = group.values(stage);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      results.emplace_back(group.quantities[i].key, values[i]);
+    }
+    if (group.apart != nullptr) {
+      const auto apart = group.apart(stage);
+      results.insert(results.end(), apart.begin(), apart.end());
+    }
   }
-  if (group.apart != nullptr) {
-    const auto apart = group.apart(stage);
-    results.insert(results.end(), apart.begin(), apart.end());
+}
+
+/// Adds what has left to the outflow of all outlets and of each.
+void add_discharge(StageHistory& history, const grains::State& state,
+                   void (measure::Outflow::*add)(measure::Discharge)) {
+  (history.outflow.*add)(measure::discharge(state));
+  for (std::size_t outlet = 0; outlet < history.outlets.size(); ++outlet) {
+    (history.outlets[outlet].*add)(measure::discharge(state.outlets[outlet]));
   }
 }
 
@@ -229,6 +244,27 @@ void add(std::vector<store::NamedMeasure>& results, const QuantityGroup& group,
 const std::vector<QuantityGroup>& stage_quantities() {
   static const std::vector<QuantityGroup> kGroups = made_groups();
   return kGroups;
+}
+
+StageHistory::StageHistory(const scene::Scene& scene, const grains::State& state)
+    : outflow(measure::discharge(state)),
+      discharged_at_start(measure::discharged_particles(state, scene.species.size())) {
+  for (const grains::Outlet& outlet : state.outlets) {
+    outlets.emplace_back(measure::discharge(outlet));
+  }
+}
+
+void StageHistory::begin(const grains::State& state) {
+  add_discharge(*this, state, &measure::Outflow::add_at_start);
+  profile_at_start = measure::surface_profile(state);
+  particles_at_start = grains::present_count(state) + outflow.during_stage().particles;
+}
+
+void StageHistory::add_step(const grains::StepReport& report, const grains::State& state) {
+  ++steps;
+  resting = report.settled;
+  emitted += report.emitted;
+  add_discharge(*this, state, &measure::Outflow::add);
 }
 
 double StageHistory::discharged_share() const {
@@ -244,12 +280,16 @@ std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const
   wanted.emplace_back();  // those that no measure asks for
   std::vector<store::NamedMeasure> results;
   for (const auto& measure : wanted) {
-    for (const QuantityGroup& group : stage_quantities()) {
-      if (group.measure == measure) {
-        add(results, group, stage);
-      }
-    }
+    add(results, measure, stage);
   }
+  return results;
+}
+
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const scene::Scene& scene,
+                                                const Model& model, const StageHistory& history,
+                                                const Records& records) {
+  std::vector<store::NamedMeasure> results;
+  add(results, wanted, {scene, model, history, records});
   return results;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "clca/grains/model.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
@@ -13,6 +14,14 @@ namespace clca::run {
 
 /// What is known of a stage besides its final state.
 struct StageHistory {
+  StageHistory() = default;
+  /// Of a stage before which so much has left as in `state`.
+  StageHistory(const scene::Scene& scene, const grains::State& state);
+  /// When the stage is prepared: its fill may be in outlets.
+  void begin(const grains::State& state);
+  /// After a step; cycles are counted elsewhere.
+  void add_step(const grains::StepReport& report, const grains::State& state);
+
   std::vector<double> profile_at_start;  ///< measure::surface_profile
   std::size_t particles_at_start = 0;
   std::uint64_t steps = 0;
@@ -41,6 +50,10 @@ struct StageHistory {
 
 std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const Model& model,
                                                 const StageHistory& history,
+                                                const Records& records);
+/// Of one measure alone, which the scene asks for.
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const scene::Scene& scene,
+                                                const Model& model, const StageHistory& history,
                                                 const Records& records);
 
 /// Why slopes among the measures have no value where it is not plain; one line for each flank.

@@ -7,9 +7,11 @@
 #include <charconv>
 #include <set>
 
+#include "clca/run/load.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "clca/scene/walls.hpp"
 #include "clca/text/message.hpp"
 
 namespace clca::sweep {
@@ -90,7 +92,9 @@ bool is_part_of_range(std::string_view value) {
 scene::AnyScene parsed_with_hint(const Request& request, const std::vector<scene::Override>& varied,
                                  const std::vector<std::string>& values) {
   try {
-    return scene::parse_any_file(request.scene, request.overrides, varied);
+    return request.text
+               ? scene::parse_any(*request.text, request.scene.string(), request.overrides, varied)
+               : scene::parse_any_file(request.scene, request.overrides, varied);
   } catch (const scene::SceneError& error) {
     if (std::any_of(values.begin(), values.end(), is_part_of_range)) {
       throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
@@ -174,6 +178,17 @@ Plan plan(Request request, double max_bytes) {
   }
   find_begins(result.variants, max_bytes);
   return result;
+}
+
+int fitting_jobs(const Plan& plan, int jobs, double max_bytes) {
+  double largest = 1;
+  for (const Variant& variant : plan.variants) {
+    run::check_memory(variant.scene, max_bytes);
+    scene::check_walls(variant.scene);
+    scene::check_room(variant.scene);
+    largest = std::max(largest, scene::size_of(variant.scene).bytes);
+  }
+  return static_cast<int>(std::min<double>(jobs, max_bytes / largest));
 }
 
 std::uint64_t hash_of(const Plan& plan, std::string_view more) {

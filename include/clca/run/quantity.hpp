@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "clca/grains/state.hpp"
+#include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
 
 namespace clca::run {
@@ -25,6 +27,10 @@ const Quantity* find_gas_quantity(std::string_view key);
 /// `unit` with the unit of velocity for `spacings/step` and that of time for `time`, where a run
 /// has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
+
+/// What a grain touches, as tables of contacts name it: a grain by its number, a wall by its name,
+/// a side of the box as `box.floor`.
+std::string body_name(const scene::Scene& scene, grains::Owner owner);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();

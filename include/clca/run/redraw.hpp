@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "clca/image/image.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/text/input_error.hpp"
@@ -34,6 +36,14 @@ struct RunToDraw {
   std::filesystem::path folder;                      ///< of the run
   std::optional<store::OutputFolder> pictures = {};  ///< for pictures one by one
 };
+
+/// The scene of the run in `folder` with these overrides, which may change pictures alone, and
+/// `frames` where it has none. Throws RedrawError, scene::SceneError, store::StoreError.
+scene::Scene drawn_scene(const std::filesystem::path& folder,
+                         const std::vector<scene::Override>& overrides);
+
+/// The picture of a step of the trajectory, within `max_bytes` of memory. Throws as Redraw.
+image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes);
 
 /// A picture over time.
 struct SpaceTimeOptions {

@@ -57,4 +57,9 @@ struct BoltzmannScene {
   bool operator==(const BoltzmannScene&) const = default;
 };
 
+/// What each gas of the ensemble begins with.
+boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene);
+/// How it goes on.
+boltzmann::Process process(const BoltzmannScene& scene, double restitution);
+
 }  // namespace clca::scene

@@ -42,4 +42,8 @@ std::uint64_t hash_of(const Plan& plan, std::string_view more);
 /// scene::SceneError for the first that is wrong.
 Plan plan(Request request, double max_bytes = std::numeric_limits<double>::infinity());
 
+/// How many of `jobs` runs fit into `max_bytes` of memory at a time. Throws scene::SceneError if
+/// not even one does, or one cannot begin.
+int fitting_jobs(const Plan& plan, int jobs, double max_bytes);
+
 }  // namespace clca::sweep

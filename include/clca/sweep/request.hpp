@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,8 @@ struct Request {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;  ///< for all runs
   std::vector<Variation> variations;
-  std::vector<std::uint64_t> seeds;  ///< ascending
+  std::vector<std::uint64_t> seeds;      ///< ascending
+  std::optional<std::string> text = {};  ///< of a scene without a file, which `scene` only names
 };
 
 /// Seeds from `1..16`, `3` or `1,4,9..12`, ascending. Throws scene::SceneError that names

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
+#include "clca/export/frame.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/store/file.hpp"
-#include "export/frame.hpp"
 #include "support/runs.hpp"
 #include "support/states.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Data of a state used by all formats.
+// Data of a state as all formats and the Python package show them.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -31,6 +31,7 @@ std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& 
 struct KindAppearance {
   std::string name;  ///< SPECIES, or SPECIES@DEGREES where the species has several kinds
   std::uint16_t species = 0;
+  int degrees = 0;  ///< orientation, clockwise: the first of the species that looks like this
   std::vector<Eigen::Vector2d> outline;  ///< corners from the centre of mass, anticlockwise
 };
 

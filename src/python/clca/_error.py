@@ -1,0 +1,24 @@
+"""What the library reports."""
+
+from __future__ import annotations
+
+import re
+
+
+class Error(Exception):
+    """A scene, a file or a folder is wrong; one line.
+
+    `file`, `line` and `column` (from 1) say where, or are None; `message` is the line without them.
+    """
+
+    file: str | None = None
+    line: int | None = None
+    column: int | None = None
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.message = text
+        place = re.fullmatch(r"(.+?):(\d+):(\d+): error: (.*)", text, re.DOTALL)
+        if place:
+            self.file, self.message = place[1], place[4]
+            self.line, self.column = int(place[2]), int(place[3])

@@ -1,0 +1,164 @@
+"""States of a run, frame by frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import NamedTuple, overload
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _clca
+
+
+class Kind(NamedTuple):
+    """A species in one of its orientations."""
+
+    name: str  #: SPECIES, or SPECIES@DEGREES where the species has several
+    species: str
+    degrees: int  #: orientation, clockwise
+    outline: NDArray[numpy.float64]  #: corners x 2: from the centre of mass, anticlockwise, spacings
+
+
+class Look:
+    """What all frames of a run share."""
+
+    def __init__(self, source: _clca.Trajectory | _clca.Simulation) -> None:
+        self.kinds = [Kind(*kind) for kind in source._kinds()]
+        self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
+        self.units: dict[str, tuple[str, float]] = source._units()
+        self.bodies = source._body_names()
+        self.species = numpy.array([kind.species for kind in self.kinds])
+        self.degrees = numpy.array([kind.degrees for kind in self.kinds])
+
+
+class Frame:
+    """The particles that are in the box at one step, by ascending id. Arrays cannot be written.
+
+    Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
+    """
+
+    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], _clca._FrameData]) -> None:
+        self._look = look
+        self._load = load
+        self.step = step
+        self.stage = stage
+
+    def __repr__(self) -> str:
+        return f"<frame of step {self.step}, stage {self.stage}>"
+
+    @cached_property
+    def _data(self) -> _clca._FrameData:
+        return self._load()
+
+    @property
+    def time(self) -> float:
+        """Of the step: see `units`."""
+        return self.step * self._look.units["time"][1]
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of `time` and `velocity`."""
+        return {what: unit for what, (unit, _) in self._look.units.items()}
+
+    @property
+    def particles(self) -> NDArray[numpy.void]:
+        """All of the following that is a number, as one structured array of `N` rows."""
+        return self._data[1]
+
+    @property
+    def ids(self) -> NDArray[numpy.uint32]:
+        """N: for life."""
+        return self.particles["id"]
+
+    @property
+    def positions(self) -> NDArray[numpy.float64]:
+        """N x 2: centres of mass, in the box."""
+        return self.particles["position"]
+
+    @property
+    def velocities(self) -> NDArray[numpy.float64]:
+        """N x 2: see `units`. Of the automaton the last move, in spacings a step."""
+        return self.particles["velocity"]
+
+    @property
+    def displacements(self) -> NDArray[numpy.float64]:
+        """N x 2: since the stage began or the particle entered, across a periodic boundary, too."""
+        return self.particles["displacement"]
+
+    @property
+    def kinds(self) -> NDArray[numpy.uint16]:
+        """N: which of the kinds of the run."""
+        return self.particles["kind"]
+
+    @property
+    def species(self) -> NDArray[numpy.str_]:
+        """N: names."""
+        return self._look.species[self.kinds]
+
+    @property
+    def orientation(self) -> NDArray[numpy.int_]:
+        """N: degrees clockwise, multiples of 60."""
+        return self._look.degrees[self.kinds]
+
+    @property
+    def outlines(self) -> list[NDArray[numpy.float64]]:
+        """Of each particle corners x 2, anticlockwise."""
+        outlines = [kind.outline for kind in self._look.kinds]
+        return [outlines[kind] + place for kind, place in zip(self.kinds, self.positions)]
+
+    @property
+    def walls(self) -> dict[str, tuple[float, float]]:
+        """Of the walls that are there: how far they are from home."""
+        return {name: place for name, place in zip(self._look.walls, self._data[2]) if place is not None}
+
+    @property
+    def contacts(self) -> NDArray[numpy.void]:
+        """Of the contact model, with `output.trajectory.contacts`: a row for each of C contacts, else none.
+
+        `upper` is a particle, `other` a particle or, below 0, a wall or side of the box: see `contact_names`. `place`,
+        `normal` (to the upper particle) and `branch` (from the other centre to the upper one) are x and y; `force` is
+        along the normal and along the normal turned anticlockwise, in weights of a grain of mean mass.
+        """
+        return self._data[3]
+
+    @property
+    def contact_names(self) -> NDArray[numpy.str_]:
+        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty for
+        a particle.
+        """
+        return numpy.array([self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()], dtype=str)
+
+
+class Frames(Sequence[Frame]):
+    """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
+
+    def __init__(self, trajectory: _clca.Trajectory) -> None:
+        self._trajectory = trajectory
+        self._list = trajectory.frames()
+        self._look = Look(trajectory)
+        #: F: of each frame
+        self.steps = numpy.array([step for step, _, _ in self._list], dtype=numpy.uint64)
+
+    def __len__(self) -> int:
+        return len(self._list)
+
+    @overload
+    def __getitem__(self, number: int) -> Frame: ...
+    @overload
+    def __getitem__(self, number: slice) -> list[Frame]: ...
+
+    def __getitem__(self, number: int | slice) -> Frame | list[Frame]:
+        if isinstance(number, slice):
+            return [self[i] for i in range(*number.indices(len(self)))]
+        place = range(len(self))[number]
+        step, stage, _ = self._list[place]
+        return Frame(self._look, step, stage, lambda: self._trajectory.frame(place))
+
+    def at(self, step: int) -> Frame:
+        """The frame of a step; KeyError if there is none."""
+        found = numpy.flatnonzero(self.steps == step)
+        if not len(found):
+            raise KeyError(f"no frame of step {step}; there are {len(self)} from 0 to {self.steps[-1]}")
+        return self[int(found[0])]

@@ -1,0 +1,74 @@
+"""Scenes step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _clca
+from ._frames import Frame, Kind, Look
+from ._picture import Picture, overrides
+from ._scene import AnyScene, Scene
+from ._table import Table, Value
+
+
+class Simulation(_clca.Simulation):
+    """A scene of grains, of which you take the steps: with the bits of a run, without its files.
+
+    `scene`, `seed` and `set` are as for `Scene`. Throws Error.
+    """
+
+    def __init__(
+        self,
+        scene: AnyScene,
+        seed: int | None = None,
+        set: Mapping[str, Any] | None = None,
+        threads: int = 1,
+    ) -> None:
+        super().__init__(Scene.of(scene, seed, set), threads)
+
+    def __repr__(self) -> str:
+        return f"<simulation at step {self.steps}, stage {self.stage}>"
+
+    @cached_property
+    def _look(self) -> Look:
+        return Look(self)
+
+    @property
+    def kinds(self) -> list[Kind]:
+        """The kinds of particles, by their number in `particles`."""
+        return self._look.kinds
+
+    @property
+    def walls(self) -> dict[str, NDArray[numpy.float64]]:
+        """Of each wall sites x 2: their places at home, in lattice spacings."""
+        return self._look.walls
+
+    @property
+    def frame(self) -> Frame:
+        """The particles in the box as they are now, as of a run; a copy."""
+        data = self._frame()
+        return Frame(self._look, data[0], self.stage, lambda: data)
+
+    @property
+    def measures(self) -> dict[str, Value]:
+        """What a run has of its stage, taken as of now."""
+        return {key: Value(number, *what) for key, number, what in self._measures(None)}
+
+    def measure(self, name: str) -> dict[str, Value] | Table:
+        """One of the measures of the scene's key `measure`: its values by name; of `profile` a table of the free
+        surface, with `x` and `height` in lattice spacings. Throws Error if the scene does not have it.
+        """
+        if name == "profile":
+            return Table(self._profile())
+        return {key: Value(number, *what) for key, number, what in self._measures(name)}
+
+    def picture(self, **frames: Any) -> Picture:
+        """The box as it is now. `frames` are keys of `output.frames` in place of the scene's, such as
+        `color_by="stage_layer"`, `width=400`. Throws Error.
+        """
+        return self._picture(overrides(frames)).view(Picture)

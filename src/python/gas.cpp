@@ -1,0 +1,108 @@
+// A gas, advanced at will.
+
+#include "clca/boltzmann/gas.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <memory>
+
+#include "clca/boltzmann/observation.hpp"
+#include "clca/boltzmann/scheme.hpp"
+#include "clca/parallel/team.hpp"
+#include "clca/run/load.hpp"
+#include "clca/scene/boltzmann.hpp"
+#include "python/interrupt.hpp"
+#include "python/scene.hpp"
+
+namespace clca::python {
+
+namespace {
+
+class Gas {
+ public:
+  Gas(const LoadedScene& loaded, std::optional<int> threads)
+      : process_(scene::process(loaded.of_gas(), loaded.of_gas().restitutions.front())),
+        seed_(loaded.of_gas().seed),
+        threads_(threads.value_or(run::machine_threads())),
+        gas_(std::make_shared<boltzmann::Gas>(
+            boltzmann::make_gas(scene::initial_condition(loaded.of_gas()), seed_))) {}
+
+  const boltzmann::Gas& now() const { return *gas_; }
+
+  /// Arrays of before keep what they had.
+  void advance(double time) {
+    Interrupt interrupt;
+    interrupt.during([&] {
+      if (gas_.use_count() > 1) {
+        gas_ = std::make_shared<boltzmann::Gas>(*gas_);
+      }
+      boltzmann::advance(*gas_, process_, seed_, time, parallel::start_team(threads_),
+                         [&](const boltzmann::Gas& /*gas*/) {
+                           interrupt.look_at_times();
+                           return *interrupt.stop() == 0;
+                         });
+    });
+  }
+
+  /// Rows `first` and the two after it of the motions, one particle a row; no copy.
+  py::array part(int first) const {
+    const py::capsule base(new std::shared_ptr<boltzmann::Gas>(gas_), [](void* pointer) {
+      delete static_cast<std::shared_ptr<boltzmann::Gas>*>(pointer);
+    });
+    constexpr auto kNumber = static_cast<py::ssize_t>(sizeof(double));
+    py::array array(py::dtype::of<double>(), {gas_->particles(), py::ssize_t{3}},
+                    {gas_->motions.rows() * kNumber, kNumber}, gas_->motions.data() + first, base);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+  }
+
+ private:
+  boltzmann::Process process_;
+  std::uint64_t seed_;
+  int threads_;
+  std::shared_ptr<boltzmann::Gas> gas_;
+};
+
+py::dict moments(const Gas& gas) {
+  const boltzmann::Moments moments = [&] {
+    const py::gil_scoped_release free;
+    return boltzmann::moments(gas.now().motions);
+  }();
+  py::dict result;
+  std::apply([&](const auto&... field) { ((result[field.name] = moments.*field.member), ...); },
+             boltzmann::Moments::fields());
+  return result;
+}
+
+}  // namespace
+
+void add_gas(py::module_& module) {
+  constexpr int kSpin = 3;
+  py::class_<Gas>(module, "Gas")
+      .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
+           py::arg("threads") = py::none())
+      .def("advance", &Gas::advance, py::arg("time"),
+           "Goes on to this time. The bits are those of a run where that also stops at it: its "
+           "times "
+           "of observation.")
+      .def_property_readonly(
+          "time", [](const Gas& gas) { return gas.now().time; }, "Of the gas.")
+      .def_property_readonly(
+          "collisions", [](const Gas& gas) { return gas.now().collisions_per_particle(); },
+          "Per particle, so far.")
+      .def_property_readonly(
+          "velocities", [](const Gas& gas) { return gas.part(0); },
+          "N x 3, in v0; no copy. `advance` leaves it as it is.")
+      .def_property_readonly(
+          "spins", [](const Gas& gas) { return gas.part(kSpin); },
+          "N x 3: surface velocities, in v0; no copy. `advance` leaves it as it is.")
+      .def_property_readonly("moments", moments,
+                             "By name: translational, rotational (<v^2>/3, <w^2>/3) ...")
+      .def_property_readonly(
+          "state_hash", [](const Gas& gas) { return boltzmann::hash(gas.now()); },
+          "Equal for equal bits.");
+}
+
+}  // namespace clca::python

@@ -1,0 +1,85 @@
+#pragma once
+// Signals and warnings while the interpreter is free.
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clca/process/program.hpp"
+
+namespace clca::python {
+
+/// Looks for signals, and keeps what their handlers in Python raise.
+class Interrupt {
+ public:
+  const std::atomic<int>* stop() const { return &stop_; }
+  /// Does not need the interpreter.
+  void look() {
+    const pybind11::gil_scoped_acquire interpreter;
+    if (!raised_ && PyErr_CheckSignals() != 0) {
+      raised_.emplace();
+      stop_ = SIGINT;
+    }
+  }
+  /// The same some ten times a second.
+  void look_at_times() {
+    if (const auto now = Clock::now(); now >= due_) {
+      look();
+      due_ = now + kInterval;
+    }
+  }
+  /// Calls `work` without the interpreter, which the caller has; then raises what was kept.
+  template <class Work>
+  void during(Work work) {
+    try {
+      const pybind11::gil_scoped_release free;
+      work();
+    } catch (const process::StoppedError&) {  // of a program that was stopped for that reason
+      raise();
+      throw;
+    }
+    raise();
+  }
+
+ private:
+  void raise() {
+    if (raised_) {
+      throw *std::exchange(raised_, std::nullopt);
+    }
+  }
+
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::milliseconds(100);
+
+  std::atomic<int> stop_ = 0;
+  std::optional<pybind11::error_already_set> raised_;
+  Clock::time_point due_ = Clock::now() + kInterval;
+};
+
+/// Keeps warnings, to be those of Python.
+class Warnings {
+ public:
+  std::function<void(const std::string&)> take() {
+    return [this](const std::string& text) { texts_.push_back(text); };
+  }
+  /// Needs the interpreter.
+  void issue() const {
+    for (const std::string& text : texts_) {
+      if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
+        throw pybind11::error_already_set();
+      }
+    }
+  }
+
+ private:
+  std::vector<std::string> texts_;
+};
+
+}  // namespace clca::python

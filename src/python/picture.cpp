@@ -1,0 +1,83 @@
+#include "python/picture.hpp"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "clca/image/png.hpp"
+#include "clca/run/load.hpp"
+#include "clca/run/redraw.hpp"
+#include "clca/scene/resolve.hpp"
+#include "python/interrupt.hpp"
+#include "python/scene.hpp"
+
+namespace clca::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Overrides = std::vector<scene::Override>;
+
+run::RunToDraw run_to_draw(const fs::path& folder, const Overrides& overrides) {
+  run::RunToDraw drawn = {.scene = run::drawn_scene(folder, overrides), .folder = folder};
+  run::check_memory(drawn.scene, run::default_memory_limit());
+  return drawn;
+}
+
+py::array picture(const fs::path& folder, std::uint64_t step, const Overrides& overrides) {
+  image::Image image;
+  {
+    const py::gil_scoped_release free;
+    image = run::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
+  }
+  return pixels(image);
+}
+
+void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
+           const Overrides& overrides) {
+  Interrupt interrupt;
+  interrupt.during([&] {
+    run::Redraw redraw({run_to_draw(folder, overrides)}, {.movie = file,
+                                                          .frames_per_second = frames_per_second,
+                                                          .max_bytes = run::default_memory_limit(),
+                                                          .stop = interrupt.stop()});
+    run::RedrawEvents events;
+    events.progress = [&](const run::RedrawProgress& /*progress*/) { interrupt.look(); };
+    redraw.draw(events);
+  });
+}
+
+py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
+  if (pixels.ndim() != 3 || pixels.shape(2) != 3) {
+    throw std::invalid_argument("expected rows x columns x 3");
+  }
+  image::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {});
+  std::copy_n(pixels.data(), pixels.size(), &image.pixels.data()->red);
+  const std::vector<std::uint8_t> bytes = image::encode_png(image, {});
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+scene::Frames frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
+  if (!scene.output.frames) {
+    overrides.insert(overrides.begin(), "output.frames={}");
+  }
+  return *scene::parse(scene::to_yaml(scene), scene.name, overrides).output.frames;
+}
+
+py::array pixels(const image::Image& image) {
+  static_assert(sizeof(image::Rgb) == 3);
+  return py::array_t<std::uint8_t>({image.height, image.width, 3}, &image.pixels.data()->red);
+}
+
+void add_pictures(py::module_& module) {
+  module.def("picture", picture);
+  module.def("movie", movie);
+  module.def("png", png);
+}
+
+}  // namespace clca::python

@@ -1,0 +1,50 @@
+#include "python/scene.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "clca/run/load.hpp"
+#include "clca/scene/resolve.hpp"
+
+namespace clca::python {
+
+LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& text,
+                         const std::vector<scene::Override>& overrides)
+    : file(text ? source : run::scene_file(source)),
+      scene(text ? scene::parse_any(*text, file, overrides)
+                 : scene::parse_any_file(file, overrides)) {
+  run::complete(scene, file, run::default_memory_limit(), run::machine_threads());
+}
+
+const scene::Scene& LoadedScene::of_grains() const {
+  if (const auto* gas = std::get_if<scene::BoltzmannScene>(&scene)) {
+    throw scene::SceneError(
+        fmt::format("{}: error: expected a scene of grains, found one of a gas", gas->location));
+  }
+  return std::get<scene::Scene>(scene);
+}
+
+const scene::BoltzmannScene& LoadedScene::of_gas() const {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    throw scene::SceneError(fmt::format("{}: error: expected a scene of a gas, found one of grains",
+                                        grains->box.location));
+  }
+  return std::get<scene::BoltzmannScene>(scene);
+}
+
+void add_scene(py::module_& module) {
+  py::class_<LoadedScene>(module, "Scene")
+      .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
+           py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("name",
+                             [](const LoadedScene& loaded) {
+                               return std::visit(
+                                   [](const auto& scene) { return std::string(scene.name); },
+                                   loaded.scene);
+                             })
+      .def("to_yaml", [](const LoadedScene& loaded) {
+        return std::visit([](const auto& scene) { return scene::to_yaml(scene); }, loaded.scene);
+      });
+}
+
+}  // namespace clca::python

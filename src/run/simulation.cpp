@@ -1,0 +1,183 @@
+#include "clca/run/simulation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "clca/parallel/team.hpp"
+#include "clca/run/setup.hpp"
+#include "clca/scene/walls.hpp"
+#include "run/frame_painter.hpp"
+#include "run/model.hpp"
+#include "run/records.hpp"
+#include "run/stage.hpp"
+#include "run/stage_measures.hpp"
+
+namespace clca::run {
+
+namespace {
+
+scene::Scene checked(scene::Scene scene) {
+  find_begin(scene, std::numeric_limits<double>::infinity());
+  scene::check_room(scene);
+  return scene;
+}
+
+}  // namespace
+
+class Simulation::Impl {
+ public:
+  Impl(const scene::Scene& scene, int threads)
+      : scene_(checked(scene)),
+        options_{.threads = parallel::start_team(threads)},
+        model_(std::make_shared<Model>(scene_, first_state(scene_), options_)),
+        records_(scene_) {
+    begin_stage();
+  }
+
+  const scene::Scene& scene() const { return scene_; }
+  std::size_t stage_number() const { return stage_; }
+  const std::optional<StageEnd>& end() const { return end_; }
+  bool is_last() const { return stage_ + 1 == scene_.stages.size(); }
+  const Model& model() const { return *model_; }
+
+  grains::StepReport step() {
+    if (end_) {
+      next_stage();
+    }
+    const grains::StepReport report = model_->grains().step();
+    history_.add_step(report, model_->state());
+    records_.after_step(stage(), *model_, history_.steps);
+    history_.cycles = records_.cycles().cycles();
+    end_ = stage_end(stage(), model_->state(), history_);
+    if (end_) {
+      history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
+      records_.end_stage(*model_);
+    }
+    return report;
+  }
+
+  void next_stage() {
+    if (is_last()) {
+      throw std::logic_error("the last stage has no next one");
+    }
+    ++stage_;
+    end_.reset();
+    begin_stage();
+  }
+
+  std::shared_ptr<const grains::State> held_grains() const {
+    const auto& sources = model_->state().sources;
+    const bool grows = std::any_of(sources.begin(), sources.end(),
+                                   [](const grains::Source& source) { return source.open; });
+    return grows ? std::make_shared<const grains::State>(model_->state())
+                 : std::shared_ptr<const grains::State>(model_, &model_->state());
+  }
+
+  std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted) const {
+    return wanted ? stage_measures(*wanted, scene_, *model_, history_, records_)
+                  : stage_measures(scene_, *model_, history_, records_);
+  }
+
+  image::Image picture(const scene::Frames& frames) {
+    if (!drawing_ || *drawing_->scene.output.frames != frames) {
+      scene::Scene drawn = scene_;
+      drawn.output.frames = frames;
+      drawing_.emplace(std::move(drawn), model_->state());
+    }
+    std::optional<std::vector<contact::Force>> forces;
+    if (pictures_show_forces(drawing_->scene)) {
+      forces = records_.contacts()->of_picture(*model_);
+    }
+    const CapturedFrame frame =
+        drawing_->painter.capture({.state = model_->state(),
+                                   .occupancy = model_->grains().occupancy(),
+                                   .cycles = &records_.cycles(),
+                                   .forces = forces ? &*forces : nullptr,
+                                   .angle = model_->vessel().angle},
+                                  pictures_);
+    pictures_.window.emplace(model_->state());
+    return drawing_->painter.rasterize(frame).image;
+  }
+
+ private:
+  /// Draws pictures that look the same way.
+  struct Drawing {
+    Drawing(scene::Scene drawn, const grains::State& state)
+        : scene(std::move(drawn)), painter(scene, state, 1) {}
+
+    scene::Scene scene;
+    FramePainter painter;
+  };
+
+  const scene::Stage& stage() const { return scene_.stages[stage_]; }
+
+  void begin_stage() {
+    if (model_.use_count() > 1) {  // somebody holds the state
+      model_ = std::make_shared<Model>(scene_, model_->copied_state(), options_);
+    }
+    history_ = stage_ > 0 ? StageHistory(scene_, model_->state())
+                          : StageHistory(scene_, grains_of(empty_state(scene_)));
+    prepare_stage(*model_, scene_, stage());
+    history_.begin(model_->state());
+    records_.begin_stage(stage(), *model_);
+    run::begin_stage(pictures_, scene_, stage(), model_->state());
+    pictures_.window.emplace(model_->state());
+  }
+
+  scene::Scene scene_;
+  grains::Options options_;
+  std::shared_ptr<Model> model_;
+  Records records_;
+  StageHistory history_;
+  std::size_t stage_ = 0;
+  std::optional<StageEnd> end_;
+  PictureHistory pictures_;
+  std::optional<Drawing> drawing_;
+};
+
+Simulation::Simulation(const scene::Scene& scene, int threads)
+    : impl_(std::make_unique<Impl>(scene, threads)) {}
+Simulation::~Simulation() = default;
+
+const scene::Scene& Simulation::scene() const {
+  return impl_->scene();
+}
+std::size_t Simulation::stage() const {
+  return impl_->stage_number();
+}
+std::string Simulation::ended() const {
+  return impl_->end() ? to_text(*impl_->end()) : "";
+}
+bool Simulation::is_over() const {
+  return impl_->end() && impl_->is_last();
+}
+grains::StepReport Simulation::step() {
+  return impl_->step();
+}
+void Simulation::next_stage() {
+  impl_->next_stage();
+}
+const grains::State& Simulation::grains() const {
+  return impl_->model().state();
+}
+std::shared_ptr<const grains::State> Simulation::held_grains() const {
+  return impl_->held_grains();
+}
+store::ContactFrame Simulation::contact_frame() const {
+  const Model& model = impl_->model();
+  return {.velocities = model.velocities(),
+          .forces = model.forces().value_or(std::vector<contact::Force>())};
+}
+std::uint64_t Simulation::hash() const {
+  return impl_->model().hash();
+}
+std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measure> wanted) const {
+  return impl_->measures(wanted);
+}
+image::Image Simulation::picture(const scene::Frames& frames) {
+  return impl_->picture(frames);
+}
+
+}  // namespace clca::run

@@ -1,0 +1,124 @@
+"""Many runs, and gases."""
+
+import json
+import subprocess
+import unittest
+import warnings
+
+import clca
+import numpy
+from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest
+
+
+class SweepTest(ScratchTest):
+    def test_a_sweep_is_that_of_the_command_line(self):
+        with open("scene.yaml", "w") as file:
+            json.dump(SCENE, file)
+        subprocess.run([PROGRAM, "sweep", "scene.yaml", "--seeds", "1..2", "--vary", "rules.inertia=0,0.9", "--vary",
+                        "box.width,rules.ties=40,particle; 44,direction", "--set", "output.series.every=2", "-o", "there",
+                        "--quiet"], check=True)
+        here = clca.sweep("scene.yaml", seeds=range(1, 3), output="here", set={"output.series.every": 2},
+                          vary={"rules.inertia": [0, 0.9], ("box.width", "rules.ties"): [(40, "particle"), (44, "direction")]})
+        for name in ("runs.csv", "measures.csv"):
+            self.assertEqual((here.folder / name).read_bytes(), (self.folder / "there" / name).read_bytes())
+        self.assertEqual(here.keys, ["rules.inertia", "box.width", "rules.ties"])
+        self.assertEqual((len(here), len(here.runs)), (8, 8))
+        # Each run of the sweep is that of a row.
+        for run, row in zip(here, here.runs):
+            self.assertEqual((run.seed, f"{run.state_hash:016x}"), (row["seed"], row["state_hash"]))
+            numpy.testing.assert_equal(float(run.measures["flow"]["runout_99"]), row["flow.runout_99"])
+        self.assertEqual(here.runs.units["flow.runout_99"], "spacings")
+        self.assertEqual(here.runs["rules.ties"].tolist(), 2 * ["particle", "particle", "direction", "direction"])
+
+    def test_measures_are_means_over_the_seeds(self):
+        sweep = clca.sweep(SCENE, seeds=[3, 1, 2], vary={"rules.inertia": [0, 0.9]})
+        self.assertEqual(str(sweep.folder), "renders/scene-sweep")
+        table = sweep.measures
+        row = table[(table["stage"] == "flow") & (table["measure"] == "runout_99") & (table["rules.inertia"] == 0.9)]
+        values = sweep.runs["flow.runout_99"][sweep.runs["rules.inertia"] == 0.9]
+        self.assertEqual(row["runs"].tolist(), [3])
+        self.assertAlmostEqual(row["mean"][0], values.mean())
+        self.assertAlmostEqual(row["standard_error"][0], values.std(ddof=1) / 3**0.5)
+
+    def test_series_are_averaged_over_the_seeds(self):
+        sweep = clca.sweep(SCENE, seeds=range(1, 4), vary={"rules.inertia": [0, 0.9]}, output="sweep")
+        series = sweep.series("flow", "mean_height")
+        self.assertEqual(series.dtype.names, ("rules.inertia", "step", "mean", "standard_error", "runs"))
+        self.assertEqual(series.units["mean"], "spacings")
+        part = series[series["rules.inertia"] == 0.9]
+        runs = [run.series for run, row in zip(sweep, sweep.runs) if row["rules.inertia"] == 0.9]
+        heights = [run["mean_height"][run["stage"] == "flow"] for run in runs]
+        shortest = min(map(len, heights))
+        self.assertEqual(part["step"].tolist(), list(range(int(part["step"][0]), int(part["step"][0]) + shortest)))
+        cells = numpy.array([height[:shortest] for height in heights])
+        numpy.testing.assert_allclose(part["mean"], cells.mean(0))
+        numpy.testing.assert_allclose(part["standard_error"], cells.std(0, ddof=1) / 3**0.5)
+        self.assertEqual(set(part["runs"]), {3})
+        alone = clca.sweep(SCENE, seeds=[1], output="alone").series("flow", "mean_height")
+        self.assertTrue(numpy.isnan(alone["standard_error"]).all())
+
+    def test_units_are_those_of_the_runs(self):
+        sweep = clca.sweep(CONTACT, seeds=[1, 2], set={"output.fields": {"every": 20}}, output="sweep")
+        self.assertEqual(sweep.runs.units["flow.fluctuation_energy"], "(m/s)²")
+
+    def test_mistakes_are_named(self):
+        with self.assertRaisesRegex(clca.Error, "--vary rules.inertia=.*error: rules.inertia: expected a number"):
+            clca.sweep(SCENE, vary={"rules.inertia": [0, 7]})
+        with self.assertRaisesRegex(clca.Error, "seeds"):
+            clca.sweep(SCENE, vary={"seed": [1, 2]})
+        for wrong in ({"seeds": []}, {"seeds": [1, 1]}, {"vary": {"rules.inertia": []}},
+                      {"vary": {"rules.inertia": [0.5, "=1/2"]}}, {"vary": {("box.width", "box.height"): [(40,)]}}):
+            with self.assertRaises(ValueError):
+                clca.sweep(SCENE, **wrong)
+
+    def test_runs_that_fail_are_warnings(self):
+        # Too many to fit.
+        vary = {"stages.packing.fill.counts.grain": [20, 100]}
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            sweep = clca.sweep(SCENE, seeds=[1], vary=vary, output="sweep")
+        self.assertEqual(sweep.runs["status"].tolist(), ["done", "failed"])
+        self.assertIn("does not fit", sweep.runs["error"][1])
+        self.assertTrue(any("does not fit" in str(one.message) for one in caught))
+
+
+class GasTest(ScratchTest):
+    def test_a_gas_is_that_of_a_run(self):
+        run = clca.run(GAS, set={"boltzmann.friction": 0.3}, output="run")
+        gas = clca.Gas(GAS, set={"boltzmann.friction": 0.3})
+        first = gas.moments["translational"]
+        for row in run.series:
+            gas.advance(row["time"])
+            self.assertEqual((gas.time, gas.collisions), (row["time"], row["collisions"]))
+            self.assertEqual(gas.moments["translational"] / first, row["t_tr"])
+        self.assertGreater(len(run.series), 2)
+
+    def test_its_motions_are_arrays_without_copies(self):
+        gas = clca.Gas(GAS, threads=1)
+        gas.advance(1)
+        velocities, spins = gas.velocities, gas.spins
+        self.assertEqual((velocities.shape, spins.shape), ((1000, 3), (1000, 3)))
+        self.assertEqual(velocities.__array_interface__["data"], gas.velocities.__array_interface__["data"])
+        self.assertFalse(velocities.flags.writeable)
+        self.assertAlmostEqual((velocities**2).sum(1).mean() / 3, gas.moments["translational"])
+        before = velocities.copy()
+        hash_before = gas.state_hash
+        gas.advance(2)
+        self.assertNotEqual(gas.state_hash, hash_before)
+        numpy.testing.assert_array_equal(velocities, before)
+        self.assertFalse(numpy.array_equal(gas.velocities, before))
+        # What is held changes no bits, nor do threads.
+        other = clca.Gas(GAS, threads=2)
+        other.advance(1)
+        other.advance(2)
+        self.assertEqual(other.state_hash, gas.state_hash)
+
+    def test_grains_are_no_gas(self):
+        with self.assertRaisesRegex(clca.Error, "expected a scene of a gas"):
+            clca.Gas(SCENE)
+        with self.assertRaises(ValueError):
+            clca.Gas(GAS).advance(numpy.inf)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,78 @@
+#include "clca/run/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "clca/run/run.hpp"
+#include "clca/scene/parse.hpp"
+#include "support/runs.hpp"
+
+namespace clca::simulation_test {
+namespace {
+
+constexpr const char* kScene = R"(clca: 1
+box: {width: 40, height: 60}
+species:
+  grain: {shape: {hexagon: 1}}
+walls:
+  gate: {box: [20, 0, 21, 60]}
+outlets:
+  end: {region: [35, 0, 40, 60]}
+stages:
+  - {name: packing, fill: {region: [0, 0, 20, 60], counts: {grain: 60}}, until: {steps: 60}}
+  - {name: flow, remove: [gate], until: {steps: 90}}
+output: {frames: none, series: none}
+)";
+
+scene::Scene scene_of(const std::string& model) {
+  return scene::parse(kScene, "small.yaml", {"model=" + model});
+}
+
+TEST(Simulation, HasTheBitsAndTheMeasuresOfARun) {
+  for (const char* model : {"automaton", "contact"}) {
+    const scene::Scene scene = scene_of(model);
+    const testing::ScratchFolder folder;
+    const store::RunSummary summary = run::run(scene, {.folder = folder.path() / "run"});
+    run::Simulation simulation(scene);
+    while (!simulation.is_over()) {
+      simulation.step();
+      if (!simulation.ended().empty()) {
+        const store::StageSummary& stage = summary.stages.at(simulation.stage());
+        EXPECT_EQ(simulation.ended(), stage.ended);
+        EXPECT_EQ(simulation.measures(), stage.measures) << model;
+      }
+    }
+    EXPECT_EQ(simulation.grains().step, summary.steps);
+    EXPECT_EQ(simulation.hash(), summary.state_hash) << model;
+    EXPECT_THROW(simulation.step(), std::logic_error);
+    EXPECT_THROW(simulation.next_stage(), std::logic_error);
+  }
+}
+
+TEST(Simulation, GivesOneMeasureAlone) {
+  run::Simulation simulation(scene_of("automaton"));
+  simulation.step();
+  const auto packing = simulation.measures(scene::Measure::packing);
+  ASSERT_EQ(packing.size(), 2);
+  EXPECT_EQ(packing.front().first, "packing_fraction");
+}
+
+TEST(Simulation, AHeldStateStaysAsItsStageLeftIt) {
+  for (const char* model : {"automaton", "contact"}) {
+    run::Simulation simulation(scene_of(model));
+    const auto held = simulation.held_grains();
+    EXPECT_EQ(held.get(), &simulation.grains());
+    while (simulation.ended().empty()) {
+      simulation.step();
+    }
+    const grains::State end = *held;
+    simulation.step();
+    EXPECT_EQ(simulation.stage(), 1);
+    EXPECT_NE(held.get(), &simulation.grains());
+    EXPECT_EQ(*held, end) << model;
+  }
+}
+
+}  // namespace
+}  // namespace clca::simulation_test
