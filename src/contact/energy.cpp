@@ -77,8 +77,8 @@ Energy energy(const State& state, double gravity) {
 std::vector<double> wall_positions(const State& state) {
   std::vector<double> result;
   for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
-    const double ahead =
-        static_cast<double>(state.wall_remainders[wall]) / static_cast<double>(grains::kSpacing);
+    const double ahead = static_cast<double>(state.wall_remainders[wall]) /
+                         static_cast<double>(grains::kMotionSpacing);
     result.push_back(state.grains.walls[wall].travel.offset + std::clamp(ahead, -1.0, 1.0));
   }
   return result;
@@ -96,10 +96,9 @@ double wall_work(const State& state, std::span<const Contact> contacts,
     if (const auto& motion = state.grains.walls[wall].motion) {
       const Eigen::Vector2d normal = as_double(contact.normal);
       const Eigen::Vector2d tangent(-normal.y(), normal.x());
-      const Eigen::Vector2d impulse =
-          ((contact.impulse.normal + contact.impact.normal) * normal +
-           (contact.impulse.shear + contact.impact.shear) * tangent) /
-          kSpacing;
+      const Eigen::Vector2d impulse = ((contact.impulse.normal + contact.impact.normal) * normal +
+                                       (contact.impulse.shear + contact.impact.shear) * tangent) /
+                                      kSpacing;
       sum += (now[wall] - before[wall]) *
              impulse.dot(lattice::position(lattice::unit(motion->direction)));
     }

@@ -29,7 +29,7 @@ std::int32_t rounded(const Ratio& ratio) {
 /// In 2^-20 lattice spacings, rounded towards zero. Long division, so that nothing overflows.
 std::int64_t fine(const Ratio& ratio) {
   constexpr std::int64_t kDigit = 1 << 10;
-  static_assert(kDigit * kDigit == kSpacing);
+  static_assert(kDigit * kDigit == kMotionSpacing);
   std::int64_t result = ratio.numerator / ratio.denominator;
   std::int64_t rest = ratio.numerator % ratio.denominator;
   for (int digit = 0; digit < 2; ++digit) {
@@ -87,7 +87,7 @@ PathSegment segment_at(const Path& path, std::uint64_t clock) {
 std::int64_t position(const Drive& drive, std::uint64_t clock) {
   const auto distance = static_cast<std::uint64_t>(drive.distance);
   return clock / drive.period >= distance
-             ? drive.distance * kSpacing
+             ? drive.distance * kMotionSpacing
              : fine({static_cast<std::int64_t>(clock), static_cast<std::int64_t>(drive.period)});
 }
 std::int64_t position(const Wave& wave, std::uint64_t clock) {
@@ -95,7 +95,7 @@ std::int64_t position(const Wave& wave, std::uint64_t clock) {
 }
 std::int64_t position(const Path& path, std::uint64_t clock) {
   const PathSegment segment = segment_at(path, clock);
-  return segment.from * kSpacing + fine(segment.rise);
+  return segment.from * kMotionSpacing + fine(segment.rise);
 }
 
 template <class Program>
@@ -104,10 +104,11 @@ std::int64_t velocity_of(const Program& program, const Travel& travel, std::int6
 }
 std::int64_t velocity_of(const Shake& shake, const Travel& travel, std::int64_t now) {
   constexpr std::uint64_t kPeriod = 10;
-  const std::int64_t most = kSpacing / static_cast<std::int64_t>(shake.period.value_or(kPeriod));
+  const std::int64_t most =
+      kMotionSpacing / static_cast<std::int64_t>(shake.period.value_or(kPeriod));
   switch (travel.phase) {
     case Travel::Phase::rising:
-      return std::min(most, shake.amplitude * kSpacing - now);
+      return std::min(most, shake.amplitude * kMotionSpacing - now);
     case Travel::Phase::falling:
       return -std::min(most, now);
     case Travel::Phase::waiting:
@@ -121,7 +122,7 @@ bool can_be_at(const Program& program, std::uint64_t clock, std::int64_t now) {
   return now == position(program, clock);
 }
 bool can_be_at(const Shake& shake, std::uint64_t /*clock*/, std::int64_t now) {
-  return now >= 0 && now <= shake.amplitude * kSpacing;
+  return now >= 0 && now <= shake.amplitude * kMotionSpacing;
 }
 
 int sign(std::int32_t value) {
@@ -191,7 +192,7 @@ std::int32_t target(const Path& path, std::uint64_t clock) {
 }
 
 std::int32_t velocity(const WallMotion& motion, const Travel& travel, std::int64_t ahead) {
-  const std::int64_t now = travel.offset * kSpacing + ahead;
+  const std::int64_t now = travel.offset * kMotionSpacing + ahead;
   return static_cast<std::int32_t>(std::visit(
       [&](const auto& program) { return velocity_of(program, travel, now); }, motion.program));
 }
@@ -201,7 +202,7 @@ bool can_be_ahead(const WallMotion& motion, const Travel& travel, std::int64_t a
   return ahead > -kFar && ahead < kFar &&
          std::visit(
              [&](const auto& program) {
-               return can_be_at(program, travel.clock, travel.offset * kSpacing + ahead);
+               return can_be_at(program, travel.clock, travel.offset * kMotionSpacing + ahead);
              },
              motion.program);
 }

@@ -55,7 +55,7 @@ bool can_be_carried_out(const Wave& wave) {
 bool can_be_carried_out(const Shake& shake) {
   return shake.amplitude >= 0 && shake.amplitude < kMaxCoordinate &&
          (!shake.period ||
-          (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kSpacing)));
+          (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kMotionSpacing)));
 }
 bool can_be_carried_out(const Path& path) {
   std::uint64_t last = 0;

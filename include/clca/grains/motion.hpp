@@ -38,7 +38,8 @@ struct Wave {
 struct Shake {
   std::int32_t amplitude = 1;
   std::optional<std::uint64_t> wait;  ///< steps after the drop; none: until no particle moves
-  /// Contact model only: steps per site, at most kSpacing; none: ten. The automaton takes one.
+  /// Contact model only: steps per site, at most kMotionSpacing; none: ten. The automaton takes
+  /// one.
   std::optional<std::uint64_t> period = {};
 
   bool operator==(const Shake&) const = default;
@@ -59,7 +60,7 @@ struct Path {
 };
 
 /// A lattice spacing in the unit of positions that are finer than sites.
-inline constexpr std::int64_t kSpacing = 1 << 20;
+inline constexpr std::int64_t kMotionSpacing = 1 << 20;
 
 struct WallMotion {
   lattice::Direction direction = lattice::Direction::up;

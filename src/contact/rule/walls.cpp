@@ -16,15 +16,15 @@ bool in_motion(const grains::Wall& wall) {
 }
 
 // A wall behind its motion adds 1/16 of the lag per step to its velocity, at most half a spacing
-// (units of grains::kSpacing).
+// (units of grains::kMotionSpacing).
 // A weaker push is lost in the bed, which two sweeps make elastic: with 1/64 and 1/8 spacing, walls
 // took two to four times as long.
 constexpr std::int64_t kLagSteps = 16;
-constexpr std::int64_t kMaxCatchUp = grains::kSpacing / 2;
+constexpr std::int64_t kMaxCatchUp = grains::kMotionSpacing / 2;
 
 /// `speed`: of the motion; if that has ended, the wall still has to arrive.
 std::int64_t haste(std::int64_t lag, std::int32_t speed) {
-  const std::int64_t least = speed == 0 ? grains::kSpacing / 2 : grains::kSpacing;
+  const std::int64_t least = speed == 0 ? grains::kMotionSpacing / 2 : grains::kMotionSpacing;
   return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
 }
 
@@ -36,7 +36,7 @@ Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
     return {};
   }
   const std::int64_t lag = state.wall_remainders[wall];
-  constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kSpacing);
+  constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionSpacing);
   const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
   const std::int32_t speed = kUnit * (own + static_cast<std::int32_t>(haste(lag, own)));
   const UnitVector& unit = unit_of(one.motion->direction);
@@ -62,8 +62,8 @@ std::vector<WallMove> advance_walls(State& state) {
     std::int64_t& ahead = state.wall_remainders[wall];
     ahead += grains::velocity(*one.motion, one.travel, ahead);
     result.push_back({.wall = wall,
-                      .desired = (ahead > grains::kSpacing / 2 ? 1 : 0) -
-                                 (ahead < -grains::kSpacing / 2 ? 1 : 0)});
+                      .desired = (ahead > grains::kMotionSpacing / 2 ? 1 : 0) -
+                                 (ahead < -grains::kMotionSpacing / 2 ? 1 : 0)});
   }
   return result;
 }
@@ -72,7 +72,7 @@ void end_step(State& state, std::span<const WallMove> walls, bool unmoved, bool 
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     std::int64_t& ahead = state.wall_remainders[move.wall];
-    ahead -= move.done ? move.desired * grains::kSpacing : 0;
+    ahead -= move.done ? move.desired * grains::kMotionSpacing : 0;
     take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
     unmoved = unmoved && !move.done;
   }

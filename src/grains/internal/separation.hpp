@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clca/grains/state.hpp"
+#include "grains/internal/apart_table.hpp"
 
 namespace clca::grains {
 
@@ -24,12 +25,7 @@ class SeparationTable {
   int depth(lattice::Axial apart, int columns) const;
 
  private:
-  std::size_t place(lattice::Axial apart) const;
-
-  lattice::Axial low_;  // of the table
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<std::uint16_t> depths_;
+  ApartTable<std::uint16_t> depths_;
 };
 
 /// The tables for all pairs of kinds, each computed on first use.
