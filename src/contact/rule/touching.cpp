@@ -1,6 +1,7 @@
 #include "contact/rule/touching.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -114,32 +115,26 @@ WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVel
 }
 
 std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now) {
-  std::vector<std::size_t> result(before.size(), kNoTouch);
-  std::vector<bool> taken(now.size(), false);
+  // The best first. Whether the body is the same counts last: a surface may have several.
+  using Match = std::tuple<bool, std::int64_t, bool, std::size_t, std::size_t>;
+  std::vector<Match> matches;
   for (std::size_t i = 0; i < before.size(); ++i) {
     for (std::size_t k = 0; k < now.size(); ++k) {
-      if (now[k].contact.other == before[i].other &&
-          cosine(before[i].normal, now[k].contact.normal) > kLeastCosine) {
-        result[i] = k;
-        taken[k] = true;
+      const Contact& next = now[k].contact;
+      const std::int64_t like = cosine(before[i].normal, next.normal);
+      if (like > kLeastCosine) {
+        matches.emplace_back(is_side(before[i].other) == is_side(next.other), like,
+                             before[i].other == next.other, i, k);
       }
     }
   }
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (result[i] != kNoTouch) {
-      continue;
-    }
-    std::pair<bool, std::int64_t> best;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const std::int64_t like = cosine(before[i].normal, now[k].contact.normal);
-      const std::pair rank(is_side(before[i].other) == is_side(now[k].contact.other), like);
-      if (!taken[k] && like > kLeastCosine && (result[i] == kNoTouch || rank > best)) {
-        best = rank;
-        result[i] = k;
-      }
-    }
-    if (result[i] != kNoTouch) {
-      taken[result[i]] = true;
+  std::sort(matches.begin(), matches.end(), std::greater());
+  std::vector<std::size_t> result(before.size(), kNoTouch);
+  std::vector<bool> taken(now.size(), false);
+  for (const auto& [same_kind, like, same_body, i, k] : matches) {
+    if (result[i] == kNoTouch && !taken[k]) {
+      result[i] = k;
+      taken[k] = true;
     }
   }
   return result;

@@ -49,9 +49,9 @@ struct WallTouches {
 WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls);
 
 /// Which touch each earlier contact of a grain with a wall or a side goes on as, kNoTouch for one
-/// that ends. Both are sorted by `other`. First those with the same body; then those whose body is
-/// left go on with the most similar normal. In both cases it is at most 45 degrees from theirs, so
-/// that it does not matter of how many bodies a surface is made.
+/// that ends. With the most similar normal, at most 45 degrees from theirs: first those of walls as
+/// one of a wall and those of sides as one of a side, then the others. Of like normals that of the
+/// same body, so that it does not matter of how many a surface is made.
 inline constexpr std::size_t kNoTouch = static_cast<std::size_t>(-1);
 std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now);
 
