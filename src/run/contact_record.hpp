@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "clca/contact/force.hpp"
-#include "clca/scene/scene.hpp"
-#include "run/model.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
@@ -35,13 +34,14 @@ class ForceWindow {
 
 /// Mean forces before the end of a stage, each picture and each trajectory frame that shows forces.
 /// Costs nothing in steps that none of them needs.
-class ContactRecord {
+class ContactRecord : public Observer {
  public:
   explicit ContactRecord(const scene::Scene& scene);
 
-  void begin_stage();
-  /// Call after each step with its report.
-  void after_step(const scene::Stage& stage, const Model& model, std::uint64_t steps_in_stage);
+  void begin_stage(const StageView& now) override;
+  void after_step(const StageView& now) override;
+  void save(reflection::Columns& columns) override;
+  void load(const SavedColumns& saved, const StageView& now) override;
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
@@ -65,6 +65,8 @@ class ContactRecord {
   }
 
  private:
+  static constexpr const char* kPath = "records/contacts";
+
   /// An event every so many steps of a stage, and the window of steps before it.
   struct Recurring {
     std::uint64_t every = 0;  // 0: never

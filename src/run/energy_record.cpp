@@ -1,5 +1,7 @@
 #include "run/energy_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,7 +14,7 @@ constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for so
 
 }  // namespace
 
-void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
+void EnergyRecord::begin(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = model.energy()->sum();
   fall_ = 0;
@@ -29,7 +31,27 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   growth_ = 0;
 }
 
-void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange& exchange) {
+void EnergyRecord::after_step(const StageView& now) {
+  add(now.model, now.model.exchange());
+  if (const auto growth = take_warning()) {
+    now.log.warning(fmt::format(
+        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
+        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
+        "contact.resolution",
+        now.stage.name, now.model.state().step, growth->lowest, growth->now,
+        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
+  }
+}
+
+void EnergyRecord::save(reflection::Columns& columns) {
+  reflection::encode(kPath, *this, columns);
+}
+
+void EnergyRecord::load(const SavedColumns& saved, const StageView& /*now*/) {
+  saved.read(kPath, *this);
+}
+
+void EnergyRecord::add(const Model& model, const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
     return;
@@ -59,6 +81,23 @@ std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {
 
 std::optional<double> EnergyRecord::growth() const {
   return is_closed_ ? std::optional(growth_) : std::nullopt;
+}
+
+ObserverKind energy_observer() {
+  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
+            return is_contact(run.scene) ? std::make_unique<EnergyRecord>() : nullptr;
+          },
+          {},
+          {{{},
+            "model `contact`, without sources",
+            {{"energy_growth", "Growth of the energy", "",
+              "most that it has grown in the stage, as a share of that at its start"}},
+            [](const StageView& stage) -> std::vector<store::MeasureValue> {
+              const auto* energy = stage.observers.find<EnergyRecord>();
+              const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
+              return growth ? std::vector<store::MeasureValue>{*growth}
+                            : std::vector<store::MeasureValue>();
+            }}}};
 }
 
 }  // namespace clca::run

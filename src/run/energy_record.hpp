@@ -4,17 +4,21 @@
 #include <cstdint>
 #include <optional>
 
-#include "clca/reflection/reflection.hpp"
-#include "clca/scene/scene.hpp"
-#include "run/model.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
-class EnergyRecord {
+class EnergyRecord : public Observer {
  public:
-  void begin_stage(const scene::Stage& stage, const Model& model);
-  /// Call after each step; `exchange`: of the step.
-  void after_step(const Model& model, const contact::EnergyExchange& exchange);
+  void begin_stage(const StageView& now) override { begin(now.stage, now.model); }
+  /// Warns of energy that grows.
+  void after_step(const StageView& now) override;
+  void save(reflection::Columns& columns) override;
+  void load(const SavedColumns& saved, const StageView& now) override;
+
+  void begin(const scene::Stage& stage, const Model& model);
+  /// `exchange`: of the step.
+  void add(const Model& model, const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }
@@ -46,6 +50,8 @@ class EnergyRecord {
   }
 
  private:
+  static constexpr const char* kPath = "records/energy";
+
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
   double fall_ = 0;  // of all grains by a lattice spacing

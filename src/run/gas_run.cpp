@@ -60,9 +60,9 @@ class GasRun : public RunBase {
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)),
         checkpoint_writer_(scene.checkpoint) {
-    write_to(folder ? std::move(*folder)
-                    : begin_run(options, events, checkpoint(), gas_table_names(scene)),
-             course_.log_bytes, course_.wall_seconds);
+    write_to(
+        folder ? std::move(*folder) : begin_run(options, events, checkpoint(), gas_files(scene)),
+        course_.log_bytes, course_.wall_seconds);
   }
 
  private:

@@ -226,12 +226,12 @@ std::vector<const GasMember*> GasCase::at(std::size_t place) const {
   return those;
 }
 
-std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene) {
-  std::vector<std::string> names = {store::table_name("series"), store::table_name("closure")};
+std::vector<PlannedFile> gas_files(const scene::BoltzmannScene& scene) {
+  std::vector<PlannedFile> files = {{store::table_name("series")}, {store::table_name("closure")}};
   for (const GasTime& time : gas_times(scene)) {
-    names.push_back(histogram_name(time));
+    files.push_back({histogram_name(time)});
   }
-  return names;
+  return files;
 }
 
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,

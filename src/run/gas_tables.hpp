@@ -7,6 +7,7 @@
 #include "clca/scene/boltzmann.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "run/begin.hpp"
 #include "run/gas_member.hpp"
 
 namespace clca::run {
@@ -33,8 +34,8 @@ struct GasCase {
 /// store::StoreError.
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                   const store::RunFolder& folder);
-/// Names of all tables that write_tables() can write.
-std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene);
+/// All tables that write_tables() can write.
+std::vector<PlannedFile> gas_files(const scene::BoltzmannScene& scene);
 
 /// The last row of the series and further results of a case.
 std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,

@@ -20,6 +20,17 @@ constexpr auto kOfSweeps = std::to_array<Quantity>({
      "all that left in the runs, over the number of clogs"},
 });
 
+/// The series first: a key that several tables have is explained as there.
+std::vector<const TableInfo*> all_tables() {
+  std::vector<const TableInfo*> all;
+  for (const ObserverKind& kind : observer_kinds()) {
+    all.insert(all.end(), kind.tables.begin(), kind.tables.end());
+  }
+  std::stable_partition(all.begin(), all.end(),
+                        [](const TableInfo* table) { return table->name == "series"; });
+  return all;
+}
+
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
                                   [&](const Quantity& one) { return one.key == key; });
@@ -35,8 +46,21 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  const Quantity* found = find_in(kOfSweeps, whole);
-  return found != nullptr ? found : find_in(series_quantities(), whole);
+  if (const Quantity* found = find_in(kOfSweeps, whole)) {
+    return found;
+  }
+  for (const TableInfo* table : all_tables()) {
+    const auto is_named = [&](const auto& column) { return column.first.key == whole; };
+    if (const auto of_each = std::ranges::find_if(table->of_each, is_named);
+        of_each != table->of_each.end()) {
+      return &of_each->first;
+    }
+    if (const auto column = std::ranges::find_if(table->columns, is_named);
+        column != table->columns.end()) {
+      return &column->first;
+    }
+  }
+  return nullptr;
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {

@@ -17,12 +17,13 @@
 #include "clca/scene/walls.hpp"
 #include "run/begin.hpp"
 #include "run/checkpoint_writer.hpp"
+#include "run/cycle_record.hpp"
 #include "run/force_measures.hpp"
 #include "run/frame_painter.hpp"
 #include "run/gas_run.hpp"
 #include "run/meter.hpp"
-#include "run/outputs.hpp"
-#include "run/records.hpp"
+#include "run/observer.hpp"
+#include "run/quantities.hpp"
 #include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
@@ -72,11 +73,12 @@ class Run : public RunBase {
       : Run(scene, options, events, first_state(scene)) {
     prepare();
     store::Checkpoint start = checkpoint();
-    reflection::encode(store::Checkpoint::kWanted, SavedWish{options.pictures}, start.fields);
-    write_to(
-        folder ? std::move(*folder)
-               : begin_run(options, events, start, outputs_.file_names(), outputs_.planned_names()),
-        0, 0);
+    reflection::encode(kWantedPictures, options.pictures, start.fields);
+    std::vector<PlannedFile> files = observers_.files();
+    if (scene.output.checkpoint) {
+      files.push_back({store::kCheckpointBefore, true});
+    }
+    write_to(folder ? std::move(*folder) : begin_run(options, events, start, files), 0, 0);
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -102,8 +104,7 @@ class Run : public RunBase {
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
                 .reference = options.reference}),
-        outputs_(scene, model_.state(), options),
-        records_(scene),
+        observers_(observers_of({scene, model_.state(), options})),
         checkpoint_writer_(scene.output.checkpoint) {}
 
   /// Restores the state of `saved`.
@@ -118,13 +119,15 @@ class Run : public RunBase {
   /// Runs steps until the stage ends; returns the reason.
   StageEnd run_steps();
   void step();
-  void warn_of_energy();
   void end_stage(StageEnd end);
   /// Writes a checkpoint of the run between two steps.
   void save();
   store::Checkpoint checkpoint_now();
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
+  StageView view() {
+    return {scene_, stage(), model_, history_, observers_, course_.moving, log()};
+  }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
@@ -132,8 +135,7 @@ class Run : public RunBase {
   std::optional<scene::Conversion> conversion_;
   Stopwatch step_clock_;
   Model model_;
-  Outputs outputs_;
-  Records records_;
+  Observers observers_;
   IntervalTimer timer_{events().progress_interval};
   RunCourse course_;
   StageHistory history_;
@@ -151,23 +153,21 @@ void Run::go_on(SavedRun& saved, SavedParts& parts) {
   history_ = std::move(parts.history);
   stages_ = std::move(parts.stages);
   model_.set_rules(stage());
-  records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.max_bytes);
-  outputs_.reopen(folder(), model_.state(), parts.outputs);
+  observers_.load({saved.checkpoint.fields, saved.max_bytes}, view());
   in_stage_ = true;
 }
 
 void Run::carry_out() {
-  if (!in_stage_) {
-    outputs_.open(folder(), model_.state());
-  }
-  if (outputs_.has_pictures() && scene_.output.frames->caption && !render::font_problem().empty()) {
+  observers_.open(folder(), model_.state());
+  const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
+  if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     log().warning(render::font_problem());
   }
   while (course_.stage < scene_.stages.size() && !interrupted_) {
     run_stage();
     ++course_.stage;
   }
-  outputs_.finish();
+  observers_.finish();
   if (end_checkpoint_) {
     checkpoint_writer_.save(folder().files(), *std::move(end_checkpoint_));
   }
@@ -191,8 +191,7 @@ void Run::begin_stage() {
       grains::present_count(model_.state()) + history_.outflow.during_stage().particles;
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                    model_.state().step, grains::present_count(model_.state())));
-  records_.begin_stage(stage(), model_);
-  outputs_.begin_stage(stage(), model_, records_);
+  observers_.begin_stage(view());
 }
 
 void Run::run_stage() {
@@ -247,33 +246,17 @@ void Run::step() {
   add_discharge(history_, model_.state(), &measure::Outflow::add);
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
-  records_.after_step(stage(), model_, history_.steps);
-  warn_of_energy();
-  history_.cycles = records_.cycles().cycles();
-  outputs_.after_step(stage(), model_, records_, history_.steps, report.moved);
-}
-
-void Run::warn_of_energy() {
-  const auto growth = records_.energy() ? records_.energy()->take_warning() : std::nullopt;
-  if (growth) {
-    log().warning(fmt::format(
-        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
-        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
-        "contact.resolution",
-        stage().name, model_.state().step, growth->lowest, growth->now,
-        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
-  }
+  observers_.after_step(view());
+  history_.cycles = observers_.find<CycleRecord>()->cycles();
 }
 
 void Run::end_stage(StageEnd end) {
   history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
-  records_.end_stage(model_);
-  warn_of_energy();
-  outputs_.end_stage(stage(), model_, records_, course_.moving, history_);
+  observers_.end_stage(view());
   stages_.push_back({.name = stage().name,
                      .steps = history_.steps,
                      .ended = to_text(end),
-                     .measures = stage_measures(scene_, model_, history_, records_),
+                     .measures = stage_measures(view()),
                      .notes = slope_notes(scene_, model_)});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
@@ -297,17 +280,16 @@ void Run::save() {
 
 store::Checkpoint Run::checkpoint_now() {
   tell(fmt::format("checkpoint of step {}", model_.state().step));
-  const OutputHistory outputs = outputs_.flush(records_);
+  store::Checkpoint saved = checkpoint();
+  observers_.save(saved.fields);
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
   course.log_bytes = log().bytes();
-  store::Checkpoint saved = checkpoint();
   model_.save(saved.fields);
   reflection::encode(kSavedCourse, course, saved.fields);
   reflection::encode(kSavedHistory, history_, saved.fields);
-  reflection::encode(kSavedOutputs, outputs, saved.fields);
-  records_.save(saved.fields);
+  reflection::encode(kSavedPictures, options().pictures, saved.fields);
   return saved;
 }
 
@@ -354,10 +336,11 @@ RunOptions with_team(const RunOptions& options, const RunEvents& events) {
 }
 
 /// Throws store::StoreError for a checkpoint that no run of the scene can have saved.
-std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& options,
+std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
                                  const RunEvents& events, SavedRun& saved) {
   const std::filesystem::path folder = saved.folder.path();
   try {
+    options.pictures = saved_pictures(saved);
     return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
   } catch (const reflection::Mismatch& error) {
     throw mismatched_checkpoint(folder, error.what());

@@ -1,9 +1,10 @@
-#include "run/series.hpp"
+// series.csv: the time series of a run.
 
 #include <algorithm>
 
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
+#include "run/energy_record.hpp"
 #include "run/outlet_counts.hpp"
 #include "run/quantities.hpp"
 
@@ -25,27 +26,14 @@ double mean_height(const grains::State& state) {
 }
 
 /// What a row is made of.
-struct Moment {
-  const scene::Scene& scene;
-  const std::string& stage;
-  const Model& model;
-  const Records& records;
-  std::size_t moving = 0;
+struct SeriesRow {
+  const StageView& now;
   std::optional<contact::Energy> energy;  ///< of the contact model
+  const EnergyRecord* record;             ///< likewise
+
+  const grains::State& state() const { return now.model.state(); }
 };
 
-struct Column {
-  Quantity quantity;
-  bool (*applies)(const scene::Scene& scene);
-  store::Cell (*value)(const Moment& now);
-};
-
-bool always(const scene::Scene& /*scene*/) {
-  return true;
-}
-bool is_contact(const scene::Scene& scene) {
-  return scene.model == scene::Model::contact;
-}
 bool has_sources(const scene::Scene& scene) {
   return is_contact(scene) && !scene.sources.empty();
 }
@@ -58,94 +46,78 @@ bool has_moving_walls(const scene::Scene& scene) {
                      [](const scene::Wall& wall) { return wall.motion.has_value(); });
 }
 
-double moving_share(const Moment& now) {
+double moving_share(const StageView& now) {
   const std::size_t all = grains::present_count(now.model.state());
   return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
 }
 
-template <double contact::EnergyExchange::*kPart>
-store::Cell exchanged(const Moment& now) {
-  return now.records.energy()->exchanged().*kPart;
-}
-
 constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 constexpr std::string_view kSinceStage = "since the start of the stage";
+constexpr std::string_view kSinceRun = "by all outlets, since the start of the run";
 
-// Those of the scene are in the table, in this order; behind them, those of walls and outlets.
-const std::vector<Column>& all_columns() {
-  using Exchange = contact::EnergyExchange;
-  static const std::vector<Column> kColumns = {
-      {{"step", "Step", "", ""},
-       always,
-       [](const Moment& now) -> store::Cell { return now.model.state().step; }},
-      {{"time", "Time", "time", ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell {
-         return scene::conversion(now.scene)->time(now.model.state().step);
-       }},
-      {{"stage", "Stage", "", ""},
-       always,
-       [](const Moment& now) -> store::Cell { return now.stage; }},
-      {{"particles", "Particles", "particles", "in the box"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return std::uint64_t{grains::present_count(now.model.state())};
-       }},
-      {{"moving", "Moving", "particles", "in this step"},
-       always,
-       [](const Moment& now) -> store::Cell { return std::uint64_t{now.moving}; }},
-      {{"moving_share", "Share moving", "", "of the particles, in this step"},
-       always,
-       [](const Moment& now) -> store::Cell { return moving_share(now); }},
-      {{"mean_height", "Mean height of the particles", "spacings", "of their sites"},
-       always,
-       [](const Moment& now) -> store::Cell { return mean_height(now.model.state()); }},
-      {{"discharged_particles", "Particles discharged", "particles", "since the start of the run"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return measure::discharge(now.model.state()).particles;
-       }},
-      {{"discharged_sites", "Sites discharged", "sites", "since the start of the run"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return measure::discharge(now.model.state()).sites;
-       }},
-      {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell { return now.energy->kinetic; }},
-      {{"potential_energy", "Potential energy", kEnergyUnit, ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell { return now.energy->potential; }},
-      {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-       is_contact,
-       [](const Moment& now) -> store::Cell {
-         return now.records.energy()->dissipated(*now.energy);
-       }},
-      {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
-       has_sources,
-       exchanged<&Exchange::sources>},
-      {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
-       has_outlets,
-       exchanged<&Exchange::outlets>},
-      {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
-       has_moving_walls,
-       exchanged<&Exchange::walls>},
-      {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
-       has_vessel,
-       exchanged<&Exchange::vessel>},
-      {kVesselAngle, has_vessel, [](const Moment& now) -> store::Cell {
-         return contact::degrees(now.model.vessel().angle);
-       }}};
-  return kColumns;
+const TableOf<SeriesRow>& series_table() {
+  static const TableOf<SeriesRow> kTable(
+      {.name = "series",
+       .is_certain = true,
+       .of_each = {{{"travel", "Travel of the wall", "sites",
+                     "from home, along its motion; of each that moves"},
+                    "WALL"},
+                   {{"index", "Overlap of the wall", "sites",
+                     "in all contacts that began at it; with `passive: overlap`"},
+                    "WALL"},
+                   {{"discharged", "Particles discharged", "particles",
+                     "by it, since the start of the run; with several outlets"},
+                    "OUTLET"},
+                   {{"discharged", "Particles discharged", "particles",
+                     "those of a species; with several species"},
+                    "OUTLET.SPECIES"}}},
+      {{kStep, [](const SeriesRow& row) { return row.state().step; }},
+       {kStage, [](const SeriesRow& row) { return row.now.stage.name; }},
+       {{"particles", "Particles", "particles", "in the box"},
+        [](const SeriesRow& row) { return grains::present_count(row.state()); }},
+       {{"moving", "Moving", "particles",
+         "that moved by themselves or were pushed out of an overlap in this step, those removed at "
+         "its end included; not those that a rigid wall carries"},
+        [](const SeriesRow& row) { return row.now.moving; }},
+       {{"moving_share", "Share moving", "", "of the particles, in this step"},
+        [](const SeriesRow& row) { return moving_share(row.now); }},
+       {{"mean_height", "Mean height of the particles", "spacings",
+         "of their centres, weighted by sites"},
+        [](const SeriesRow& row) { return mean_height(row.state()); }},
+       {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
+        [](const SeriesRow& row) { return measure::discharge(row.state()).particles; }},
+       {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
+        [](const SeriesRow& row) { return measure::discharge(row.state()).sites; }},
+       {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
+        [](const SeriesRow& row) { return row.energy->kinetic; },
+        kContactModel},
+       {{"potential_energy", "Potential energy", kEnergyUnit, ""},
+        [](const SeriesRow& row) { return row.energy->potential; },
+        kContactModel},
+       {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
+        [](const SeriesRow& row) { return row.record->dissipated(*row.energy); },
+        kContactModel},
+       {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
+        [](const SeriesRow& row) { return row.record->exchanged().sources; },
+        {"with `model: contact` and sources", has_sources}},
+       {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
+        [](const SeriesRow& row) { return row.record->exchanged().outlets; },
+        {"with `model: contact` and outlets", has_outlets}},
+       {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
+        [](const SeriesRow& row) { return row.record->exchanged().walls; },
+        {"with `model: contact` and walls that move", has_moving_walls}},
+       {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
+        [](const SeriesRow& row) { return row.record->exchanged().vessel; },
+        {"with a vessel in some stage", has_vessel}},
+       {kVesselAngle,
+        [](const SeriesRow& row) { return contact::degrees(row.now.model.vessel().angle); },
+        {"with a vessel in some stage", has_vessel}}});
+  return kTable;
 }
 
-std::vector<std::string> columns(const scene::Scene& scene) {
+/// Of each wall and outlet, KEY.NAME.
+std::vector<std::string> names_of_each(const scene::Scene& scene) {
   std::vector<std::string> names;
-  for (const Column& column : all_columns()) {
-    if (column.applies(scene)) {
-      names.emplace_back(column.quantity.key);
-    }
-  }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
@@ -175,37 +147,9 @@ std::vector<std::uint64_t> indices(const Model& model) {
   return sites;
 }
 
-}  // namespace
-
-const std::vector<Quantity>& series_quantities() {
-  static const std::vector<Quantity> kQuantities = [] {
-    std::vector<Quantity> all = {
-        {"travel", "Travel of the wall", "sites", "from home"},
-        {"index", "Overlap of the wall", "sites", "in all contacts that began at it"}};
-    for (const Column& column : all_columns()) {
-      all.push_back(column.quantity);
-    }
-    return all;
-  }();
-  return kQuantities;
-}
-
-SeriesTable::SeriesTable(const scene::Scene& scene) : scene_(scene), table_(columns(scene)) {}
-
-bool SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
-                      std::size_t moving, bool always) {
+std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& model) {
   const grains::State& state = model.state();
-  if ((!always && state.step % scene_.output.series->every != 0) || last_step_ == state.step) {
-    return false;
-  }
-  last_step_ = state.step;
-  const Moment now = {scene_, stage, model, records, moving, model.energy()};
   std::vector<store::Cell> cells;
-  for (const Column& column : all_columns()) {
-    if (column.applies(scene_)) {
-      cells.push_back(column.value(now));
-    }
-  }
   const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
@@ -215,14 +159,56 @@ bool SeriesTable::add(const std::string& stage, const Model& model, const Record
       cells.emplace_back(sites[wall]);
     }
   }
-  if (!discharge_names(scene_).empty()) {
-    const auto particles = measure::discharged_particles(state, scene_.species.size());
-    for (const std::uint64_t count : discharge_values(scene_, particles)) {
+  if (!discharge_names(scene).empty()) {
+    const auto particles = measure::discharged_particles(state, scene.species.size());
+    for (const std::uint64_t count : discharge_values(scene, particles)) {
       cells.emplace_back(count);
     }
   }
-  table_.add_row(std::move(cells));
-  return true;
+  return cells;
+}
+
+/// A row at the steps that are due and at the begin and end of stages, one for each step.
+class Series : public Observer {
+ public:
+  explicit Series(const scene::Scene& scene)
+      : table_(scene, series_table(), names_of_each(scene)) {}
+
+  void begin_stage(const StageView& now) override { add_row(now); }
+  void after_step(const StageView& now) override {
+    if (now.model.state().step % now.scene.output.series->every == 0) {
+      add_row(now);
+    }
+  }
+  void end_stage(const StageView& now) override { add_row(now); }
+  void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
+  void load(const SavedColumns& saved, const StageView& /*now*/) override {
+    saved.read(kPath, last_);
+  }
+  std::vector<RunTable*> tables() override { return {&table_}; }
+
+ private:
+  static constexpr const char* kPath = "outputs/series_step";
+
+  void add_row(const StageView& now) {
+    if (last_ != now.model.state().step) {
+      last_ = now.model.state().step;
+      table_.add({now, now.model.energy(), now.observers.find<EnergyRecord>()},
+                 cells_of_each(now.scene, now.model));
+    }
+  }
+
+  std::optional<std::uint64_t> last_;  // step that has a row
+  TableWriter<SeriesRow> table_;
+};
+
+}  // namespace
+
+ObserverKind series_observer() {
+  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
+            return run.scene.output.series ? std::make_unique<Series>(run.scene) : nullptr;
+          },
+          {&series_table()}};
 }
 
 }  // namespace clca::run

@@ -1,0 +1,420 @@
+// Tables of contacts at the end of a stage: of the contact model in weights of a grain of mean
+// mass, with walls that overlap particles in sites.
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "clca/measure/stress.hpp"
+#include "run/contact_record.hpp"
+#include "run/cycle_record.hpp"
+#include "run/force_measures.hpp"
+#include "run/force_record.hpp"
+
+namespace clca::run {
+
+namespace {
+
+using Forces = std::vector<contact::Force>;
+using Overlaps = std::vector<measure::OverlapContact>;
+
+constexpr Condition kOverlap = {"with `passive: overlap`", has_overlaps};
+/// A pair of bodies, the second of which may be a wall.
+struct ContactRow {
+  std::uint64_t first = 0;
+  std::string second = {};
+  std::optional<Eigen::Vector2d> point = {};
+  const contact::Force* force = nullptr;
+  const measure::OverlapContact* overlap = nullptr;  ///< null if it is gone
+  std::string source = {};
+  std::optional<double> mean_sites = {};
+  std::optional<double> share = {};
+};
+
+std::optional<double> part(const std::optional<Eigen::Vector2d>& point, Eigen::Index axis) {
+  return point ? std::optional((*point)[axis]) : std::nullopt;
+}
+
+const TableOf<ContactRow>& contacts_table() {
+  static const TableOf<ContactRow> kTable(
+      {.name = "contacts", .of = TableInfo::Of::stages},
+      {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
+        [](const ContactRow& row) { return row.first; }},
+       {{"second", "Second body", "",
+         "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
+        [](const ContactRow& row) { return row.second; }},
+       {{"x", "x", "spacings",
+         "of the contact: on the side of the box, else on discs of the particles’ areas"},
+        [](const ContactRow& row) { return part(row.point, 0); }},
+       {{"y", "y", "spacings", ""}, [](const ContactRow& row) { return part(row.point, 1); }},
+       {{"normal_x", "Normal, x", "", "towards the first"},
+        [](const ContactRow& row) { return row.force->normal.x(); },
+        kContactModel},
+       {{"normal_y", "Normal, y", "", ""},
+        [](const ContactRow& row) { return row.force->normal.y(); },
+        kContactModel},
+       {{"normal_force", "Normal force", "grain weights", ""},
+        [](const ContactRow& row) { return row.force->along_normal; },
+        kContactModel},
+       {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
+        [](const ContactRow& row) { return row.force->along_shear; },
+        kContactModel},
+       {{"sites", "Overlap", "sites", "that both share"},
+        [](const ContactRow& row) { return row.overlap != nullptr ? row.overlap->sites : 0; },
+        kOverlap},
+       {{"depth", "Depth of the overlap", "moves", "that would take it back"},
+        [](const ContactRow& row) { return row.overlap != nullptr ? row.overlap->depth : 0; },
+        kOverlap},
+       {{"source", "Source", "", "the wall where the push began"},
+        [](const ContactRow& row) { return row.source; },
+        kOverlap},
+       {{"mean_sites", "Mean overlap", "sites",
+         "over the samples of `output.contacts`; of pairs that are gone this and the next only"},
+        [](const ContactRow& row) { return row.mean_sites; },
+        kOverlap},
+       {{"share", "Share of the samples", "", "with this contact"},
+        [](const ContactRow& row) { return row.share; },
+        kOverlap}});
+  return kTable;
+}
+
+const TableOf<measure::ForceBin>& forces_table() {
+  using Bin = measure::ForceBin;
+  static const TableOf<Bin> kTable(
+      {.name = "forces", .of = TableInfo::Of::stages},
+      {{{"low", "Lower end of the bin", "",
+         "of the index of force in sites; of the contact model of normal forces between grains, in "
+         "grain weights"},
+        [](const Bin& bin) { return bin.low; }},
+       {{"high", "Upper end of the bin", "", "likewise"}, [](const Bin& bin) { return bin.high; }},
+       {{"count", "Contacts", "", "in the bin"}, [](const Bin& bin) { return bin.count; }},
+       {{"density", "Probability density", "", "of f/⟨f⟩"},
+        [](const Bin& bin) { return bin.density; }}});
+  return kTable;
+}
+
+struct LoadRow {
+  std::uint64_t id;
+  std::string species;
+  Eigen::Vector2d centre;
+  std::uint64_t contacts = 0;
+  double load = 0;  ///< sum of normal forces, or of sites
+  double residual = 0;
+};
+
+const TableOf<LoadRow>& loads_table() {
+  static const TableOf<LoadRow> kTable(
+      {.name = "loads", .of = TableInfo::Of::stages},
+      {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
+        [](const LoadRow& row) { return row.id; }},
+       {{"species", "Species", "", "its name"}, [](const LoadRow& row) { return row.species; }},
+       {{"x", "x", "spacings", "of the centre of mass"},
+        [](const LoadRow& row) { return row.centre.x(); }},
+       {{"y", "y", "spacings", "of the centre of mass"},
+        [](const LoadRow& row) { return row.centre.y(); }},
+       {{"contacts", "Contacts", "", ""},
+        [](const LoadRow& row) { return row.contacts; },
+        kContactModel},
+       {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
+        [](const LoadRow& row) { return row.load; },
+        kContactModel},
+       {{"residual", "Balance of forces", "",
+         "what forces and weight do not balance, over the weight"},
+        [](const LoadRow& row) { return row.residual; },
+        kContactModel},
+       {{"sites", "Overlap", "sites", "shared, in all its contacts"},
+        [](const LoadRow& row) { return row.load; },
+        kOverlap},
+       {{"pushes", "Pushes", "", "onto it"},
+        [](const LoadRow& row) { return row.contacts; },
+        kOverlap}});
+  return kTable;
+}
+
+struct WallRow {
+  std::string wall = {};
+  std::uint64_t contacts = 0;
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  const measure::WallForce* overlap = nullptr;
+  std::optional<double> depth = {};
+};
+
+const TableOf<WallRow>& walls_table() {
+  static const TableOf<WallRow> kTable(
+      {.name = "walls", .of = TableInfo::Of::stages},
+      {{{"wall", "Wall", "",
+         "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
+         "else of those that move"},
+        [](const WallRow& row) { return row.wall; }},
+       {{"contacts", "Contacts", "", ""},
+        [](const WallRow& row) { return row.contacts; },
+        kContactModel},
+       {{"force_x", "Force on the wall, x", "grain weights", ""},
+        [](const WallRow& row) { return row.force.x(); },
+        kContactModel},
+       {{"force_y", "Force on the wall, y", "grain weights", ""},
+        [](const WallRow& row) { return row.force.y(); },
+        kContactModel},
+       {{"travel", "Travel of the wall", "sites", "from home"},
+        [](const WallRow& row) { return static_cast<double>(row.overlap->travel); },
+        kOverlap},
+       {{"depth", "Depth of the wall", "spacings", "under the surface at the start of the stage"},
+        [](const WallRow& row) { return row.depth; },
+        kOverlap},
+       {{"stalled_since", "Stalled since", "step", "since when it wants to go on and cannot"},
+        [](const WallRow& row) {
+          const auto& step = row.overlap->stalled_since;
+          return step ? std::optional(static_cast<double>(*step)) : std::nullopt;
+        },
+        kOverlap},
+       {{"stalls", "Stalls", "", ""},
+        [](const WallRow& row) { return row.overlap->stalls; },
+        kOverlap},
+       {{"particles", "Particles", "particles", "that overlap with the wall"},
+        [](const WallRow& row) { return row.overlap->particles; },
+        kOverlap},
+       {{"sites", "Overlap", "sites", "of the wall with particles"},
+        [](const WallRow& row) { return row.overlap->sites; },
+        kOverlap},
+       {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
+        [](const WallRow& row) { return row.overlap->chain_sites; },
+        kOverlap},
+       {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
+        [](const WallRow& row) { return row.overlap->jammed; },
+        kOverlap}});
+  return kTable;
+}
+
+const TableOf<measure::StressCell>& stress_table() {
+  using Cell = measure::StressCell;
+  constexpr std::string_view kUnit = "grain weights/spacing";
+  static const TableOf<Cell> kTable(
+      {.name = "stress", .of = TableInfo::Of::stages},
+      {{kCellX, [](const Cell& cell) { return cell.centre.x(); }},
+       {kCellY, [](const Cell& cell) { return cell.centre.y(); }},
+       {{"xx", "Stress, xx", kUnit, "pressed positive"}, [](const Cell& cell) { return cell.xx; }},
+       {{"xy", "Stress, xy", kUnit, "of the symmetric part"},
+        [](const Cell& cell) { return cell.xy; }},
+       {{"yy", "Stress, yy", kUnit, "pressed positive"}, [](const Cell& cell) { return cell.yy; }},
+       {{"pressure", "Pressure", kUnit, "half of xx + yy"},
+        [](const Cell& cell) { return cell.pressure(); }}});
+  return kTable;
+}
+
+/// No wall has a dot in its name, so none is called as a side of the box.
+std::string body_name(const scene::Scene& scene, grains::Owner owner) {
+  switch (owner) {
+    case contact::kFloor:
+      return "box.floor";
+    case contact::kCeiling:
+      return "box.top";
+    case contact::kLeftSide:
+      return "box.left";
+    case contact::kRightSide:
+      return "box.right";
+    default:
+      return grains::is_particle(owner) ? fmt::format("{}", owner)
+                                        : scene.walls[grains::wall_number(owner)].name;
+  }
+}
+
+class ForceTables : public Observer {
+ public:
+  explicit ForceTables(const scene::Scene& scene)
+      : contacts_(scene, contacts_table()),
+        forces_(scene, forces_table()),
+        loads_(scene, loads_table()),
+        walls_(scene, walls_table()) {
+    if (is_contact(scene)) {
+      stress_.emplace(scene, stress_table());
+    }
+  }
+
+  void end_stage(const StageView& now) override;
+  std::vector<RunTable*> tables() override {
+    std::vector<RunTable*> all = {&contacts_, &forces_, &loads_, &walls_};
+    if (stress_) {
+      all.push_back(&*stress_);
+    }
+    return all;
+  }
+
+ private:
+  void add_forces(const StageView& now, const Forces& forces);
+  void add_loads(const StageView& now, const Forces& forces);
+  void add_walls(const scene::Scene& scene, const Forces& forces);
+  void add_overlaps(const StageView& now, const ForceRecord& record);
+  void add_pairs(const scene::Scene& scene, const Overlaps& overlaps, const ForceRecord& record);
+  void add_bins(const std::optional<measure::ForceDistribution>& distribution);
+
+  TableWriter<ContactRow> contacts_;
+  TableWriter<measure::ForceBin> forces_;
+  TableWriter<LoadRow> loads_;
+  TableWriter<WallRow> walls_;
+  std::optional<TableWriter<measure::StressCell>> stress_;
+};
+
+void ForceTables::end_stage(const StageView& now) {
+  if (const auto* contacts = now.observers.find<ContactRecord>()) {
+    add_forces(now, contacts->at_end(now.model));
+  } else {
+    add_overlaps(now, *now.observers.find<ForceRecord>());
+  }
+  for (RunTable* table : tables()) {
+    table->write(now.stage.name);
+  }
+}
+
+void ForceTables::add_forces(const StageView& now, const Forces& forces) {
+  for (const contact::Force& force : forces) {
+    contacts_.add({.first = force.upper,
+                   .second = body_name(now.scene, force.other),
+                   .point = force.point,
+                   .force = &force});
+  }
+  add_bins(distribution(forces));
+  add_loads(now, forces);
+  add_walls(now.scene, forces);
+  const double cell = now.observers.find<CycleRecord>()->cell();
+  for (const measure::StressCell& one : measure::stress_field(now.model.state(), forces, cell)) {
+    if (one.xx != 0 || one.xy != 0 || one.yy != 0) {
+      stress_->add(one);
+    }
+  }
+}
+
+void ForceTables::add_bins(const std::optional<measure::ForceDistribution>& distribution) {
+  if (distribution) {
+    for (const measure::ForceBin& bin : distribution->bins) {
+      forces_.add(bin);
+    }
+  }
+}
+
+/// Of a particle, without its load.
+LoadRow load_row(const StageView& now, std::size_t id) {
+  const grains::State& state = now.model.state();
+  const grains::Particle& particle = state.particles[id];
+  return {.id = id,
+          .species = now.scene.species[state.kinds[particle.kind].species].name,
+          .centre = grains::centre_in_box(state, particle)};
+}
+
+void ForceTables::add_loads(const StageView& now, const Forces& forces) {
+  const grains::State& state = now.model.state();
+  struct Load {
+    std::uint64_t contacts = 0;
+    double normal = 0;
+  };
+  std::vector<Load> loads(state.particles.size());
+  const auto add = [&](std::size_t id, const contact::Force& force) {
+    ++loads[id].contacts;
+    loads[id].normal += force.along_normal;
+  };
+  for (const contact::Force& force : forces) {
+    add(force.upper, force);
+    if (grains::is_particle(force.other)) {
+      add(static_cast<std::size_t>(force.other), force);
+    }
+  }
+  const std::vector<double> residuals =
+      contact::residuals(state, forces, gravity_direction(now.model.vessel()));
+  for (std::size_t id = 0; id < loads.size(); ++id) {
+    if (state.particles[id].present) {
+      LoadRow row = load_row(now, id);
+      row.contacts = loads[id].contacts;
+      row.load = loads[id].normal;
+      row.residual = residuals[id];
+      loads_.add(row);
+    }
+  }
+}
+
+void ForceTables::add_walls(const scene::Scene& scene, const Forces& forces) {
+  std::map<grains::Owner, WallRow> rows;
+  for (const grains::Owner side :
+       {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide}) {
+    rows[side] = {};
+  }
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    rows[grains::wall_code(wall)] = {};
+  }
+  for (const contact::Force& force : forces) {
+    if (!grains::is_particle(force.other)) {
+      WallRow& row = rows[force.other];
+      ++row.contacts;
+      row.force -= force.on_upper();
+    }
+  }
+  for (auto& [owner, row] : rows) {
+    row.wall = body_name(scene, owner);
+    walls_.add(row);
+  }
+}
+
+void ForceTables::add_overlaps(const StageView& now, const ForceRecord& record) {
+  const grains::State& state = now.model.state();
+  const Overlaps overlaps = measure::contacts(state, now.model.grains().occupancy());
+  add_pairs(now.scene, overlaps, record);
+  add_bins(record.distribution(overlaps));
+  std::vector<std::uint64_t> pushes(state.particles.size(), 0);
+  for (const grains::Push& push : state.pushes) {
+    ++pushes[push.pushed];
+  }
+  const std::vector<double> sites = measure::force_indices(state.particles.size(), overlaps);
+  for (std::size_t id = 0; id < sites.size(); ++id) {
+    if (sites[id] > 0) {
+      LoadRow row = load_row(now, id);
+      row.contacts = pushes[id];
+      row.load = sites[id];
+      loads_.add(row);
+    }
+  }
+  const auto summary = measure::force_summary(state, now.model.grains().occupancy(), overlaps);
+  for (const measure::WallForce& wall : summary.walls) {
+    walls_.add({.wall = now.scene.walls[wall.wall].name,
+                .overlap = &wall,
+                .depth = measure::penetration(state, state.walls[wall.wall],
+                                              now.history.profile_at_start)});
+  }
+}
+
+void ForceTables::add_pairs(const scene::Scene& scene, const Overlaps& overlaps,
+                            const ForceRecord& record) {
+  std::map<std::pair<std::uint32_t, grains::Owner>, ContactRow> rows;
+  const auto row_of = [&](std::uint32_t first, grains::Owner second) -> ContactRow& {
+    ContactRow& row = rows[{first, second}];
+    row.first = first;
+    row.second = body_name(scene, second);
+    return row;
+  };
+  for (const measure::OverlapContact& overlap : overlaps) {
+    ContactRow& row = row_of(overlap.first, overlap.second);
+    row.point = overlap.point;
+    row.overlap = &overlap;
+    row.source = overlap.source ? scene.walls[*overlap.source].name : "";
+  }
+  for (const measure::ForceAverage::Mean& mean : record.average().means()) {
+    ContactRow& row = row_of(mean.first, mean.second);
+    row.mean_sites = mean.sites;
+    row.share = mean.share;
+  }
+  for (const auto& [pair, row] : rows) {
+    contacts_.add(row);
+  }
+}
+
+}  // namespace
+
+ObserverKind force_tables_observer() {
+  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
+            return requests(run.scene, scene::Measure::force) &&
+                           (is_contact(run.scene) || has_overlaps(run.scene))
+                       ? std::make_unique<ForceTables>(run.scene)
+                       : nullptr;
+          },
+          {&contacts_table(), &forces_table(), &loads_table(), &walls_table(), &stress_table()}};
+}
+
+}  // namespace clca::run

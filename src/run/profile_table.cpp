@@ -1,0 +1,58 @@
+// profile-STAGE.csv: the surface at the start and the end of a stage.
+
+#include "clca/measure/profile.hpp"
+#include "run/observer.hpp"
+
+namespace clca::run {
+
+namespace {
+
+struct ProfileRow {
+  double x;
+  double start;
+  double end;
+};
+
+const TableOf<ProfileRow>& profile_table() {
+  static const TableOf<ProfileRow> kTable(
+      {.name = "profile", .of = TableInfo::Of::stages, .is_certain = true},
+      {{{"x", "x", "spacings", "of a column of the lattice"},
+        [](const ProfileRow& row) { return row.x; }},
+       {{"height_start", "Height at the start", "spacings",
+         "of the surface, after walls have gone and the fill is placed"},
+        [](const ProfileRow& row) { return row.start; }},
+       {{"height_end", "Height at the end", "spacings", "of the surface"},
+        [](const ProfileRow& row) { return row.end; }}});
+  return kTable;
+}
+
+class Profile : public Observer {
+ public:
+  explicit Profile(const scene::Scene& scene) : table_(scene, profile_table()) {}
+
+  void end_stage(const StageView& now) override {
+    const std::vector<double> end = measure::surface_profile(now.model.state());
+    for (std::size_t column = 0; column < end.size(); ++column) {
+      table_.add({lattice::kColumnPitch * static_cast<double>(column),
+                  now.history.profile_at_start[column], end[column]});
+    }
+    table_.write(now.stage.name);
+  }
+  std::vector<RunTable*> tables() override { return {&table_}; }
+
+ private:
+  TableWriter<ProfileRow> table_;
+};
+
+}  // namespace
+
+ObserverKind profile_observer() {
+  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
+            return requests(run.scene, scene::Measure::profile)
+                       ? std::make_unique<Profile>(run.scene)
+                       : nullptr;
+          },
+          {&profile_table()}};
+}
+
+}  // namespace clca::run
