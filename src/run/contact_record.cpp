@@ -82,7 +82,7 @@ ContactRecord::ContactRecord(const scene::Scene& scene)
                            ? scene.output.trajectory->every
                            : 0} {}
 
-void ContactRecord::begin_stage(const StageView& /*now*/) {
+void ContactRecord::prepare(const StageView& /*now*/) {
   stage_.clear();
   for (Recurring* recurring : {&pictures_, &frames_}) {
     recurring->window.clear();
@@ -122,14 +122,6 @@ void ContactRecord::after_step(const StageView& now) {
   }
 }
 
-void ContactRecord::save(reflection::Columns& columns) {
-  reflection::encode(kPath, *this, columns);
-}
-
-void ContactRecord::load(const SavedColumns& saved, const StageView& now) {
-  saved.read(kPath, *this, now.model.state());
-}
-
 std::vector<contact::Force> ContactRecord::at_end(const Model& model) const {
   return stage_.is_empty() ? *model.forces() : stage_.means();
 }
@@ -156,9 +148,7 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
 }
 
 ObserverKind contacts_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-    return is_contact(run.scene) ? std::make_unique<ContactRecord>(run.scene) : nullptr;
-  }};
+  return observer_kind<ContactRecord>(is_contact);
 }
 
 bool pictures_show_forces(const scene::Scene& scene) {

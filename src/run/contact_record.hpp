@@ -34,14 +34,11 @@ class ForceWindow {
 
 /// Mean forces before the end of a stage, each picture and each trajectory frame that shows forces.
 /// Costs nothing in steps that none of them needs.
-class ContactRecord : public Observer {
+class ContactRecord : public SavedObserver<ContactRecord> {
  public:
   explicit ContactRecord(const scene::Scene& scene);
 
-  void begin_stage(const StageView& now) override;
   void after_step(const StageView& now) override;
-  void save(reflection::Columns& columns) override;
-  void load(const SavedColumns& saved, const StageView& now) override;
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
@@ -57,6 +54,7 @@ class ContactRecord : public Observer {
     return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
            frames_.window.belongs_to(now);
   }
+  static constexpr const char* kPath = "records/contacts";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("stage", &ContactRecord::stage_),
@@ -65,8 +63,6 @@ class ContactRecord : public Observer {
   }
 
  private:
-  static constexpr const char* kPath = "records/contacts";
-
   /// An event every so many steps of a stage, and the window of steps before it.
   struct Recurring {
     std::uint64_t every = 0;  // 0: never
@@ -81,6 +77,7 @@ class ContactRecord : public Observer {
     }
   };
 
+  void prepare(const StageView& now) override;
   std::vector<contact::Force> forces_of(const Recurring& recurring, const Model& model) const;
 
   scene::Contacts sampling_;

@@ -17,21 +17,19 @@ bool has_gravity_slope(const scene::Scene& scene) {
 const TableOf<CycleRow>& cycles_table() {
   static const TableOf<CycleRow> kTable(
       {.name = "cycles"},
-      {{kStage, [](const CycleRow& row) { return row.now.stage.name; }},
+      {{kStage, [](auto& row) { return row.now.stage.name; }},
        {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
-        [](const CycleRow& row) { return row.cycle; }},
-       {kStep, [](const CycleRow& row) { return row.now.model.state().step; }},
-       {kHeightMean, [](const CycleRow& row) { return measure::mean_height(row.profile); }},
-       {kReposeAngle,
-        [](const CycleRow& row) { return measure::repose_angle(row.profile).mean(); }},
-       {kIntruderHeight,
-        [](const CycleRow& row) { return measure::intruder_height(row.now.model.state()); }},
+        &CycleRow::cycle},
+       {kStep, [](auto& row) { return row.now.model.state().step; }},
+       {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
+       {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
+       {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.now.model.state()); }},
        {kSegregationIndex,
-        [](const CycleRow& row) { return measure::segregation_index(row.now.model.state()); }},
+        [](auto& row) { return measure::segregation_index(row.now.model.state()); }},
        {kLaceyIndex,
-        [](const CycleRow& row) { return measure::lacey_index(row.now.model.state(), row.cell); }},
+        [](auto& row) { return measure::lacey_index(row.now.model.state(), row.cell); }},
        {kReposeGravity,
-        [](const CycleRow& row) {
+        [](auto& row) {
           const auto down = contact::gravity_direction(row.now.model.vessel());
           return measure::repose_angle(measure::surface_profile(row.now.model.state(), down))
               .mean();
@@ -44,14 +42,14 @@ const TableOf<measure::Arrow>& convection_table() {
   using measure::Arrow;
   static const TableOf<Arrow> kTable(
       {.name = "convection", .of = TableInfo::Of::stages},
-      {{kCellX, [](const Arrow& arrow) { return arrow.centre.x(); }},
-       {kCellY, [](const Arrow& arrow) { return arrow.centre.y(); }},
+      {{kCellX, [](auto& arrow) { return arrow.centre.x(); }},
+       {kCellY, [](auto& arrow) { return arrow.centre.y(); }},
        {{"dx", "Drift, x", "spacings/cycle", "mean displacement"},
-        [](const Arrow& arrow) { return arrow.displacement.x(); }},
+        [](auto& arrow) { return arrow.displacement.x(); }},
        {{"dy", "Drift, y", "spacings/cycle", "mean displacement"},
-        [](const Arrow& arrow) { return arrow.displacement.y(); }},
+        [](auto& arrow) { return arrow.displacement.y(); }},
        {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
-        [](const Arrow& arrow) { return arrow.weight; }}});
+        &Arrow::weight}});
   return kTable;
 }
 
@@ -79,15 +77,6 @@ void CycleRecord::begin_stage(const StageView& now) {
     convection_->begin_cycle(now.model.state());
     add_row(now);
   }
-}
-
-void CycleRecord::save(reflection::Columns& columns) {
-  reflection::encode(kPath, *this, columns);
-}
-
-void CycleRecord::load(const SavedColumns& saved, const StageView& now) {
-  prepare(now);
-  saved.read(kPath, *this, now.model.state());
 }
 
 void CycleRecord::prepare(const StageView& now) {
@@ -162,18 +151,15 @@ void CycleRecord::add_row(const StageView& now) {
 }
 
 ObserverKind cycles_observer() {
-  return {
-      [](const ObservedRun& run) -> std::unique_ptr<Observer> {
-        return std::make_unique<CycleRecord>(run.scene);
-      },
-      {&cycles_table(), &convection_table()},
+  return observer_kind<CycleRecord>(
+      [](const scene::Scene& /*scene*/) { return true; }, {&cycles_table(), &convection_table()},
       {{scene::Measure::convection,
         "a wall with a wave or shake",
         {{"convection_centre_minus_wall", "Convection, centre less walls", "spacings/cycle",
           "rise inside less that at the walls"},
          {"convection_circulation_left", "Circulation, left half", "rad/cycle", "anticlockwise"},
          {"convection_circulation_right", "Circulation, right half", "rad/cycle", "anticlockwise"}},
-        convection}}};
+        convection}});
 }
 
 }  // namespace clca::run

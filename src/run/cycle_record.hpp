@@ -20,15 +20,13 @@ struct CycleRow {
   double cell;
 };
 
-class CycleRecord : public Observer {
+class CycleRecord : public SavedObserver<CycleRecord> {
  public:
   explicit CycleRecord(const scene::Scene& scene);
 
   void begin_stage(const StageView& now) override;
   void after_step(const StageView& now) override;
   void end_stage(const StageView& now) override;
-  void save(reflection::Columns& columns) override;
-  void load(const SavedColumns& saved, const StageView& now) override;
   std::vector<RunTable*> tables() override { return {&cycles_table_, &convection_table_}; }
 
   /// Cycles completed in this stage by all periodic walls and the vessel. A wave counts from its
@@ -41,6 +39,7 @@ class CycleRecord : public Observer {
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
+  static constexpr const char* kPath = "records/cycles";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("cycles", &CycleRecord::cycles_),
@@ -49,9 +48,7 @@ class CycleRecord : public Observer {
   }
 
  private:
-  static constexpr const char* kPath = "records/cycles";
-
-  void prepare(const StageView& now);
+  void prepare(const StageView& now) override;
   std::uint64_t completed(const grains::State& state, std::uint64_t of_vessel) const;
   void add_row(const StageView& now);
 

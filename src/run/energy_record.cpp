@@ -43,14 +43,6 @@ void EnergyRecord::after_step(const StageView& now) {
   }
 }
 
-void EnergyRecord::save(reflection::Columns& columns) {
-  reflection::encode(kPath, *this, columns);
-}
-
-void EnergyRecord::load(const SavedColumns& saved, const StageView& /*now*/) {
-  saved.read(kPath, *this);
-}
-
 void EnergyRecord::add(const Model& model, const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
@@ -84,20 +76,18 @@ std::optional<double> EnergyRecord::growth() const {
 }
 
 ObserverKind energy_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return is_contact(run.scene) ? std::make_unique<EnergyRecord>() : nullptr;
-          },
-          {},
-          {{{},
-            "model `contact`, without sources",
-            {{"energy_growth", "Growth of the energy", "",
-              "most that it has grown in the stage, as a share of that at its start"}},
-            [](const StageView& stage) -> std::vector<store::MeasureValue> {
-              const auto* energy = stage.observers.find<EnergyRecord>();
-              const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
-              return growth ? std::vector<store::MeasureValue>{*growth}
-                            : std::vector<store::MeasureValue>();
-            }}}};
+  return observer_kind<EnergyRecord>(
+      is_contact, {},
+      {{{},
+        "model `contact`, without sources",
+        {{"energy_growth", "Growth of the energy", "",
+          "most that it has grown in the stage, as a share of that at its start"}},
+        [](const StageView& stage) -> std::vector<store::MeasureValue> {
+          const auto* energy = stage.observers.find<EnergyRecord>();
+          const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
+          return growth ? std::vector<store::MeasureValue>{*growth}
+                        : std::vector<store::MeasureValue>();
+        }}});
 }
 
 }  // namespace clca::run

@@ -8,13 +8,12 @@
 
 namespace clca::run {
 
-class EnergyRecord : public Observer {
+class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:
-  void begin_stage(const StageView& now) override { begin(now.stage, now.model); }
+  explicit EnergyRecord(const scene::Scene& /*scene*/) {}
+
   /// Warns of energy that grows.
   void after_step(const StageView& now) override;
-  void save(reflection::Columns& columns) override;
-  void load(const SavedColumns& saved, const StageView& now) override;
 
   void begin(const scene::Stage& stage, const Model& model);
   /// `exchange`: of the step.
@@ -40,6 +39,7 @@ class EnergyRecord : public Observer {
   /// vessel did work.
   std::optional<double> growth() const;
 
+  static constexpr const char* kPath = "records/energy";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(
@@ -50,7 +50,7 @@ class EnergyRecord : public Observer {
   }
 
  private:
-  static constexpr const char* kPath = "records/energy";
+  void prepare(const StageView& now) override { begin(now.stage, now.model); }
 
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;

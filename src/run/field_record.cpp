@@ -22,21 +22,20 @@ struct FieldRow {
 const TableOf<FieldRow>& fields_table() {
   static const TableOf<FieldRow> kTable(
       {.name = "fields"},
-      {{kStage, [](const FieldRow& row) { return row.now.stage.name; }},
-       {kStep, [](const FieldRow& row) { return row.now.model.state().step; }},
-       {kCellX, [](const FieldRow& row) { return row.cell.centre.x(); }},
-       {kCellY, [](const FieldRow& row) { return row.cell.centre.y(); }},
+      {{kStage, [](auto& row) { return row.now.stage.name; }},
+       {kStep, [](auto& row) { return row.now.model.state().step; }},
+       {kCellX, [](auto& row) { return row.cell.centre.x(); }},
+       {kCellY, [](auto& row) { return row.cell.centre.y(); }},
        {{"packing", "Packing", "",
          "share of its sites that particles take at the end of the window"},
-        [](const FieldRow& row) { return row.cell.packing; }},
+        [](auto& row) { return row.cell.packing; }},
        {{"particles", "Particles", "particles", "that began the window in the cell"},
-        [](const FieldRow& row) { return row.cell.particles; }},
+        [](auto& row) { return row.cell.particles; }},
        {{"vx", "Velocity, x", "spacings/step", "their mean, weighted by sites"},
-        [](const FieldRow& row) { return row.cell.velocity.x() * row.speed; }},
+        [](auto& row) { return row.cell.velocity.x() * row.speed; }},
        {{"vy", "Velocity, y", "spacings/step", "their mean, weighted by sites"},
-        [](const FieldRow& row) { return row.cell.velocity.y() * row.speed; }},
-       {kFluctuation,
-        [](const FieldRow& row) { return row.cell.fluctuation * row.speed * row.speed; }}});
+        [](auto& row) { return row.cell.velocity.y() * row.speed; }},
+       {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}});
   return kTable;
 }
 
@@ -52,19 +51,16 @@ const TableOf<EnergyBin>& fluctuation_table() {
   static const TableOf<EnergyBin> kTable(
       {.name = "fluctuation", .of = TableInfo::Of::stages},
       {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
-        [](const EnergyBin& bin) { return bin.lower; }},
-       {{"upper", "Upper end of the bin", "", "none for the last"},
-        [](const EnergyBin& bin) { return bin.upper; }},
-       {{"share", "Share of the particles", "", "over the mean of the window"},
-        [](const EnergyBin& bin) { return bin.share; }},
+        &EnergyBin::lower},
+       {{"upper", "Upper end of the bin", "", "none for the last"}, &EnergyBin::upper},
+       {{"share", "Share of the particles", "", "over the mean of the window"}, &EnergyBin::share},
        {{"share_local", "Share of the particles, local", "", "over the mean of the cell"},
-        [](const EnergyBin& bin) { return bin.share_local; }},
-       {{"reference", "Share under chi-square", "", ""},
-        [](const EnergyBin& bin) { return bin.reference; }}});
+        &EnergyBin::share_local},
+       {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}});
   return kTable;
 }
 
-class FieldRecord : public Observer {
+class FieldRecord : public SavedObserver<FieldRecord> {
  public:
   explicit FieldRecord(const scene::Scene& scene)
       : fields_(*scene.output.fields),
@@ -72,13 +68,6 @@ class FieldRecord : public Observer {
         fields_table_(scene, fields_table()),
         fluctuation_table_(scene, fluctuation_table()) {}
 
-  void begin_stage(const StageView& now) override {
-    window_.emplace(now.model.state());
-    window_begin_ = now.model.state().step;
-    fluctuations_ = {};
-    fluctuation_steps_ = 0;
-    steps_ = 0;
-  }
   void after_step(const StageView& now) override {
     if (now.model.state().step - window_begin_ >= fields_.every) {
       end_window(now);
@@ -93,11 +82,6 @@ class FieldRecord : public Observer {
       write_fluctuations(now.stage.name);
     }
   }
-  void save(reflection::Columns& columns) override { reflection::encode(kPath, *this, columns); }
-  void load(const SavedColumns& saved, const StageView& now) override {
-    begin_stage(now);
-    saved.read(kPath, *this, now.model.state());
-  }
   std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
 
   std::vector<store::MeasureValue> measures() const;
@@ -106,6 +90,7 @@ class FieldRecord : public Observer {
     return window_ && window_->precedes(now) && window_begin_ <= now.step &&
            fluctuations_.has_all_bins();
   }
+  static constexpr const char* kPath = "records/fields";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("window", &FieldRecord::window_),
@@ -116,8 +101,13 @@ class FieldRecord : public Observer {
   }
 
  private:
-  static constexpr const char* kPath = "records/fields";
-
+  void prepare(const StageView& now) override {
+    window_.emplace(now.model.state());
+    window_begin_ = now.model.state().step;
+    fluctuations_ = {};
+    fluctuation_steps_ = 0;
+    steps_ = 0;
+  }
   void end_window(const StageView& now);
   void write_fluctuations(const std::string& stage);
   /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
@@ -189,27 +179,26 @@ std::vector<store::MeasureValue> FieldRecord::measures() const {
 }  // namespace
 
 ObserverKind fields_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return run.scene.output.fields ? std::make_unique<FieldRecord>(run.scene) : nullptr;
-          },
-          {&fields_table(), &fluctuation_table()},
-          {{{},
-            "`output.fields`",
-            {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
-              "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
-             {"fluctuation_hellinger", "Distance from chi-square", "",
-              "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
-             {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
-              "the same, over the mean of the cell"},
-             {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
-             {"fluctuation_resting_share", "Left out: resting", "",
-              "in cells that rest or move as one"},
-             {"fluctuation_sparse_share", "Left out: sparse", "",
-              "in cells of fewer than 5 particles"}},
-            [](const StageView& stage) {
-              const auto* fields = stage.observers.find<FieldRecord>();
-              return fields != nullptr ? fields->measures() : std::vector<store::MeasureValue>();
-            }}}};
+  return observer_kind<FieldRecord>(
+      [](const scene::Scene& scene) { return scene.output.fields.has_value(); },
+      {&fields_table(), &fluctuation_table()},
+      {{{},
+        "`output.fields`",
+        {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
+          "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
+         {"fluctuation_hellinger", "Distance from chi-square", "",
+          "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
+         {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
+          "the same, over the mean of the cell"},
+         {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
+         {"fluctuation_resting_share", "Left out: resting", "",
+          "in cells that rest or move as one"},
+         {"fluctuation_sparse_share", "Left out: sparse", "",
+          "in cells of fewer than 5 particles"}},
+        [](const StageView& stage) {
+          const auto* fields = stage.observers.find<FieldRecord>();
+          return fields != nullptr ? fields->measures() : std::vector<store::MeasureValue>();
+        }}});
 }
 
 }  // namespace clca::run

@@ -16,14 +16,6 @@ void ForceRecord::after_step(const StageView& now) {
   }
 }
 
-void ForceRecord::save(reflection::Columns& columns) {
-  reflection::encode(kPath, *this, columns);
-}
-
-void ForceRecord::load(const SavedColumns& saved, const StageView& now) {
-  saved.read(kPath, *this, now.model.state());
-}
-
 std::optional<measure::ForceDistribution> ForceRecord::distribution(
     const std::vector<measure::OverlapContact>& contacts) const {
   if (sampling_) {
@@ -34,10 +26,7 @@ std::optional<measure::ForceDistribution> ForceRecord::distribution(
 }
 
 ObserverKind overlaps_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-    return has_overlaps(run.scene) ? std::make_unique<ForceRecord>(run.scene.output.contacts)
-                                   : nullptr;
-  }};
+  return observer_kind<ForceRecord>(has_overlaps);
 }
 
 }  // namespace clca::run

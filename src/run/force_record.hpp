@@ -13,15 +13,12 @@ namespace clca::run {
 /// True if some wall of the scene moves and may overlap particles.
 bool has_overlaps(const scene::Scene& scene);
 
-class ForceRecord : public Observer {
+class ForceRecord : public SavedObserver<ForceRecord> {
  public:
-  /// With `sampling`, contacts are averaged over time.
-  explicit ForceRecord(const std::optional<scene::Contacts>& sampling) : sampling_(sampling) {}
+  /// With scene::Output::contacts, contacts are averaged over time.
+  explicit ForceRecord(const scene::Scene& scene) : sampling_(scene.output.contacts) {}
 
-  void begin_stage(const StageView& /*now*/) override { average_ = {}; }
   void after_step(const StageView& now) override;
-  void save(reflection::Columns& columns) override;
-  void load(const SavedColumns& saved, const StageView& now) override;
 
   /// Distribution of the averages if contacts are sampled, else of the present overlaps.
   std::optional<measure::ForceDistribution> distribution(
@@ -30,12 +27,13 @@ class ForceRecord : public Observer {
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const { return average_.precedes(now); }
+  static constexpr const char* kPath = "records/forces";
   static constexpr auto fields() {
     return std::make_tuple(reflection::field("average", &ForceRecord::average_));
   }
 
  private:
-  static constexpr const char* kPath = "records/forces";
+  void prepare(const StageView& /*now*/) override { average_ = {}; }
 
   std::optional<scene::Contacts> sampling_;
   measure::ForceAverage average_;

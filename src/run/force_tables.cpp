@@ -40,42 +40,38 @@ const TableOf<ContactRow>& contacts_table() {
   static const TableOf<ContactRow> kTable(
       {.name = "contacts", .of = TableInfo::Of::stages},
       {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
-        [](const ContactRow& row) { return row.first; }},
+        &ContactRow::first},
        {{"second", "Second body", "",
          "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
-        [](const ContactRow& row) { return row.second; }},
+        &ContactRow::second},
        {{"x", "x", "spacings",
          "of the contact: on the side of the box, else on discs of the particles’ areas"},
-        [](const ContactRow& row) { return part(row.point, 0); }},
-       {{"y", "y", "spacings", ""}, [](const ContactRow& row) { return part(row.point, 1); }},
+        [](auto& row) { return part(row.point, 0); }},
+       {{"y", "y", "spacings", ""}, [](auto& row) { return part(row.point, 1); }},
        {{"normal_x", "Normal, x", "", "towards the first"},
-        [](const ContactRow& row) { return row.force->normal.x(); },
+        [](auto& row) { return row.force->normal.x(); },
         kContactModel},
        {{"normal_y", "Normal, y", "", ""},
-        [](const ContactRow& row) { return row.force->normal.y(); },
+        [](auto& row) { return row.force->normal.y(); },
         kContactModel},
        {{"normal_force", "Normal force", "grain weights", ""},
-        [](const ContactRow& row) { return row.force->along_normal; },
+        [](auto& row) { return row.force->along_normal; },
         kContactModel},
        {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
-        [](const ContactRow& row) { return row.force->along_shear; },
+        [](auto& row) { return row.force->along_shear; },
         kContactModel},
        {{"sites", "Overlap", "sites", "that both share"},
-        [](const ContactRow& row) { return row.overlap != nullptr ? row.overlap->sites : 0; },
+        [](auto& row) { return row.overlap != nullptr ? row.overlap->sites : 0; },
         kOverlap},
        {{"depth", "Depth of the overlap", "moves", "that would take it back"},
-        [](const ContactRow& row) { return row.overlap != nullptr ? row.overlap->depth : 0; },
+        [](auto& row) { return row.overlap != nullptr ? row.overlap->depth : 0; },
         kOverlap},
-       {{"source", "Source", "", "the wall where the push began"},
-        [](const ContactRow& row) { return row.source; },
-        kOverlap},
+       {{"source", "Source", "", "the wall where the push began"}, &ContactRow::source, kOverlap},
        {{"mean_sites", "Mean overlap", "sites",
          "over the samples of `output.contacts`; of pairs that are gone this and the next only"},
-        [](const ContactRow& row) { return row.mean_sites; },
+        &ContactRow::mean_sites,
         kOverlap},
-       {{"share", "Share of the samples", "", "with this contact"},
-        [](const ContactRow& row) { return row.share; },
-        kOverlap}});
+       {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share, kOverlap}});
   return kTable;
 }
 
@@ -86,11 +82,10 @@ const TableOf<measure::ForceBin>& forces_table() {
       {{{"low", "Lower end of the bin", "",
          "of the index of force in sites; of the contact model of normal forces between grains, in "
          "grain weights"},
-        [](const Bin& bin) { return bin.low; }},
-       {{"high", "Upper end of the bin", "", "likewise"}, [](const Bin& bin) { return bin.high; }},
-       {{"count", "Contacts", "", "in the bin"}, [](const Bin& bin) { return bin.count; }},
-       {{"density", "Probability density", "", "of f/⟨f⟩"},
-        [](const Bin& bin) { return bin.density; }}});
+        &Bin::low},
+       {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
+       {{"count", "Contacts", "", "in the bin"}, &Bin::count},
+       {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}});
   return kTable;
 }
 
@@ -107,28 +102,20 @@ const TableOf<LoadRow>& loads_table() {
   static const TableOf<LoadRow> kTable(
       {.name = "loads", .of = TableInfo::Of::stages},
       {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
-        [](const LoadRow& row) { return row.id; }},
-       {{"species", "Species", "", "its name"}, [](const LoadRow& row) { return row.species; }},
-       {{"x", "x", "spacings", "of the centre of mass"},
-        [](const LoadRow& row) { return row.centre.x(); }},
-       {{"y", "y", "spacings", "of the centre of mass"},
-        [](const LoadRow& row) { return row.centre.y(); }},
-       {{"contacts", "Contacts", "", ""},
-        [](const LoadRow& row) { return row.contacts; },
-        kContactModel},
+        &LoadRow::id},
+       {{"species", "Species", "", "its name"}, &LoadRow::species},
+       {{"x", "x", "spacings", "of the centre of mass"}, [](auto& row) { return row.centre.x(); }},
+       {{"y", "y", "spacings", "of the centre of mass"}, [](auto& row) { return row.centre.y(); }},
+       {{"contacts", "Contacts", "", ""}, &LoadRow::contacts, kContactModel},
        {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
-        [](const LoadRow& row) { return row.load; },
+        &LoadRow::load,
         kContactModel},
        {{"residual", "Balance of forces", "",
          "what forces and weight do not balance, over the weight"},
-        [](const LoadRow& row) { return row.residual; },
+        &LoadRow::residual,
         kContactModel},
-       {{"sites", "Overlap", "sites", "shared, in all its contacts"},
-        [](const LoadRow& row) { return row.load; },
-        kOverlap},
-       {{"pushes", "Pushes", "", "onto it"},
-        [](const LoadRow& row) { return row.contacts; },
-        kOverlap}});
+       {{"sites", "Overlap", "sites", "shared, in all its contacts"}, &LoadRow::load, kOverlap},
+       {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts, kOverlap}});
   return kTable;
 }
 
@@ -146,42 +133,38 @@ const TableOf<WallRow>& walls_table() {
       {{{"wall", "Wall", "",
          "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
          "else of those that move"},
-        [](const WallRow& row) { return row.wall; }},
-       {{"contacts", "Contacts", "", ""},
-        [](const WallRow& row) { return row.contacts; },
-        kContactModel},
+        &WallRow::wall},
+       {{"contacts", "Contacts", "", ""}, &WallRow::contacts, kContactModel},
        {{"force_x", "Force on the wall, x", "grain weights", ""},
-        [](const WallRow& row) { return row.force.x(); },
+        [](auto& row) { return row.force.x(); },
         kContactModel},
        {{"force_y", "Force on the wall, y", "grain weights", ""},
-        [](const WallRow& row) { return row.force.y(); },
+        [](auto& row) { return row.force.y(); },
         kContactModel},
        {{"travel", "Travel of the wall", "sites", "from home"},
-        [](const WallRow& row) { return static_cast<double>(row.overlap->travel); },
+        [](auto& row) { return static_cast<double>(row.overlap->travel); },
         kOverlap},
        {{"depth", "Depth of the wall", "spacings", "under the surface at the start of the stage"},
-        [](const WallRow& row) { return row.depth; },
+        &WallRow::depth,
         kOverlap},
        {{"stalled_since", "Stalled since", "step", "since when it wants to go on and cannot"},
-        [](const WallRow& row) {
+        [](auto& row) {
           const auto& step = row.overlap->stalled_since;
           return step ? std::optional(static_cast<double>(*step)) : std::nullopt;
         },
         kOverlap},
-       {{"stalls", "Stalls", "", ""},
-        [](const WallRow& row) { return row.overlap->stalls; },
-        kOverlap},
+       {{"stalls", "Stalls", "", ""}, [](auto& row) { return row.overlap->stalls; }, kOverlap},
        {{"particles", "Particles", "particles", "that overlap with the wall"},
-        [](const WallRow& row) { return row.overlap->particles; },
+        [](auto& row) { return row.overlap->particles; },
         kOverlap},
        {{"sites", "Overlap", "sites", "of the wall with particles"},
-        [](const WallRow& row) { return row.overlap->sites; },
+        [](auto& row) { return row.overlap->sites; },
         kOverlap},
        {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
-        [](const WallRow& row) { return row.overlap->chain_sites; },
+        [](auto& row) { return row.overlap->chain_sites; },
         kOverlap},
        {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
-        [](const WallRow& row) { return row.overlap->jammed; },
+        [](auto& row) { return row.overlap->jammed; },
         kOverlap}});
   return kTable;
 }
@@ -191,14 +174,12 @@ const TableOf<measure::StressCell>& stress_table() {
   constexpr std::string_view kUnit = "grain weights/spacing";
   static const TableOf<Cell> kTable(
       {.name = "stress", .of = TableInfo::Of::stages},
-      {{kCellX, [](const Cell& cell) { return cell.centre.x(); }},
-       {kCellY, [](const Cell& cell) { return cell.centre.y(); }},
-       {{"xx", "Stress, xx", kUnit, "pressed positive"}, [](const Cell& cell) { return cell.xx; }},
-       {{"xy", "Stress, xy", kUnit, "of the symmetric part"},
-        [](const Cell& cell) { return cell.xy; }},
-       {{"yy", "Stress, yy", kUnit, "pressed positive"}, [](const Cell& cell) { return cell.yy; }},
-       {{"pressure", "Pressure", kUnit, "half of xx + yy"},
-        [](const Cell& cell) { return cell.pressure(); }}});
+      {{kCellX, [](auto& cell) { return cell.centre.x(); }},
+       {kCellY, [](auto& cell) { return cell.centre.y(); }},
+       {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
+       {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
+       {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
+       {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}});
   return kTable;
 }
 
@@ -408,13 +389,11 @@ void ForceTables::add_pairs(const scene::Scene& scene, const Overlaps& overlaps,
 }  // namespace
 
 ObserverKind force_tables_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return requests(run.scene, scene::Measure::force) &&
-                           (is_contact(run.scene) || has_overlaps(run.scene))
-                       ? std::make_unique<ForceTables>(run.scene)
-                       : nullptr;
-          },
-          {&contacts_table(), &forces_table(), &loads_table(), &walls_table(), &stress_table()}};
+  return observer_kind<ForceTables>(
+      [](const scene::Scene& scene) {
+        return requests(scene, scene::Measure::force) && (is_contact(scene) || has_overlaps(scene));
+      },
+      {&contacts_table(), &forces_table(), &loads_table(), &walls_table(), &stress_table()});
 }
 
 }  // namespace clca::run

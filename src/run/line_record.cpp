@@ -20,49 +20,39 @@ struct LineRow {
 const TableOf<LineRow>& lines_table() {
   static const TableOf<LineRow> kTable(
       {.name = "lines", .of = TableInfo::Of::stages},
-      {{{"line", "Line", "", "its name"}, [](const LineRow& row) { return row.line.name; }},
+      {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
        {{"position", "Position", "spacings",
          "of the middle of the part, from the start of the line"},
-        [](const LineRow& row) { return row.part.position; }},
+        [](auto& row) { return row.part.position; }},
        {{"x", "x", "spacings", "of the middle of the part"},
-        [](const LineRow& row) { return row.part.middle.x(); }},
+        [](auto& row) { return row.part.middle.x(); }},
        {{"y", "y", "spacings", "of the middle of the part"},
-        [](const LineRow& row) { return row.part.middle.y(); }},
+        [](auto& row) { return row.part.middle.y(); }},
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
-        [](const LineRow& row) { return row.part.flux.value; }},
+        [](auto& row) { return row.part.flux.value; }},
        {{"flux_se", "Flux, standard error", "sites/(step·spacing)", ""},
-        [](const LineRow& row) { return row.part.flux.error; }},
+        [](auto& row) { return row.part.flux.error; }},
        {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
-        [](const LineRow& row) { return row.part.across.value * row.speed; }},
+        [](auto& row) { return row.part.across.value * row.speed; }},
        {{"v_across_se", "Velocity across the line, standard error", "spacings/step", ""},
-        [](const LineRow& row) { return row.part.across.error * row.speed; }},
+        [](auto& row) { return row.part.across.error * row.speed; }},
        {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-        [](const LineRow& row) { return row.part.along.value * row.speed; }},
+        [](auto& row) { return row.part.along.value * row.speed; }},
        {{"v_along_se", "Velocity along the line, standard error", "spacings/step", ""},
-        [](const LineRow& row) { return row.part.along.error * row.speed; }},
+        [](auto& row) { return row.part.along.error * row.speed; }},
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
-        [](const LineRow& row) { return row.part.filling; }},
+        [](auto& row) { return row.part.filling; }},
        {{"particles", "Particles", "particles", "whose centre has passed, either way"},
-        [](const LineRow& row) { return row.part.particles; }}});
+        [](auto& row) { return row.part.particles; }}});
   return kTable;
 }
 
 /// Observes the lines at the steps that have rows in series.csv.
-class LineRecord : public Observer {
+class LineRecord : public SavedObserver<LineRecord> {
  public:
   explicit LineRecord(const scene::Scene& scene) : table_(scene, lines_table()) {}
 
-  void begin_stage(const StageView& now) override {
-    last_ = measure::Snapshot(now.model.state());
-    lines_.clear();
-    sums_.clear();
-    for (const scene::Line& line : now.scene.lines) {
-      const auto parts = static_cast<std::size_t>(line.parts);
-      lines_.emplace_back(now.model.state(), line.from, line.to, parts);
-      sums_.emplace_back(parts);
-    }
-  }
   void after_step(const StageView& now) override {
     if (now.model.state().step % now.scene.output.series->every == 0) {
       observe(now);
@@ -80,11 +70,6 @@ class LineRecord : public Observer {
     }
     table_.write(now.stage.name);
   }
-  void save(reflection::Columns& columns) override { reflection::encode(kPath, *this, columns); }
-  void load(const SavedColumns& saved, const StageView& now) override {
-    begin_stage(now);
-    saved.read(kPath, *this, now.model.state());
-  }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
   bool precedes(const grains::State& now) const {
@@ -94,14 +79,23 @@ class LineRecord : public Observer {
                         return sums.fit(line.parts());
                       });
   }
+  static constexpr const char* kPath = "records/lines";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("last", &LineRecord::last_), field("sums", &LineRecord::sums_));
   }
 
  private:
-  static constexpr const char* kPath = "records/lines";
-
+  void prepare(const StageView& now) override {
+    last_ = measure::Snapshot(now.model.state());
+    lines_.clear();
+    sums_.clear();
+    for (const scene::Line& line : now.scene.lines) {
+      const auto parts = static_cast<std::size_t>(line.parts);
+      lines_.emplace_back(now.model.state(), line.from, line.to, parts);
+      sums_.emplace_back(parts);
+    }
+  }
   void observe(const StageView& now);
 
   std::vector<measure::Line> lines_;  // of this stage
@@ -129,12 +123,9 @@ void LineRecord::observe(const StageView& now) {
 }  // namespace
 
 ObserverKind lines_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return !run.scene.lines.empty() && run.scene.output.series
-                       ? std::make_unique<LineRecord>(run.scene)
-                       : nullptr;
-          },
-          {&lines_table()}};
+  return observer_kind<LineRecord>(
+      [](const scene::Scene& scene) { return !scene.lines.empty() && scene.output.series; },
+      {&lines_table()});
 }
 
 }  // namespace clca::run

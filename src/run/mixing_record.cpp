@@ -15,19 +15,16 @@ struct MixingRow {
 const TableOf<MixingRow>& mixing_table() {
   static const TableOf<MixingRow> kTable(
       {.name = "mixing", .of = TableInfo::Of::stages},
-      {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."},
-        [](const MixingRow& row) { return row.diameters; }},
+      {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
        {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
-        [](const MixingRow& row) {
-          return row.fallen.fallen / static_cast<double>(row.fallen.pairs);
-        }},
+        [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},
        {{"pairs", "Pairs", "", "that have fallen so far"},
-        [](const MixingRow& row) { return row.fallen.pairs; }},
+        [](auto& row) { return row.fallen.pairs; }},
        {{"kept", "Neighbours kept", "", "share of the pairs that are still neighbours"},
-        [](const MixingRow& row) { return row.fallen.kept_share(); }},
+        [](auto& row) { return row.fallen.kept_share(); }},
        {{"pair_diffusion", "Diffusion of pairs", "spacings",
          "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen"},
-        [](const MixingRow& row) { return row.fallen.diffusion(); }}});
+        [](auto& row) { return row.fallen.diffusion(); }}});
   return kTable;
 }
 
@@ -71,20 +68,17 @@ std::vector<store::MeasureValue> mixing(const StageView& stage) {
 }  // namespace
 
 ObserverKind mixing_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return requests(run.scene, scene::Measure::mixing)
-                       ? std::make_unique<MixingRecord>(run.scene)
-                       : nullptr;
-          },
-          {&mixing_table()},
-          {{scene::Measure::mixing,
-            "",
-            {{"neighbours_kept_1", "Neighbours kept, 1 d", "",
-              "share still neighbours when they have fallen one mean diameter"},
-             {"neighbours_kept_10", "Neighbours kept, 10 d", "", "after ten"},
-             {"pair_diffusion_5", "Diffusion of pairs", "spacings",
-              "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen, at five mean diameters"}},
-            mixing}}};
+  return observer_kind<MixingRecord>(
+      [](const scene::Scene& scene) { return requests(scene, scene::Measure::mixing); },
+      {&mixing_table()},
+      {{scene::Measure::mixing,
+        "",
+        {{"neighbours_kept_1", "Neighbours kept, 1 d", "",
+          "share still neighbours when they have fallen one mean diameter"},
+         {"neighbours_kept_10", "Neighbours kept, 10 d", "", "after ten"},
+         {"pair_diffusion_5", "Diffusion of pairs", "spacings",
+          "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen, at five mean diameters"}},
+        mixing}});
 }
 
 }  // namespace clca::run

@@ -2,6 +2,7 @@
 // What watches a run: each observer gathers what it needs and writes tables, pictures or a
 // trajectory.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -67,16 +68,14 @@ struct SavedColumns {
   const reflection::Columns& columns;
   double max_bytes;
 
-  template <class T>
-  void read(const std::string& path, T& value) const {
-    reflection::decode(path, columns, max_bytes, value);
-  }
-  /// The same of what no run that reached `now` can have recorded otherwise.
+  /// Throws reflection::Mismatch, also for what no run that reached `now` can have recorded.
   template <class T>
   void read(const std::string& path, T& value, const grains::State& now) const {
-    read(path, value);
-    if (!value.precedes(now)) {
-      throw reflection::Mismatch(path + " is not of this run");
+    reflection::decode(path, columns, max_bytes, value);
+    if constexpr (requires { value.precedes(now); }) {
+      if (!value.precedes(now)) {
+        throw reflection::Mismatch(path + " is not of this run");
+      }
     }
   }
 };
@@ -106,6 +105,25 @@ class Observer {
   virtual void open(const store::RunFolder& /*folder*/, const grains::State& /*now*/) {}
   /// Waits until everything is written.
   virtual void finish() {}
+};
+
+/// An observer that saves its fields() at kPath. precedes(state), if it has that, is false for what
+/// no run that reached the state can have recorded.
+template <class T>
+class SavedObserver : public Observer {
+ public:
+  void begin_stage(const StageView& now) override { prepare(now); }
+  void save(reflection::Columns& columns) override {
+    reflection::encode(T::kPath, static_cast<const T&>(*this), columns);
+  }
+  void load(const SavedColumns& saved, const StageView& now) override {
+    prepare(now);
+    saved.read(T::kPath, static_cast<T&>(*this), now.model.state());
+  }
+
+ protected:
+  /// Of a stage that begins or goes on.
+  virtual void prepare(const StageView& now) = 0;
 };
 
 class Observers {
@@ -159,10 +177,21 @@ struct ObservedRun {
 
 struct ObserverKind {
   /// Null if the scene does not need it. Throws SceneRunError.
-  std::unique_ptr<Observer> (*make)(const ObservedRun& run);
+  std::function<std::unique_ptr<Observer>(const ObservedRun& run)> make;
   std::vector<const TableInfo*> tables = {};
   std::vector<QuantityGroup> quantities = {};
 };
+
+/// One that is made of the scene alone, if it is `wanted`.
+template <class T>
+ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
+                           std::vector<const TableInfo*> tables = {},
+                           std::vector<QuantityGroup> quantities = {}) {
+  return {[wanted](const ObservedRun& run) -> std::unique_ptr<Observer> {
+            return wanted(run.scene) ? std::make_unique<T>(run.scene) : nullptr;
+          },
+          std::move(tables), std::move(quantities)};
+}
 
 /// All, in the order in which they observe.
 const std::vector<ObserverKind>& observer_kinds();

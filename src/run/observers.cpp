@@ -121,7 +121,7 @@ void Observers::save(reflection::Columns& columns) {
 void Observers::load(const SavedColumns& saved, const StageView& now) {
   for (RunTable* table : tables_) {
     if (table->info().of == TableInfo::Of::run) {
-      saved.read(bytes_path(*table), table->bytes());
+      saved.read(bytes_path(*table), table->bytes(), now.model.state());
     }
   }
   for (const auto& observer : all_) {

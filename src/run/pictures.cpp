@@ -65,7 +65,7 @@ class Pictures : public Observer {
 };
 
 void Pictures::load(const SavedColumns& saved, const StageView& now) {
-  saved.read(kPath, history_);
+  saved.read(kPath, history_, now.model.state());
   if (shows_velocities(scene_) != history_.window.has_value() ||
       (history_.window && !history_.window->precedes(now.model.state()))) {
     throw reflection::Mismatch("its velocities are of another run");

@@ -28,31 +28,31 @@ const TableOf<ProbeRow>& probes_table() {
   using Motion = measure::RegionMotion;
   static const TableOf<ProbeRow> kTable(
       {.name = "probes"},
-      {{kStep, [](const ProbeRow& row) { return row.now.model.state().step; }},
-       {kStage, [](const ProbeRow& row) { return row.now.stage.name; }},
-       {{"probe", "Probe", "", "its name"}, [](const ProbeRow& row) { return row.probe.name; }},
+      {{kStep, [](auto& row) { return row.now.model.state().step; }},
+       {kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
        {{"filling", "Filling", "",
          "share of its sites that particles cover, of those without wall"},
-        [](const ProbeRow& row) { return row.filling; }},
+        &ProbeRow::filling},
        {{"particles", "Particles", "particles", "that the next three are over"},
-        [](const ProbeRow& row) { return row.motion ? row.motion->particles : 0; }},
+        [](auto& row) { return row.motion ? row.motion->particles : 0; }},
        {{"vx", "Velocity, x", "spacings/step", "their mean, weighted by sites"},
-        [](const ProbeRow& row) {
+        [](auto& row) {
           return of_motion(row, [&](const Motion& in) { return in.velocity.x() * row.speed; });
         }},
        {{"vy", "Velocity, y", "spacings/step", "their mean, weighted by sites"},
-        [](const ProbeRow& row) {
+        [](auto& row) {
           return of_motion(row, [&](const Motion& in) { return in.velocity.y() * row.speed; });
         }},
        {kFluctuation,
-        [](const ProbeRow& row) {
+        [](auto& row) {
           return of_motion(
               row, [&](const Motion& in) { return in.fluctuation * row.speed * row.speed; });
         }},
        {{"flow", "Flow", "sites/step",
          "since the last row, of the particles whose centre has passed the horizontal middle line "
          "of the probe downwards, less those that have passed it upwards"},
-        [](const ProbeRow& row) { return row.flow; }}});
+        &ProbeRow::flow}});
   return kTable;
 }
 
@@ -71,7 +71,7 @@ class Probes : public Observer {
   void end_stage(const StageView& now) override { add_rows(now); }
   void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
   void load(const SavedColumns& saved, const StageView& now) override {
-    saved.read(kPath, last_);
+    saved.read(kPath, last_, now.model.state());
     if (last_ && !last_->precedes(now.model.state())) {
       throw reflection::Mismatch("its probes are of another run");
     }
@@ -119,12 +119,9 @@ void Probes::add_rows(const StageView& now) {
 }  // namespace
 
 ObserverKind probes_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return !run.scene.probes.empty() && run.scene.output.series
-                       ? std::make_unique<Probes>(run.scene)
-                       : nullptr;
-          },
-          {&probes_table()}};
+  return observer_kind<Probes>(
+      [](const scene::Scene& scene) { return !scene.probes.empty() && scene.output.series; },
+      {&probes_table()});
 }
 
 }  // namespace clca::run

@@ -16,13 +16,11 @@ struct ProfileRow {
 const TableOf<ProfileRow>& profile_table() {
   static const TableOf<ProfileRow> kTable(
       {.name = "profile", .of = TableInfo::Of::stages, .is_certain = true},
-      {{{"x", "x", "spacings", "of a column of the lattice"},
-        [](const ProfileRow& row) { return row.x; }},
+      {{{"x", "x", "spacings", "of a column of the lattice"}, &ProfileRow::x},
        {{"height_start", "Height at the start", "spacings",
          "of the surface, after walls have gone and the fill is placed"},
-        [](const ProfileRow& row) { return row.start; }},
-       {{"height_end", "Height at the end", "spacings", "of the surface"},
-        [](const ProfileRow& row) { return row.end; }}});
+        &ProfileRow::start},
+       {{"height_end", "Height at the end", "spacings", "of the surface"}, &ProfileRow::end}});
   return kTable;
 }
 
@@ -47,12 +45,9 @@ class Profile : public Observer {
 }  // namespace
 
 ObserverKind profile_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return requests(run.scene, scene::Measure::profile)
-                       ? std::make_unique<Profile>(run.scene)
-                       : nullptr;
-          },
-          {&profile_table()}};
+  return observer_kind<Profile>(
+      [](const scene::Scene& scene) { return requests(scene, scene::Measure::profile); },
+      {&profile_table()});
 }
 
 }  // namespace clca::run

@@ -71,46 +71,46 @@ const TableOf<SeriesRow>& series_table() {
                    {{"discharged", "Particles discharged", "particles",
                      "those of a species; with several species"},
                     "OUTLET.SPECIES"}}},
-      {{kStep, [](const SeriesRow& row) { return row.state().step; }},
-       {kStage, [](const SeriesRow& row) { return row.now.stage.name; }},
+      {{kStep, [](auto& row) { return row.state().step; }},
+       {kStage, [](auto& row) { return row.now.stage.name; }},
        {{"particles", "Particles", "particles", "in the box"},
-        [](const SeriesRow& row) { return grains::present_count(row.state()); }},
+        [](auto& row) { return grains::present_count(row.state()); }},
        {{"moving", "Moving", "particles",
          "that moved by themselves or were pushed out of an overlap in this step, those removed at "
          "its end included; not those that a rigid wall carries"},
-        [](const SeriesRow& row) { return row.now.moving; }},
+        [](auto& row) { return row.now.moving; }},
        {{"moving_share", "Share moving", "", "of the particles, in this step"},
-        [](const SeriesRow& row) { return moving_share(row.now); }},
+        [](auto& row) { return moving_share(row.now); }},
        {{"mean_height", "Mean height of the particles", "spacings",
          "of their centres, weighted by sites"},
-        [](const SeriesRow& row) { return mean_height(row.state()); }},
+        [](auto& row) { return mean_height(row.state()); }},
        {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
-        [](const SeriesRow& row) { return measure::discharge(row.state()).particles; }},
+        [](auto& row) { return measure::discharge(row.state()).particles; }},
        {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
-        [](const SeriesRow& row) { return measure::discharge(row.state()).sites; }},
+        [](auto& row) { return measure::discharge(row.state()).sites; }},
        {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
-        [](const SeriesRow& row) { return row.energy->kinetic; },
+        [](auto& row) { return row.energy->kinetic; },
         kContactModel},
        {{"potential_energy", "Potential energy", kEnergyUnit, ""},
-        [](const SeriesRow& row) { return row.energy->potential; },
+        [](auto& row) { return row.energy->potential; },
         kContactModel},
        {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-        [](const SeriesRow& row) { return row.record->dissipated(*row.energy); },
+        [](auto& row) { return row.record->dissipated(*row.energy); },
         kContactModel},
        {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
-        [](const SeriesRow& row) { return row.record->exchanged().sources; },
+        [](auto& row) { return row.record->exchanged().sources; },
         {"with `model: contact` and sources", has_sources}},
        {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
-        [](const SeriesRow& row) { return row.record->exchanged().outlets; },
+        [](auto& row) { return row.record->exchanged().outlets; },
         {"with `model: contact` and outlets", has_outlets}},
        {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
-        [](const SeriesRow& row) { return row.record->exchanged().walls; },
+        [](auto& row) { return row.record->exchanged().walls; },
         {"with `model: contact` and walls that move", has_moving_walls}},
        {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
-        [](const SeriesRow& row) { return row.record->exchanged().vessel; },
+        [](auto& row) { return row.record->exchanged().vessel; },
         {"with a vessel in some stage", has_vessel}},
        {kVesselAngle,
-        [](const SeriesRow& row) { return contact::degrees(row.now.model.vessel().angle); },
+        [](auto& row) { return contact::degrees(row.now.model.vessel().angle); },
         {"with a vessel in some stage", has_vessel}}});
   return kTable;
 }
@@ -182,8 +182,8 @@ class Series : public Observer {
   }
   void end_stage(const StageView& now) override { add_row(now); }
   void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
-  void load(const SavedColumns& saved, const StageView& /*now*/) override {
-    saved.read(kPath, last_);
+  void load(const SavedColumns& saved, const StageView& now) override {
+    saved.read(kPath, last_, now.model.state());
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
@@ -205,10 +205,8 @@ class Series : public Observer {
 }  // namespace
 
 ObserverKind series_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return run.scene.output.series ? std::make_unique<Series>(run.scene) : nullptr;
-          },
-          {&series_table()}};
+  return observer_kind<Series>(
+      [](const scene::Scene& scene) { return scene.output.series.has_value(); }, {&series_table()});
 }
 
 }  // namespace clca::run

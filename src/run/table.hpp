@@ -2,6 +2,7 @@
 // Tables of a run: columns that say what they are, and files for their rows.
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -41,26 +42,26 @@ inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations
 /// The unit of velocities in tables: a lattice spacing per step in it.
 double velocity_unit(const scene::Scene& scene);
 
-/// A column and what takes its value from what a row is made of: a lambda without captures that
+/// A column and what takes its value from what a row is made of: a member, or a function that
 /// returns a number, an optional number or a text.
 template <class Row>
 struct Column {
   template <class Value>
-  Column(const Quantity& column, Value /*value*/, const Condition& condition = {})
-      : quantity(column), where(condition), cell([](const Row& row) -> store::Cell {
-          using Result = std::invoke_result_t<Value, const Row&>;
+  Column(const Quantity& column, Value value, const Condition& condition = {})
+      : quantity(column), where(condition), cell([value](const Row& row) -> store::Cell {
+          using Result = std::decay_t<std::invoke_result_t<Value, const Row&>>;
           if constexpr (std::is_same_v<Result, std::optional<double>>) {
-            return Value()(row).value_or(std::numeric_limits<double>::quiet_NaN());
+            return std::invoke(value, row).value_or(std::numeric_limits<double>::quiet_NaN());
           } else if constexpr (std::is_integral_v<Result>) {
-            return static_cast<std::uint64_t>(Value()(row));
+            return static_cast<std::uint64_t>(std::invoke(value, row));
           } else {
-            return store::Cell(Value()(row));
+            return std::invoke(value, row);
           }
         }) {}
 
   Quantity quantity;
   Condition where;
-  store::Cell (*cell)(const Row& row);
+  std::function<store::Cell(const Row& row)> cell;
 };
 
 /// What a table is, of any run.
@@ -137,7 +138,7 @@ class TableWriter : public RunTable {
       : RunTable(scene, table, std::move(more)) {
     for (const Column<Row>& column : table.values) {
       if (column.where.holds == nullptr || column.where.holds(scene)) {
-        values_.push_back(column.cell);
+        columns_.push_back(&column);
       }
     }
   }
@@ -145,15 +146,15 @@ class TableWriter : public RunTable {
   /// `more`: cells of the columns of_each.
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
-    for (const auto& value : values_) {
-      cells.push_back(value(row));
+    for (const Column<Row>* column : columns_) {
+      cells.push_back(column->cell(row));
     }
     cells.insert(cells.end(), more.begin(), more.end());
     add_row(std::move(cells));
   }
 
  private:
-  std::vector<store::Cell (*)(const Row&)> values_;
+  std::vector<const Column<Row>*> columns_;  // those that the scene has
 };
 
 }  // namespace clca::run

@@ -24,9 +24,9 @@ class TrajectoryOutput : public Observer {
     reflection::encode(kPath, writer_->written(), columns);
     reflection::encode(kStepPath, step_, columns);
   }
-  void load(const SavedColumns& saved, const StageView& /*now*/) override {
-    saved.read(kPath, kept_);
-    saved.read(kStepPath, step_);
+  void load(const SavedColumns& saved, const StageView& now) override {
+    saved.read(kPath, kept_, now.model.state());
+    saved.read(kStepPath, step_, now.model.state());
   }
   std::vector<PlannedFile> files() const override {
     return {{"trajectory.h5", true}, {"trajectory/part-000000.h5", true}};
@@ -64,9 +64,8 @@ void TrajectoryOutput::add(const StageView& now, bool begins) {
 }  // namespace
 
 ObserverKind trajectory_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-    return run.scene.output.trajectory ? std::make_unique<TrajectoryOutput>(run.scene) : nullptr;
-  }};
+  return observer_kind<TrajectoryOutput>(
+      [](const scene::Scene& scene) { return scene.output.trajectory.has_value(); });
 }
 
 }  // namespace clca::run

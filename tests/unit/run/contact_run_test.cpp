@@ -274,7 +274,7 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
   Model model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record;
+  EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
@@ -289,7 +289,7 @@ TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
   Model model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record;
+  EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
