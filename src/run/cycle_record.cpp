@@ -41,7 +41,7 @@ const TableOf<CycleRow>& cycles_table() {
 const TableOf<measure::Arrow>& convection_table() {
   using measure::Arrow;
   static const TableOf<Arrow> kTable(
-      {.name = "convection", .of = TableInfo::Of::stages},
+      {.name = "convection", .kind = TableInfo::Kind::parts},
       {{kCellX, [](auto& arrow) { return arrow.centre.x(); }},
        {kCellY, [](auto& arrow) { return arrow.centre.y(); }},
        {{"dx", "Drift, x", "spacings/cycle", "mean displacement"},

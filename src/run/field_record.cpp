@@ -49,7 +49,7 @@ struct EnergyBin {
 
 const TableOf<EnergyBin>& fluctuation_table() {
   static const TableOf<EnergyBin> kTable(
-      {.name = "fluctuation", .of = TableInfo::Of::stages},
+      {.name = "fluctuation", .kind = TableInfo::Kind::parts},
       {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
         &EnergyBin::lower},
        {{"upper", "Upper end of the bin", "", "none for the last"}, &EnergyBin::upper},

@@ -38,7 +38,7 @@ std::optional<double> part(const std::optional<Eigen::Vector2d>& point, Eigen::I
 
 const TableOf<ContactRow>& contacts_table() {
   static const TableOf<ContactRow> kTable(
-      {.name = "contacts", .of = TableInfo::Of::stages},
+      {.name = "contacts", .kind = TableInfo::Kind::parts},
       {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
         &ContactRow::first},
        {{"second", "Second body", "",
@@ -78,7 +78,7 @@ const TableOf<ContactRow>& contacts_table() {
 const TableOf<measure::ForceBin>& forces_table() {
   using Bin = measure::ForceBin;
   static const TableOf<Bin> kTable(
-      {.name = "forces", .of = TableInfo::Of::stages},
+      {.name = "forces", .kind = TableInfo::Kind::parts},
       {{{"low", "Lower end of the bin", "",
          "of the index of force in sites; of the contact model of normal forces between grains, in "
          "grain weights"},
@@ -100,7 +100,7 @@ struct LoadRow {
 
 const TableOf<LoadRow>& loads_table() {
   static const TableOf<LoadRow> kTable(
-      {.name = "loads", .of = TableInfo::Of::stages},
+      {.name = "loads", .kind = TableInfo::Kind::parts},
       {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
         &LoadRow::id},
        {{"species", "Species", "", "its name"}, &LoadRow::species},
@@ -129,7 +129,7 @@ struct WallRow {
 
 const TableOf<WallRow>& walls_table() {
   static const TableOf<WallRow> kTable(
-      {.name = "walls", .of = TableInfo::Of::stages},
+      {.name = "walls", .kind = TableInfo::Kind::parts},
       {{{"wall", "Wall", "",
          "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
          "else of those that move"},
@@ -173,7 +173,7 @@ const TableOf<measure::StressCell>& stress_table() {
   using Cell = measure::StressCell;
   constexpr std::string_view kUnit = "grain weights/spacing";
   static const TableOf<Cell> kTable(
-      {.name = "stress", .of = TableInfo::Of::stages},
+      {.name = "stress", .kind = TableInfo::Kind::parts},
       {{kCellX, [](auto& cell) { return cell.centre.x(); }},
        {kCellY, [](auto& cell) { return cell.centre.y(); }},
        {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},

@@ -59,9 +59,10 @@ class GasRun : public RunBase {
         integrator_(scene),
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)),
+        tables_(scene),
         checkpoint_writer_(scene.checkpoint) {
     write_to(
-        folder ? std::move(*folder) : begin_run(options, events, checkpoint(), gas_files(scene)),
+        folder ? std::move(*folder) : begin_run(options, events, checkpoint(), tables_.files()),
         course_.log_bytes, course_.wall_seconds);
   }
 
@@ -106,6 +107,7 @@ class GasRun : public RunBase {
   GasIntegrator integrator_;
   GasCourse course_;
   std::uint64_t cases_logged_;  // by the lines of log.txt that were there
+  GasTables tables_;
   std::vector<store::StageSummary> stages_;
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
@@ -161,7 +163,7 @@ void GasRun::run_cases() {
       save();
     }
     finish_case(one);
-    write_tables(scene_, course_.cases, folder());
+    tables_.write(folder().files(), course_.cases);
   }
   checkpoint_writer_.finish();
 }

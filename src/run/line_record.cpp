@@ -17,9 +17,13 @@ struct LineRow {
   double speed;  // unit of velocity
 };
 
+statistics::Sample mean(const measure::LineMean& mean, double unit) {
+  return {.mean = mean.value * unit, .standard_error = mean.error * unit};
+}
+
 const TableOf<LineRow>& lines_table() {
   static const TableOf<LineRow> kTable(
-      {.name = "lines", .of = TableInfo::Of::stages},
+      {.name = "lines", .kind = TableInfo::Kind::parts},
       {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
        {{"position", "Position", "spacings",
          "of the middle of the part, from the start of the line"},
@@ -29,17 +33,11 @@ const TableOf<LineRow>& lines_table() {
        {{"y", "y", "spacings", "of the middle of the part"},
         [](auto& row) { return row.part.middle.y(); }},
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
-        [](auto& row) { return row.part.flux.value; }},
-       {{"flux_se", "Flux, standard error", "sites/(step·spacing)", ""},
-        [](auto& row) { return row.part.flux.error; }},
+        [](auto& row) { return mean(row.part.flux, 1); }},
        {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return row.part.across.value * row.speed; }},
-       {{"v_across_se", "Velocity across the line, standard error", "spacings/step", ""},
-        [](auto& row) { return row.part.across.error * row.speed; }},
+        [](auto& row) { return mean(row.part.across, row.speed); }},
        {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return row.part.along.value * row.speed; }},
-       {{"v_along_se", "Velocity along the line, standard error", "spacings/step", ""},
-        [](auto& row) { return row.part.along.error * row.speed; }},
+        [](auto& row) { return mean(row.part.along, row.speed); }},
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
         [](auto& row) { return row.part.filling; }},

@@ -14,7 +14,7 @@ struct MixingRow {
 
 const TableOf<MixingRow>& mixing_table() {
   static const TableOf<MixingRow> kTable(
-      {.name = "mixing", .of = TableInfo::Of::stages},
+      {.name = "mixing", .kind = TableInfo::Kind::parts},
       {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
        {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
         [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},

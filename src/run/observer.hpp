@@ -15,7 +15,6 @@
 #include "clca/scene/scene.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
-#include "run/begin.hpp"
 #include "run/log.hpp"
 #include "run/model.hpp"
 #include "run/table.hpp"

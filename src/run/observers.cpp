@@ -50,14 +50,14 @@ Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::mov
 
 std::vector<PlannedFile> Observers::files() const {
   std::vector<PlannedFile> files;
+  const auto add = [&files](const std::vector<PlannedFile>& more) {
+    files.insert(files.end(), more.begin(), more.end());
+  };
   for (const RunTable* table : tables_) {
-    for (const std::string& name : table->files()) {
-      files.push_back({name, table->info().is_certain});
-    }
+    add(table->files());
   }
   for (const auto& observer : all_) {
-    const std::vector<PlannedFile> more = observer->files();
-    files.insert(files.end(), more.begin(), more.end());
+    add(observer->files());
   }
   return files;
 }
@@ -109,7 +109,7 @@ std::string bytes_path(const RunTable& table) {
 void Observers::save(reflection::Columns& columns) {
   write_rows(0);
   for (RunTable* table : tables_) {
-    if (table->info().of == TableInfo::Of::run) {
+    if (table->info().kind == TableInfo::Kind::growing) {
       reflection::encode(bytes_path(*table), table->bytes(), columns);
     }
   }
@@ -120,7 +120,7 @@ void Observers::save(reflection::Columns& columns) {
 
 void Observers::load(const SavedColumns& saved, const StageView& now) {
   for (RunTable* table : tables_) {
-    if (table->info().of == TableInfo::Of::run) {
+    if (table->info().kind == TableInfo::Kind::growing) {
       saved.read(bytes_path(*table), table->bytes(), now.model.state());
     }
   }

@@ -15,7 +15,7 @@ struct ProfileRow {
 
 const TableOf<ProfileRow>& profile_table() {
   static const TableOf<ProfileRow> kTable(
-      {.name = "profile", .of = TableInfo::Of::stages, .is_certain = true},
+      {.name = "profile", .kind = TableInfo::Kind::parts, .is_certain = true},
       {{{"x", "x", "spacings", "of a column of the lattice"}, &ProfileRow::x},
        {{"height_start", "Height at the start", "spacings",
          "of the surface, after walls have gone and the fill is placed"},

@@ -50,14 +50,15 @@ const Quantity* find_quantity(std::string_view key) {
     return found;
   }
   for (const TableInfo* table : all_tables()) {
-    const auto is_named = [&](const auto& column) { return column.first.key == whole; };
-    if (const auto of_each = std::ranges::find_if(table->of_each, is_named);
-        of_each != table->of_each.end()) {
+    const auto of_each = std::ranges::find_if(
+        table->of_each, [&](const auto& one) { return one.first.key == whole; });
+    if (of_each != table->of_each.end()) {
       return &of_each->first;
     }
-    if (const auto column = std::ranges::find_if(table->columns, is_named);
-        column != table->columns.end()) {
-      return &column->first;
+    const auto column = std::ranges::find_if(
+        table->columns, [&](const ColumnInfo& one) { return one.quantity.key == whole; });
+    if (column != table->columns.end()) {
+      return &column->quantity;
     }
   }
   return nullptr;

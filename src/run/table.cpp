@@ -1,24 +1,11 @@
 #include "run/table.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "clca/store/run_folder.hpp"
 
 namespace clca::run {
-
-namespace {
-
-std::vector<std::string> column_names(const scene::Scene& scene, const TableInfo& info,
-                                      const std::vector<std::string>& more) {
-  std::vector<std::string> names;
-  for (const auto& [quantity, where] : info.columns) {
-    if (where.holds == nullptr || where.holds(scene)) {
-      names.emplace_back(quantity.key);
-    }
-  }
-  names.insert(names.end(), more.begin(), more.end());
-  return names;
-}
-
-}  // namespace
 
 bool is_contact(const scene::Scene& scene) {
   return scene.model == scene::Model::contact;
@@ -29,42 +16,46 @@ double velocity_unit(const scene::Scene& scene) {
   return conversion ? conversion->velocity(1) : 1;
 }
 
-RunTable::RunTable(const scene::Scene& scene, const TableInfo& info, std::vector<std::string> more)
-    : scene_(scene),
-      info_(info),
-      conversion_(scene::conversion(scene)),
-      table_(column_names(scene, info, more)) {
-  const std::vector<std::string> names = column_names(scene, info, more);
-  const auto time = std::find(names.begin(), names.end(), kTime.key);
-  if (time != names.end()) {
-    time_ = time - names.begin();
-  }
+void add_cell(std::vector<store::Cell>& cells, const std::optional<double>& value) {
+  cells.emplace_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
-std::vector<std::string> RunTable::files() const {
+void add_cell(std::vector<store::Cell>& cells, const std::string& text) {
+  cells.emplace_back(text);
+}
+
+void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean) {
+  cells.emplace_back(mean.mean);
+  cells.emplace_back(mean.standard_error);
+}
+
+TableScope table_scope(const scene::Scene& scene) {
+  TableScope scope = {.parts = {}, .conversion = scene::conversion(scene)};
+  for (const scene::Stage& stage : scene.stages) {
+    scope.parts.push_back(stage.name);
+  }
+  return scope;
+}
+
+RunTable::RunTable(const TableInfo& info, TableScope scope, const std::vector<std::string>& names)
+    : info_(info), scope_(std::move(scope)), table_(names) {}
+
+std::vector<PlannedFile> RunTable::files() const {
   const std::string name(info_.name);
-  if (info_.of == TableInfo::Of::run) {
-    return {store::table_name(name)};
+  if (info_.kind != TableInfo::Kind::parts) {
+    return {{store::table_name(name), info_.is_certain}};
   }
-  std::vector<std::string> names;
-  for (const scene::Stage& stage : scene_.stages) {
-    names.push_back(store::table_name(name, stage.name));
+  std::vector<PlannedFile> files;
+  for (const std::string& part : scope_.parts) {
+    files.push_back({store::table_name(name, part), info_.is_certain});
   }
-  return names;
-}
-
-void RunTable::add_row(std::vector<store::Cell> cells) {
-  if (time_) {
-    const auto place = cells.begin() + static_cast<std::ptrdiff_t>(*time_);
-    cells.insert(place, conversion_->time(std::get<std::uint64_t>(*(place - 1))));
-  }
-  table_.add_row(std::move(cells));
+  return files;
 }
 
 void RunTable::open(const store::OutputFolder& folder) {
   folder_.emplace(folder);
-  if (info_.of == TableInfo::Of::run) {
-    file_.emplace(folder, files().front(), bytes_);
+  if (info_.kind == TableInfo::Kind::growing) {
+    file_.emplace(folder, files().front().name, bytes_);
   }
 }
 
@@ -76,8 +67,9 @@ void RunTable::write_rows(std::size_t least) {
   }
 }
 
-void RunTable::write(const std::string& stage) {
-  folder_->write(store::table_name(std::string(info_.name), stage),
+void RunTable::write(const std::string& part) {
+  const std::string name(info_.name);
+  folder_->write(part.empty() ? store::table_name(name) : store::table_name(name, part),
                  table_.header() + table_.take());
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 // Tables of a run: columns that say what they are, and files for their rows.
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,19 +12,23 @@
 #include <vector>
 
 #include "clca/run/quantity.hpp"
+#include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
+#include "clca/statistics/sample.hpp"
 #include "clca/store/growing_file.hpp"
-#include "clca/store/run_folder.hpp"
 #include "clca/store/table.hpp"
+#include "run/begin.hpp"
 
 namespace clca::run {
 
 /// For which scenes there is a column.
-struct Condition {
+template <class Scene>
+struct ConditionOn {
   std::string_view text = {};  ///< Markdown, as `with ...`; empty: all
-  bool (*holds)(const scene::Scene& scene) = nullptr;
+  bool (*holds)(const Scene& scene) = nullptr;
 };
+using Condition = ConditionOn<scene::Scene>;
 
 bool is_contact(const scene::Scene& scene);
 inline constexpr Condition kContactModel = {"with `model: contact`", is_contact};
@@ -42,119 +45,169 @@ inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations
 /// The unit of velocities in tables: a lattice spacing per step in it.
 double velocity_unit(const scene::Scene& scene);
 
-/// A column and what takes its value from what a row is made of: a member, or a function that
-/// returns a number, an optional number or a text.
-template <class Row>
+// How values of rows are written. A mean takes two columns, KEY and KEY_se, its standard error.
+void add_cell(std::vector<store::Cell>& cells, const std::optional<double>& value);
+void add_cell(std::vector<store::Cell>& cells, const std::string& text);
+void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean);
+void add_cell(std::vector<store::Cell>& cells, std::integral auto number) {
+  cells.emplace_back(static_cast<std::uint64_t>(number));
+}
+
+/// What a column is, of any run.
+struct ColumnInfo {
+  Quantity quantity;
+  std::string_view where;  ///< as ConditionOn::text
+  bool has_error = false;  ///< also a column KEY_se
+};
+
+/// A column and what takes its value from what a row is made of: a member or a function.
+template <class Row, class Scene = scene::Scene>
 struct Column {
   template <class Value>
-  Column(const Quantity& column, Value value, const Condition& condition = {})
-      : quantity(column), where(condition), cell([value](const Row& row) -> store::Cell {
-          using Result = std::decay_t<std::invoke_result_t<Value, const Row&>>;
-          if constexpr (std::is_same_v<Result, std::optional<double>>) {
-            return std::invoke(value, row).value_or(std::numeric_limits<double>::quiet_NaN());
-          } else if constexpr (std::is_integral_v<Result>) {
-            return static_cast<std::uint64_t>(std::invoke(value, row));
-          } else {
-            return std::invoke(value, row);
-          }
+  Column(const Quantity& quantity, Value value, const ConditionOn<Scene>& condition = {})
+      : info{quantity, condition.text,
+             std::is_same_v<std::decay_t<std::invoke_result_t<Value, const Row&>>,
+                            statistics::Sample>},
+        holds(condition.holds),
+        add([value](std::vector<store::Cell>& cells, const Row& row) {
+          add_cell(cells, std::invoke(value, row));
         }) {}
 
-  Quantity quantity;
-  Condition where;
-  std::function<store::Cell(const Row& row)> cell;
+  ColumnInfo info;
+  bool (*holds)(const Scene& scene);
+  std::function<void(std::vector<store::Cell>&, const Row&)> add;
 };
 
 /// What a table is, of any run.
 struct TableInfo {
-  enum class Of : std::uint8_t {
-    run,    ///< NAME.csv, to which rows are added while it runs
-    stages  ///< NAME-STAGE.csv, written at the end of the stage
+  enum class Kind : std::uint8_t {
+    growing,  ///< NAME.csv, to which rows are added while it runs
+    whole,    ///< NAME.csv, written at once
+    parts     ///< NAME-STAGE.csv, written at the end of the stage, or NAME-TIME.csv
   };
 
   std::string_view name;
-  Of of = Of::run;
+  Kind kind = Kind::growing;
   bool is_certain = false;  ///< a run that has the table writes it whatever happens
   /// Of each wall or outlet, KEY.NAME: the quantity, and what NAME is.
   std::vector<std::pair<Quantity, std::string_view>> of_each = {};
-  std::vector<std::pair<Quantity, Condition>> columns = {};
+  std::vector<ColumnInfo> columns = {};
 };
 
 /// The same with the values of its columns.
-template <class Row>
+template <class Row, class Scene = scene::Scene>
 struct TableOf : TableInfo {
-  TableOf(const TableInfo& info, std::initializer_list<Column<Row>> all)
-      : TableInfo(info), values(all) {
-    for (const Column<Row>& column : values) {
-      columns.emplace_back(column.quantity, column.where);
-      if (column.quantity.key == kStep.key) {
-        columns.emplace_back(kTime, kContactModel);
+  TableOf(const TableInfo& info, std::vector<Column<Row, Scene>> all)
+      : TableInfo(info), values(std::move(all)) {
+    for (const auto& column : values) {
+      columns.push_back(column.info);
+      if (column.info.quantity.key == kStep.key) {
+        columns.push_back({kTime, kContactModel.text});
       }
     }
   }
 
-  std::vector<Column<Row>> values;
+  std::vector<Column<Row, Scene>> values;
 };
+
+/// What the tables of a run have in common.
+struct TableScope {
+  std::vector<std::string> parts;  ///< names of the stages, or times
+  bool has_errors = true;
+  std::optional<scene::Conversion> conversion = {};  ///< for the time behind each step
+};
+TableScope table_scope(const scene::Scene& scene);
+TableScope table_scope(const scene::BoltzmannScene& scene);
 
 /// A table of one run, in its folder.
 class RunTable {
  public:
-  /// `more`: names of the columns of_each. `scene` and `info` outlive the table.
-  RunTable(const scene::Scene& scene, const TableInfo& info, std::vector<std::string> more = {});
-
   const TableInfo& info() const { return info_; }
-  /// Names of its files.
-  std::vector<std::string> files() const;
-  /// Without the time.
-  void add_row(std::vector<store::Cell> cells);
+  std::vector<PlannedFile> files() const;
 
-  /// Bytes of rows that are on the disk when a run resumes.
+  /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& bytes() { return bytes_; }
   /// Removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
-  /// Of the run: writes the new rows if they have at least `least` bytes.
+  /// Of a growing table: writes the new rows if they have at least `least` bytes.
   void write_rows(std::size_t least);
-  /// Of stages: writes the table of a stage.
-  void write(const std::string& stage);
+  /// Of others: writes the rows since the last call.
+  void write(const std::string& part = "");
 
  protected:
-  const scene::Scene& scene() const { return scene_; }
+  RunTable(const TableInfo& info, TableScope scope, const std::vector<std::string>& names);
+
+  const TableScope& scope() const { return scope_; }
+  void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
 
  private:
-  const scene::Scene& scene_;
   const TableInfo& info_;
-  std::optional<scene::Conversion> conversion_;
-  std::optional<std::size_t> time_;  // its column
+  TableScope scope_;
   store::Table table_;
   std::uint64_t bytes_ = 0;
   std::optional<store::OutputFolder> folder_;
   std::optional<store::GrowingFile> file_;
 };
 
-template <class Row>
+template <class Row, class Scene = scene::Scene>
 class TableWriter : public RunTable {
  public:
-  explicit TableWriter(const scene::Scene& scene, const TableOf<Row>& table,
-                       std::vector<std::string> more = {})
-      : RunTable(scene, table, std::move(more)) {
-    for (const Column<Row>& column : table.values) {
-      if (column.where.holds == nullptr || column.where.holds(scene)) {
-        columns_.push_back(&column);
-      }
-    }
-  }
+  /// `more`: names of the columns of_each. `table` outlives this.
+  TableWriter(const Scene& scene, const TableOf<Row, Scene>& table,
+              const std::vector<std::string>& more = {})
+      : TableWriter(table_scope(scene), scene, table, more) {}
 
   /// `more`: cells of the columns of_each.
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
-    for (const Column<Row>* column : columns_) {
-      cells.push_back(column->cell(row));
+    for (const auto* column : columns_) {
+      column->add(cells, row);
+      if (column->info.has_error && !scope().has_errors) {
+        cells.pop_back();
+      } else if (has_time(*column, scope())) {
+        cells.emplace_back(scope().conversion->time(std::get<std::uint64_t>(cells.back())));
+      }
     }
     cells.insert(cells.end(), more.begin(), more.end());
     add_row(std::move(cells));
   }
 
  private:
-  std::vector<const Column<Row>*> columns_;  // those that the scene has
+  using Columns = std::vector<const Column<Row, Scene>*>;
+
+  TableWriter(const TableScope& scope, const Scene& scene, const TableOf<Row, Scene>& table,
+              const std::vector<std::string>& more)
+      : RunTable(table, scope, names(scope, columns_of(scene, table), more)),
+        columns_(columns_of(scene, table)) {}
+
+  static bool has_time(const Column<Row, Scene>& column, const TableScope& scope) {
+    return scope.conversion && column.info.quantity.key == kStep.key;
+  }
+  static Columns columns_of(const Scene& scene, const TableOf<Row, Scene>& table) {
+    Columns columns;
+    for (const auto& column : table.values) {
+      if (column.holds == nullptr || column.holds(scene)) {
+        columns.push_back(&column);
+      }
+    }
+    return columns;
+  }
+  static std::vector<std::string> names(const TableScope& scope, const Columns& columns,
+                                        const std::vector<std::string>& more) {
+    std::vector<std::string> names;
+    for (const auto* column : columns) {
+      names.emplace_back(column->info.quantity.key);
+      if (column->info.has_error && scope.has_errors) {
+        names.push_back(names.back() + "_se");
+      } else if (has_time(*column, scope)) {
+        names.emplace_back(kTime.key);
+      }
+    }
+    names.insert(names.end(), more.begin(), more.end());
+    return names;
+  }
+
+  Columns columns_;  // those that the scene has
 };
 
 }  // namespace clca::run
