@@ -120,7 +120,7 @@ void CycleRecord::end_stage(const StageView& now) {
     for (const measure::Arrow& arrow : convection_->arrows()) {
       convection_table_.add(arrow);
     }
-    convection_table_.write(now.stage.name);
+    convection_table_.write(now.files, now.stage.name);
   }
 }
 

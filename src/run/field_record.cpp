@@ -79,7 +79,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
       end_window(now);
     }
     if (fluctuations_.samples() > 0) {
-      write_fluctuations(now.stage.name);
+      write_fluctuations(now);
     }
   }
   std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
@@ -109,7 +109,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     steps_ = 0;
   }
   void end_window(const StageView& now);
-  void write_fluctuations(const std::string& stage);
+  void write_fluctuations(const StageView& now);
   /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
   double fluctuation_energy() const;
 
@@ -142,7 +142,7 @@ void FieldRecord::end_window(const StageView& now) {
   window_begin_ = state.step;
 }
 
-void FieldRecord::write_fluctuations(const std::string& stage) {
+void FieldRecord::write_fluctuations(const StageView& now) {
   const statistics::Bins& bins = fluctuations_.bins();
   const std::vector<double> shares = fluctuations_.shares();
   const std::vector<double> local = fluctuations_.local_shares();
@@ -153,7 +153,7 @@ void FieldRecord::write_fluctuations(const std::string& stage) {
                             is_last ? std::nullopt : std::optional(bins.upper(bin)), shares[bin],
                             local[bin], reference[bin]});
   }
-  fluctuation_table_.write(stage);
+  fluctuation_table_.write(now.files, now.stage.name);
 }
 
 double FieldRecord::fluctuation_energy() const {

@@ -243,7 +243,7 @@ void ForceTables::end_stage(const StageView& now) {
     add_overlaps(now, *now.observers.find<ForceRecord>());
   }
   for (RunTable* table : tables()) {
-    table->write(now.stage.name);
+    table->write(now.files, now.stage.name);
   }
 }
 

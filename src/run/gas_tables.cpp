@@ -88,6 +88,12 @@ Sample estimate(const GasCase& one, std::size_t place, const GasValue& value) {
   return statistics::sample(values);
 }
 
+struct GasRow {
+  const GasCase& gases;
+  std::size_t place;  // of the observation
+  double time;
+};
+
 const TableOf<GasRow, GasScene>& gas_series_table() {
   static const TableOf<GasRow, GasScene> kTable = [] {
     std::vector<Column<GasRow, GasScene>> columns = {
@@ -104,6 +110,15 @@ const TableOf<GasRow, GasScene>& gas_series_table() {
   return kTable;
 }
 
+struct GasBin {
+  double restitution;
+  std::string energy;
+  double lower;
+  std::optional<double> upper;
+  Sample share;
+  double reference;
+};
+
 const TableOf<GasBin, GasScene>& gas_histogram_table() {
   static const TableOf<GasBin, GasScene> kTable(
       {.name = "histogram", .kind = TableInfo::Kind::parts},
@@ -116,6 +131,16 @@ const TableOf<GasBin, GasScene>& gas_histogram_table() {
        {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}});
   return kTable;
 }
+
+struct GasClosure {
+  double restitution;
+  double time;
+  double translational;
+  double rotational = 0;
+  double p_xx = 0;
+  double p_yy = 0;
+  double p_xy = 0;
+};
 
 const TableOf<GasClosure, GasScene>& gas_closure_table() {
   static const TableOf<GasClosure, GasScene> kTable(
@@ -134,67 +159,32 @@ std::string time_name(double time) {
   return fmt::format("{}", time);
 }
 
-}  // namespace
+class GasTables {
+ public:
+  explicit GasTables(const GasScene& scene) : scene_(scene) {}
 
-TableScope table_scope(const GasScene& scene) {
-  TableScope scope = {.parts = {}, .has_errors = scene.ensemble > 1};
-  for (const GasTime& time : gas_times(scene)) {
-    scope.parts.push_back(time_name(time.time));
+  std::vector<PlannedFile> files() const {
+    std::vector<PlannedFile> files = histogram_.files();
+    files.push_back(series_.files().front());
+    files.push_back(closure_.files().front());
+    return files;
   }
-  return scope;
-}
+  void write(const store::OutputFolder& folder, const std::vector<GasCase>& cases);
 
-const std::vector<Quantity>& gas_quantities() {
-  static const std::vector<Quantity> kQuantities = [] {
-    std::vector<Quantity> all = {kRestitution,
-                                 {"hellinger_floor", "Distance by sampling alone", "",
-                                  "Hellinger distance that a sample without any difference has"},
-                                 kGasTime,
-                                 {"gases", "Gases", "", "members of the ensemble"}};
-    for (const GasValue& value : gas_values()) {
-      all.push_back(value.quantity);
-    }
-    return all;
-  }();
-  return kQuantities;
-}
+ private:
+  void add_bins(const GasCase& one, std::size_t place, const char* energy,
+                std::vector<double> boltzmann::EnergyShares::*kind);
+  void add_cooling(const GasCase& one);
+  void add_steady_flow(const GasCase& one);
 
-std::size_t GasCase::observations() const {
-  std::size_t most = 0;
-  for (const GasMember& member : members) {
-    most = std::max(most, member.observations.size());
-  }
-  return most;
-}
-
-std::vector<const GasMember*> GasCase::at(std::size_t place) const {
-  std::vector<const GasMember*> those;
-  for (const GasMember& member : members) {
-    if (place < member.observations.size()) {
-      those.push_back(&member);
-    }
-  }
-  return those;
-}
-
-GasTables::GasTables(const GasScene& scene)
-    : scene_(scene),
-      times_(gas_times(scene)),
-      series_(scene, gas_series_table()),
-      histogram_(scene, gas_histogram_table()),
-      closure_(scene, gas_closure_table()) {}
-
-std::vector<PlannedFile> GasTables::files() const {
-  std::vector<PlannedFile> files = histogram_.files();
-  files.push_back(series_.files().front());
-  files.push_back(closure_.files().front());
-  return files;
-}
+  const GasScene& scene_;
+  std::vector<GasTime> times_ = gas_times(scene_);
+  TableWriter<GasRow, GasScene> series_{scene_, gas_series_table()};
+  TableWriter<GasBin, GasScene> histogram_{scene_, gas_histogram_table()};
+  TableWriter<GasClosure, GasScene> closure_{scene_, gas_closure_table()};
+};
 
 void GasTables::write(const store::OutputFolder& folder, const std::vector<GasCase>& cases) {
-  for (RunTable* table : std::initializer_list<RunTable*>{&series_, &histogram_, &closure_}) {
-    table->open(folder);
-  }
   for (const GasCase& one : cases) {
     for (std::size_t i = 0; i < one.observations(); ++i) {
       if (times_[i].in_series) {
@@ -202,7 +192,7 @@ void GasTables::write(const store::OutputFolder& folder, const std::vector<GasCa
       }
     }
   }
-  series_.write();
+  series_.write(folder);
   for (std::size_t i = 0; i < times_.size(); ++i) {
     const auto has_reached = [i](const GasCase& one) { return i < one.observations(); };
     if (times_[i].in_histograms && std::any_of(cases.begin(), cases.end(), has_reached)) {
@@ -212,14 +202,14 @@ void GasTables::write(const store::OutputFolder& folder, const std::vector<GasCa
           add_bins(one, i, "rotational", &boltzmann::EnergyShares::rotational);
         }
       }
-      histogram_.write(time_name(times_[i].time));
+      histogram_.write(folder, time_name(times_[i].time));
     }
   }
   if (scene_.shear_rate == 0 || scene_.friction == 0) {
     for (const GasCase& one : cases) {
       scene_.shear_rate == 0 ? add_cooling(one) : add_steady_flow(one);
     }
-    closure_.write();
+    closure_.write(folder);
   }
 }
 
@@ -282,6 +272,58 @@ void GasTables::add_steady_flow(const GasCase& one) {
                   .p_yy = flow.p_yy,
                   .p_xy = flow.p_xy});
   }
+}
+
+}  // namespace
+
+TableScope table_scope(const GasScene& scene) {
+  TableScope scope = {.parts = {}, .has_errors = scene.ensemble > 1};
+  for (const GasTime& time : gas_times(scene)) {
+    scope.parts.push_back(time_name(time.time));
+  }
+  return scope;
+}
+
+const std::vector<Quantity>& gas_quantities() {
+  static const std::vector<Quantity> kQuantities = [] {
+    std::vector<Quantity> all = {kRestitution,
+                                 {"hellinger_floor", "Distance by sampling alone", "",
+                                  "Hellinger distance that a sample without any difference has"},
+                                 kGasTime,
+                                 {"gases", "Gases", "", "members of the ensemble"}};
+    for (const GasValue& value : gas_values()) {
+      all.push_back(value.quantity);
+    }
+    return all;
+  }();
+  return kQuantities;
+}
+
+std::size_t GasCase::observations() const {
+  std::size_t most = 0;
+  for (const GasMember& member : members) {
+    most = std::max(most, member.observations.size());
+  }
+  return most;
+}
+
+std::vector<const GasMember*> GasCase::at(std::size_t place) const {
+  std::vector<const GasMember*> those;
+  for (const GasMember& member : members) {
+    if (place < member.observations.size()) {
+      those.push_back(&member);
+    }
+  }
+  return those;
+}
+
+std::vector<PlannedFile> gas_files(const GasScene& scene) {
+  return GasTables(scene).files();
+}
+
+void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
+                  const store::OutputFolder& folder) {
+  GasTables(scene).write(folder, cases);
 }
 
 std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& one) {

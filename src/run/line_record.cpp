@@ -66,7 +66,7 @@ class LineRecord : public SavedObserver<LineRecord> {
         table_.add({now.scene.lines[line], part, speed});
       }
     }
-    table_.write(now.stage.name);
+    table_.write(now.files, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 

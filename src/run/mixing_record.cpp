@@ -38,7 +38,7 @@ class MixingRecord : public Observer {
     for (std::size_t i = 0; i < fallen().size(); ++i) {
       table_.add({static_cast<double>(i + 1), fallen()[i]});
     }
-    table_.write(now.stage.name);
+    table_.write(now.files, now.stage.name);
   }
   void save(reflection::Columns& columns) override { reflection::encode(kPath, mixing_, columns); }
   void load(const SavedColumns& saved, const StageView& now) override {

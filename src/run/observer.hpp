@@ -59,6 +59,7 @@ struct StageView {
   const StageHistory& history;
   const Observers& observers;
   std::size_t moving;  ///< particles, in the last step
+  const store::OutputFolder& files;
   Log& log;
 };
 

@@ -46,7 +46,6 @@ class Pictures : public Observer {
   void open(const store::RunFolder& folder, const grains::State& /*now*/) override {
     folder.remove_frames_after(history_.last_step);
     folder.files().make_folder(store::kFramesFolder);
-    frames_.emplace(folder.files().subfolder(store::kFramesFolder));
   }
   void finish() override { writer_.finish(); }
 
@@ -60,7 +59,6 @@ class Pictures : public Observer {
   WantedPictures wanted_;
   FramePainter painter_;
   PictureHistory history_;
-  std::optional<store::OutputFolder> frames_;
   FrameWriter writer_;  // last: at the end it waits for its thread, which uses the painter
 };
 
@@ -92,7 +90,8 @@ void Pictures::draw(const StageView& now) {
                                           .angle = now.model.vessel().angle},
                                          history_);
   begin_window(history_, scene_, state);
-  writer_.write(*frames_, store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
+  writer_.write(now.files.subfolder(store::kFramesFolder),
+                store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
                 [this, frame = std::move(frame)] {
                   const Picture picture = painter_.rasterize(frame);
                   return image::encode_png(picture.image, picture.text);

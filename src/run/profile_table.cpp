@@ -34,7 +34,7 @@ class Profile : public Observer {
       table_.add({lattice::kColumnPitch * static_cast<double>(column),
                   now.history.profile_at_start[column], end[column]});
     }
-    table_.write(now.stage.name);
+    table_.write(now.files, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 

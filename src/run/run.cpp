@@ -15,19 +15,16 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
-#include "run/begin.hpp"
-#include "run/checkpoint_writer.hpp"
 #include "run/cycle_record.hpp"
 #include "run/force_measures.hpp"
 #include "run/frame_painter.hpp"
-#include "run/gas_run.hpp"
+#include "run/gas_saved.hpp"
 #include "run/meter.hpp"
 #include "run/observer.hpp"
 #include "run/quantities.hpp"
 #include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
-#include "run/startable.hpp"
 
 namespace clca::run {
 
@@ -74,11 +71,7 @@ class Run : public RunBase {
     prepare();
     store::Checkpoint start = checkpoint();
     reflection::encode(kWantedPictures, options.pictures, start.fields);
-    std::vector<PlannedFile> files = observers_.files();
-    if (scene.output.checkpoint) {
-      files.push_back({store::kCheckpointBefore, true});
-    }
-    write_to(folder ? std::move(*folder) : begin_run(options, events, start, files), 0, 0);
+    begin(std::move(folder), start, observers_.files());
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -96,7 +89,7 @@ class Run : public RunBase {
                  .title = scene.title,
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
-                 .keeps_checkpoint = scene.output.checkpoint.has_value()},
+                 .checkpoints = scene.output.checkpoint},
                 options, events),
         scene_(scene),
         conversion_(scene::conversion(scene)),
@@ -104,13 +97,11 @@ class Run : public RunBase {
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
                 .reference = options.reference}),
-        observers_(observers_of({scene, model_.state(), options})),
-        checkpoint_writer_(scene.output.checkpoint) {}
+        observers_(observers_of({scene, model_.state(), options})) {}
 
   /// Restores the state of `saved`.
   void go_on(SavedRun& saved, SavedParts& parts);
   void carry_out() override;
-  bool is_complete() const override { return !interrupted_; }
   void complete_summary(store::RunSummary& summary) const override;
   /// Counts what has left before the stage, then prepares it: its fill may be in outlets.
   void prepare();
@@ -120,13 +111,12 @@ class Run : public RunBase {
   StageEnd run_steps();
   void step();
   void end_stage(StageEnd end);
-  /// Writes a checkpoint of the run between two steps.
-  void save();
+  /// Of the run between two steps.
   store::Checkpoint checkpoint_now();
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   StageView view() {
-    return {scene_, stage(), model_, history_, observers_, course_.moving, log()};
+    return {scene_, stage(), model_, history_, observers_, course_.moving, folder().files(), log()};
   }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
@@ -136,22 +126,17 @@ class Run : public RunBase {
   Stopwatch step_clock_;
   Model model_;
   Observers observers_;
-  IntervalTimer timer_{events().progress_interval};
   RunCourse course_;
   StageHistory history_;
-  bool in_stage_ = false;  // one that goes on
-  bool interrupted_ = false;
-  std::vector<store::StageSummary> stages_;
+  bool in_stage_ = false;                            // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
-  CheckpointWriter
-      checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 void Run::go_on(SavedRun& saved, SavedParts& parts) {
   course_ = parts.course;
-  write_to(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
+  RunBase::go_on(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
   history_ = std::move(parts.history);
-  stages_ = std::move(parts.stages);
+  stages() = std::move(parts.stages);
   model_.set_rules(stage());
   observers_.load({saved.checkpoint.fields, saved.max_bytes}, view());
   in_stage_ = true;
@@ -163,15 +148,14 @@ void Run::carry_out() {
   if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     log().warning(render::font_problem());
   }
-  while (course_.stage < scene_.stages.size() && !interrupted_) {
+  while (course_.stage < scene_.stages.size() && is_complete()) {
     run_stage();
     ++course_.stage;
   }
   observers_.finish();
   if (end_checkpoint_) {
-    checkpoint_writer_.save(folder().files(), *std::move(end_checkpoint_));
+    save(*std::move(end_checkpoint_));
   }
-  checkpoint_writer_.finish();
 }
 
 void Run::prepare() {
@@ -198,14 +182,14 @@ void Run::run_stage() {
   if (!std::exchange(in_stage_, false)) {
     begin_stage();
     if (scene_.begin && course_.stage == 0) {
-      save();  // from here on the other run is not needed
+      save(checkpoint_now());  // from here on the other run is not needed
     }
   }
   const StageEnd end = run_steps();
-  interrupted_ = end == StageEnd::interrupted;
   const bool last = course_.stage + 1 == scene_.stages.size();
-  if (interrupted_) {
-    save();
+  if (end == StageEnd::interrupted) {
+    interrupt();
+    save(checkpoint_now());
   } else if (last && scene_.output.checkpoint) {
     end_checkpoint_ = checkpoint_now();
   }
@@ -226,12 +210,12 @@ StageEnd Run::run_steps() {
     const auto particles = static_cast<double>(model_.state().particles.size());
     const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
     max_moving = std::max(max_moving, moving_share);
-    if (timer_.due()) {
+    if (progress_due()) {
       estimate.update(done_share(stage(), history_, moving_share, max_moving));
       show_progress(moving_share, estimate.seconds_left());
     }
-    if (checkpoint_writer_.due(model_.state().step)) {
-      save();
+    if (checkpoint_writer().due(model_.state().step)) {
+      save(checkpoint_now());
     }
   }
 }
@@ -253,16 +237,16 @@ void Run::step() {
 void Run::end_stage(StageEnd end) {
   history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
   observers_.end_stage(view());
-  stages_.push_back({.name = stage().name,
-                     .steps = history_.steps,
-                     .ended = to_text(end),
-                     .measures = stage_measures(view()),
-                     .notes = slope_notes(scene_, model_)});
+  stages().push_back({.name = stage().name,
+                      .steps = history_.steps,
+                      .ended = to_text(end),
+                      .measures = stage_measures(view()),
+                      .notes = slope_notes(scene_, model_)});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
                          to_text(end)));
-  for (const std::string& note : stages_.back().notes) {
+  for (const std::string& note : stages().back().notes) {
     log().info(fmt::format("stage {}: {}", stage().name, note));
   }
   for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
@@ -272,10 +256,6 @@ void Run::end_stage(StageEnd end) {
     log().warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
                               stage().name, stage().max_steps));
   }
-}
-
-void Run::save() {
-  checkpoint_writer_.save(folder().files(), checkpoint_now());
 }
 
 store::Checkpoint Run::checkpoint_now() {
@@ -327,7 +307,6 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.step_seconds = step_seconds();
   summary.rate = rate();
   summary.state_hash = model_.hash();
-  summary.stages = stages_;
 }
 
 /// With the threads that the steps will use started: later there may be no memory for them.
@@ -383,6 +362,9 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   if (saved.finished) {
     return *saved.finished;
   }
+  if (saved.checkpoint.is_start()) {
+    saved.folder.start_over(saved.checkpoint, {});
+  }
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }
@@ -390,7 +372,6 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
     startable.pictures = saved_pictures(saved);
-    saved.folder.start_over(saved.checkpoint, {});
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }
   return resumed_run(scene, startable, events, saved)->execute();

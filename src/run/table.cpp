@@ -53,7 +53,6 @@ std::vector<PlannedFile> RunTable::files() const {
 }
 
 void RunTable::open(const store::OutputFolder& folder) {
-  folder_.emplace(folder);
   if (info_.kind == TableInfo::Kind::growing) {
     file_.emplace(folder, files().front().name, bytes_);
   }
@@ -67,10 +66,10 @@ void RunTable::write_rows(std::size_t least) {
   }
 }
 
-void RunTable::write(const std::string& part) {
+void RunTable::write(const store::OutputFolder& folder, const std::string& part) {
   const std::string name(info_.name);
-  folder_->write(part.empty() ? store::table_name(name) : store::table_name(name, part),
-                 table_.header() + table_.take());
+  folder.write(part.empty() ? store::table_name(name) : store::table_name(name, part),
+               table_.header() + table_.take());
 }
 
 }  // namespace clca::run

@@ -127,12 +127,12 @@ class RunTable {
 
   /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& bytes() { return bytes_; }
-  /// Removes what was written beyond these bytes.
+  /// Of a growing table: removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
   /// Of a growing table: writes the new rows if they have at least `least` bytes.
   void write_rows(std::size_t least);
   /// Of others: writes the rows since the last call.
-  void write(const std::string& part = "");
+  void write(const store::OutputFolder& folder, const std::string& part = "");
 
  protected:
   RunTable(const TableInfo& info, TableScope scope, const std::vector<std::string>& names);
@@ -145,7 +145,6 @@ class RunTable {
   TableScope scope_;
   store::Table table_;
   std::uint64_t bytes_ = 0;
-  std::optional<store::OutputFolder> folder_;
   std::optional<store::GrowingFile> file_;
 };
 
