@@ -32,46 +32,35 @@ struct ContactRow {
   std::optional<double> share = {};
 };
 
-std::optional<double> part(const std::optional<Eigen::Vector2d>& point, Eigen::Index axis) {
-  return point ? std::optional((*point)[axis]) : std::nullopt;
-}
-
 const TableOf<ContactRow>& contacts_table() {
   static const TableOf<ContactRow> kTable(
       {.name = "contacts", .kind = TableInfo::Kind::parts},
-      {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
-        &ContactRow::first},
-       {{"second", "Second body", "",
-         "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
-        &ContactRow::second},
-       {{"x", "x", "spacings",
-         "of the contact: on the side of the box, else on discs of the particles’ areas"},
-        [](auto& row) { return part(row.point, 0); }},
-       {{"y", "y", "spacings", ""}, [](auto& row) { return part(row.point, 1); }},
-       {{"normal_x", "Normal, x", "", "towards the first"},
-        [](auto& row) { return row.force->normal.x(); },
-        kContactModel},
-       {{"normal_y", "Normal, y", "", ""},
-        [](auto& row) { return row.force->normal.y(); },
-        kContactModel},
-       {{"normal_force", "Normal force", "grain weights", ""},
-        [](auto& row) { return row.force->along_normal; },
-        kContactModel},
-       {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
-        [](auto& row) { return row.force->along_shear; },
-        kContactModel},
-       {{"sites", "Overlap", "sites", "that both share"},
-        [](auto& row) { return row.overlap != nullptr ? row.overlap->sites : 0; },
-        kOverlap},
-       {{"depth", "Depth of the overlap", "moves", "that would take it back"},
-        [](auto& row) { return row.overlap != nullptr ? row.overlap->depth : 0; },
-        kOverlap},
-       {{"source", "Source", "", "the wall where the push began"}, &ContactRow::source, kOverlap},
-       {{"mean_sites", "Mean overlap", "sites",
-         "over the samples of `output.contacts`; of pairs that are gone this and the next only"},
-        &ContactRow::mean_sites,
-        kOverlap},
-       {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share, kOverlap}});
+      {{{},
+        {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
+          &ContactRow::first},
+         {{"second", "Second body", "",
+           "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
+          &ContactRow::second},
+         {{"", "Place", "spacings",
+           "of the contact: on the side of the box, else on discs of the particles’ areas"},
+          &ContactRow::point}}},
+       {kContactModel,
+        {{{"normal_", "Normal", "", "towards the first"},
+          [](auto& row) { return row.force->normal; }},
+         {{"normal_force", "Normal force", "grain weights", ""},
+          [](auto& row) { return row.force->along_normal; }},
+         {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
+          [](auto& row) { return row.force->along_shear; }}}},
+       {kOverlap,
+        {{{"sites", "Overlap", "sites", "that both share"},
+          [](auto& row) { return row.overlap != nullptr ? row.overlap->sites : 0; }},
+         {{"depth", "Depth of the overlap", "moves", "that would take it back"},
+          [](auto& row) { return row.overlap != nullptr ? row.overlap->depth : 0; }},
+         {{"source", "Source", "", "the wall where the push began"}, &ContactRow::source},
+         {{"mean_sites", "Mean overlap", "sites",
+           "over the samples of `output.contacts`; of pairs that are gone this and the next only"},
+          &ContactRow::mean_sites},
+         {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share}}}});
   return kTable;
 }
 
@@ -79,13 +68,14 @@ const TableOf<measure::ForceBin>& forces_table() {
   using Bin = measure::ForceBin;
   static const TableOf<Bin> kTable(
       {.name = "forces", .kind = TableInfo::Kind::parts},
-      {{{"low", "Lower end of the bin", "",
-         "of the index of force in sites; of the contact model of normal forces between grains, in "
-         "grain weights"},
-        &Bin::low},
-       {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
-       {{"count", "Contacts", "", "in the bin"}, &Bin::count},
-       {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}});
+      {{{},
+        {{{"low", "Lower end of the bin", "",
+           "of the index of force in sites; of the contact model of normal forces between grains, "
+           "in grain weights"},
+          &Bin::low},
+         {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
+         {{"count", "Contacts", "", "in the bin"}, &Bin::count},
+         {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}}}});
   return kTable;
 }
 
@@ -101,21 +91,21 @@ struct LoadRow {
 const TableOf<LoadRow>& loads_table() {
   static const TableOf<LoadRow> kTable(
       {.name = "loads", .kind = TableInfo::Kind::parts},
-      {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
-        &LoadRow::id},
-       {{"species", "Species", "", "its name"}, &LoadRow::species},
-       {{"x", "x", "spacings", "of the centre of mass"}, [](auto& row) { return row.centre.x(); }},
-       {{"y", "y", "spacings", "of the centre of mass"}, [](auto& row) { return row.centre.y(); }},
-       {{"contacts", "Contacts", "", ""}, &LoadRow::contacts, kContactModel},
-       {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
-        &LoadRow::load,
-        kContactModel},
-       {{"residual", "Balance of forces", "",
-         "what forces and weight do not balance, over the weight"},
-        &LoadRow::residual,
-        kContactModel},
-       {{"sites", "Overlap", "sites", "shared, in all its contacts"}, &LoadRow::load, kOverlap},
-       {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts, kOverlap}});
+      {{{},
+        {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
+          &LoadRow::id},
+         {{"species", "Species", "", "its name"}, &LoadRow::species},
+         {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}}},
+       {kContactModel,
+        {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
+         {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
+          &LoadRow::load},
+         {{"residual", "Balance of forces", "",
+           "what forces and weight do not balance, over the weight"},
+          &LoadRow::residual}}},
+       {kOverlap,
+        {{{"sites", "Overlap", "sites", "shared, in all its contacts"}, &LoadRow::load},
+         {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts}}}});
   return kTable;
 }
 
@@ -125,47 +115,36 @@ struct WallRow {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   const measure::WallForce* overlap = nullptr;
   std::optional<double> depth = {};
+  std::optional<double> stalled_since = {};  // step
 };
 
 const TableOf<WallRow>& walls_table() {
   static const TableOf<WallRow> kTable(
       {.name = "walls", .kind = TableInfo::Kind::parts},
-      {{{"wall", "Wall", "",
-         "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
-         "else of those that move"},
-        &WallRow::wall},
-       {{"contacts", "Contacts", "", ""}, &WallRow::contacts, kContactModel},
-       {{"force_x", "Force on the wall, x", "grain weights", ""},
-        [](auto& row) { return row.force.x(); },
-        kContactModel},
-       {{"force_y", "Force on the wall, y", "grain weights", ""},
-        [](auto& row) { return row.force.y(); },
-        kContactModel},
-       {{"travel", "Travel of the wall", "sites", "from home"},
-        [](auto& row) { return static_cast<double>(row.overlap->travel); },
-        kOverlap},
-       {{"depth", "Depth of the wall", "spacings", "under the surface at the start of the stage"},
-        &WallRow::depth,
-        kOverlap},
-       {{"stalled_since", "Stalled since", "step", "since when it wants to go on and cannot"},
-        [](auto& row) {
-          const auto& step = row.overlap->stalled_since;
-          return step ? std::optional(static_cast<double>(*step)) : std::nullopt;
-        },
-        kOverlap},
-       {{"stalls", "Stalls", "", ""}, [](auto& row) { return row.overlap->stalls; }, kOverlap},
-       {{"particles", "Particles", "particles", "that overlap with the wall"},
-        [](auto& row) { return row.overlap->particles; },
-        kOverlap},
-       {{"sites", "Overlap", "sites", "of the wall with particles"},
-        [](auto& row) { return row.overlap->sites; },
-        kOverlap},
-       {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
-        [](auto& row) { return row.overlap->chain_sites; },
-        kOverlap},
-       {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
-        [](auto& row) { return row.overlap->jammed; },
-        kOverlap}});
+      {{{},
+        {{{"wall", "Wall", "",
+           "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
+           "else of those that move"},
+          &WallRow::wall}}},
+       {kContactModel,
+        {{{"contacts", "Contacts", "", ""}, &WallRow::contacts},
+         {{"force_", "Force on the wall", "grain weights", ""}, &WallRow::force}}},
+       {kOverlap,
+        {{{"travel", "Travel of the wall", "sites", "from home"},
+          [](auto& row) { return static_cast<double>(row.overlap->travel); }},
+         {{"depth", "Depth of the wall", "spacings", "under the surface at the start of the stage"},
+          &WallRow::depth},
+         {{"stalled_since", "Stalled since", "step", "since when it wants to go on and cannot"},
+          &WallRow::stalled_since},
+         {{"stalls", "Stalls", "", ""}, [](auto& row) { return row.overlap->stalls; }},
+         {{"particles", "Particles", "particles", "that overlap with the wall"},
+          [](auto& row) { return row.overlap->particles; }},
+         {{"sites", "Overlap", "sites", "of the wall with particles"},
+          [](auto& row) { return row.overlap->sites; }},
+         {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
+          [](auto& row) { return row.overlap->chain_sites; }},
+         {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
+          [](auto& row) { return row.overlap->jammed; }}}}});
   return kTable;
 }
 
@@ -174,12 +153,12 @@ const TableOf<measure::StressCell>& stress_table() {
   constexpr std::string_view kUnit = "grain weights/spacing";
   static const TableOf<Cell> kTable(
       {.name = "stress", .kind = TableInfo::Kind::parts},
-      {{kCellX, [](auto& cell) { return cell.centre.x(); }},
-       {kCellY, [](auto& cell) { return cell.centre.y(); }},
-       {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
-       {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
-       {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
-       {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}});
+      {{{},
+        {{kCellCentre, &Cell::centre},
+         {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
+         {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
+         {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
+         {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}}}});
   return kTable;
 }
 
@@ -354,10 +333,14 @@ void ForceTables::add_overlaps(const StageView& now, const ForceRecord& record) 
   }
   const auto summary = measure::force_summary(state, now.model.grains().occupancy(), overlaps);
   for (const measure::WallForce& wall : summary.walls) {
-    walls_.add({.wall = now.scene.walls[wall.wall].name,
-                .overlap = &wall,
-                .depth = measure::penetration(state, state.walls[wall.wall],
-                                              now.history.profile_at_start)});
+    WallRow row = {
+        .wall = now.scene.walls[wall.wall].name,
+        .overlap = &wall,
+        .depth = measure::penetration(state, state.walls[wall.wall], now.history.profile_at_start)};
+    if (wall.stalled_since) {
+      row.stalled_since = static_cast<double>(*wall.stalled_since);
+    }
+    walls_.add(row);
   }
 }
 

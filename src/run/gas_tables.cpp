@@ -96,16 +96,15 @@ struct GasRow {
 
 const TableOf<GasRow, GasScene>& gas_series_table() {
   static const TableOf<GasRow, GasScene> kTable = [] {
-    std::vector<Column<GasRow, GasScene>> columns = {
-        {kRestitution, [](auto& row) { return row.gases.restitution; }, kWithList},
-        {kGasTime, &GasRow::time}};
+    std::vector<Columns<GasRow, GasScene>> columns = {
+        {kWithList, {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
+        {{}, {{kGasTime, &GasRow::time}}}};
     for (const GasValue& value : gas_values()) {
-      columns.emplace_back(
-          value.quantity, [&value](auto& row) { return estimate(row.gases, row.place, value); },
-          value.where);
+      columns.push_back({value.where, {{value.quantity, [&value](auto& row) {
+                                          return estimate(row.gases, row.place, value);
+                                        }}}});
     }
-    return TableOf<GasRow, GasScene>({.name = "series", .kind = TableInfo::Kind::whole},
-                                     std::move(columns));
+    return TableOf<GasRow, GasScene>({.name = "series", .kind = TableInfo::Kind::whole}, columns);
   }();
   return kTable;
 }
@@ -122,13 +121,14 @@ struct GasBin {
 const TableOf<GasBin, GasScene>& gas_histogram_table() {
   static const TableOf<GasBin, GasScene> kTable(
       {.name = "histogram", .kind = TableInfo::Kind::parts},
-      {{kRestitution, &GasBin::restitution, kWithList},
-       {{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
-       {{"lower", "Lower end of the bin", "", "of X = v²/T_tr or w²/T_rot at the time"},
-        &GasBin::lower},
-       {{"upper", "Upper end of the bin", "", "none for the last"}, &GasBin::upper},
-       {{"share", "Share of the particles", "", ""}, &GasBin::share},
-       {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}});
+      {{kWithList, {{kRestitution, &GasBin::restitution}}},
+       {{},
+        {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
+         {{"lower", "Lower end of the bin", "", "of X = v²/T_tr or w²/T_rot at the time"},
+          &GasBin::lower},
+         {{"upper", "Upper end of the bin", "", "none for the last"}, &GasBin::upper},
+         {{"share", "Share of the particles", "", ""}, &GasBin::share},
+         {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}}}});
   return kTable;
 }
 
@@ -145,13 +145,13 @@ struct GasClosure {
 const TableOf<GasClosure, GasScene>& gas_closure_table() {
   static const TableOf<GasClosure, GasScene> kTable(
       {.name = "closure", .kind = TableInfo::Kind::whole},
-      {{kRestitution, &GasClosure::restitution, kWithList},
-       {kGasTime, &GasClosure::time},
-       {kTranslational, &GasClosure::translational},
-       {kRotational, &GasClosure::rotational, kWithoutShear},
-       {kPressureXx, &GasClosure::p_xx, kWithShear},
-       {kPressureYy, &GasClosure::p_yy, kWithShear},
-       {kShearStress, &GasClosure::p_xy, kWithShear}});
+      {{kWithList, {{kRestitution, &GasClosure::restitution}}},
+       {{}, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
+       {kWithoutShear, {{kRotational, &GasClosure::rotational}}},
+       {kWithShear,
+        {{kPressureXx, &GasClosure::p_xx},
+         {kPressureYy, &GasClosure::p_yy},
+         {kShearStress, &GasClosure::p_xy}}}});
   return kTable;
 }
 

@@ -72,10 +72,14 @@ struct SavedColumns {
   template <class T>
   void read(const std::string& path, T& value, const grains::State& now) const {
     reflection::decode(path, columns, max_bytes, value);
+    bool fits = true;
     if constexpr (requires { value.precedes(now); }) {
-      if (!value.precedes(now)) {
-        throw reflection::Mismatch(path + " is not of this run");
-      }
+      fits = value.precedes(now);
+    } else if constexpr (requires { value->precedes(now); }) {
+      fits = !value || value->precedes(now);
+    }
+    if (!fits) {
+      throw reflection::Mismatch(path + " is not of this run");
     }
   }
 };

@@ -55,8 +55,9 @@ const Quantity* find_quantity(std::string_view key) {
     if (of_each != table->of_each.end()) {
       return &of_each->first;
     }
-    const auto column = std::ranges::find_if(
-        table->columns, [&](const ColumnInfo& one) { return one.quantity.key == whole; });
+    const auto column = std::ranges::find_if(table->columns, [&](const ColumnInfo& one) {
+      return std::ranges::count(one.names(), whole) > 0;
+    });
     if (column != table->columns.end()) {
       return &column->quantity;
     }

@@ -1,9 +1,11 @@
-// series.csv: the time series of a run.
+// series.csv and probes.csv: the time series of a run, and what the probes of the scene see.
 
 #include <algorithm>
+#include <iterator>
 
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
+#include "clca/measure/probe.hpp"
 #include "run/energy_record.hpp"
 #include "run/outlet_counts.hpp"
 #include "run/quantities.hpp"
@@ -71,47 +73,45 @@ const TableOf<SeriesRow>& series_table() {
                    {{"discharged", "Particles discharged", "particles",
                      "those of a species; with several species"},
                     "OUTLET.SPECIES"}}},
-      {{kStep, [](auto& row) { return row.state().step; }},
-       {kStage, [](auto& row) { return row.now.stage.name; }},
-       {{"particles", "Particles", "particles", "in the box"},
-        [](auto& row) { return grains::present_count(row.state()); }},
-       {{"moving", "Moving", "particles",
-         "that moved by themselves or were pushed out of an overlap in this step, those removed at "
-         "its end included; not those that a rigid wall carries"},
-        [](auto& row) { return row.now.moving; }},
-       {{"moving_share", "Share moving", "", "of the particles, in this step"},
-        [](auto& row) { return moving_share(row.now); }},
-       {{"mean_height", "Mean height of the particles", "spacings",
-         "of their centres, weighted by sites"},
-        [](auto& row) { return mean_height(row.state()); }},
-       {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
-        [](auto& row) { return measure::discharge(row.state()).particles; }},
-       {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
-        [](auto& row) { return measure::discharge(row.state()).sites; }},
-       {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
-        [](auto& row) { return row.energy->kinetic; },
-        kContactModel},
-       {{"potential_energy", "Potential energy", kEnergyUnit, ""},
-        [](auto& row) { return row.energy->potential; },
-        kContactModel},
-       {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-        [](auto& row) { return row.record->dissipated(*row.energy); },
-        kContactModel},
-       {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
-        [](auto& row) { return row.record->exchanged().sources; },
-        {"with `model: contact` and sources", has_sources}},
-       {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
-        [](auto& row) { return row.record->exchanged().outlets; },
-        {"with `model: contact` and outlets", has_outlets}},
-       {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
-        [](auto& row) { return row.record->exchanged().walls; },
-        {"with `model: contact` and walls that move", has_moving_walls}},
-       {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
-        [](auto& row) { return row.record->exchanged().vessel; },
-        {"with a vessel in some stage", has_vessel}},
-       {kVesselAngle,
-        [](auto& row) { return contact::degrees(row.now.model.vessel().angle); },
-        {"with a vessel in some stage", has_vessel}}});
+      {{{},
+        {{kStep, [](auto& row) { return row.state().step; }},
+         {kStage, [](auto& row) { return row.now.stage.name; }},
+         {{"particles", "Particles", "particles", "in the box"},
+          [](auto& row) { return grains::present_count(row.state()); }},
+         {{"moving", "Moving", "particles",
+           "that moved by themselves or were pushed out of an overlap in this step, those removed "
+           "at its end included; not those that a rigid wall carries"},
+          [](auto& row) { return row.now.moving; }},
+         {{"moving_share", "Share moving", "", "of the particles, in this step"},
+          [](auto& row) { return moving_share(row.now); }},
+         {{"mean_height", "Mean height of the particles", "spacings",
+           "of their centres, weighted by sites"},
+          [](auto& row) { return mean_height(row.state()); }},
+         {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
+          [](auto& row) { return measure::discharge(row.state()).particles; }},
+         {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
+          [](auto& row) { return measure::discharge(row.state()).sites; }}}},
+       {kContactModel,
+        {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
+          [](auto& row) { return row.energy->kinetic; }},
+         {{"potential_energy", "Potential energy", kEnergyUnit, ""},
+          [](auto& row) { return row.energy->potential; }},
+         {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->dissipated(*row.energy); }}}},
+       {{"with `model: contact` and sources", has_sources},
+        {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().sources; }}}},
+       {{"with `model: contact` and outlets", has_outlets},
+        {{{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().outlets; }}}},
+       {{"with `model: contact` and walls that move", has_moving_walls},
+        {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().walls; }}}},
+       {{"with a vessel in some stage", has_vessel},
+        {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().vessel; }},
+         {kVesselAngle,
+          [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}});
   return kTable;
 }
 
@@ -168,45 +168,145 @@ std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& m
   return cells;
 }
 
-/// A row at the steps that are due and at the begin and end of stages, one for each step.
+struct ProbeRow {
+  const StageView& now;
+  const scene::Probe& probe;
+  double filling;
+  std::uint64_t particles = 0;
+  std::optional<Eigen::Vector2d> velocity = {};
+  std::optional<double> fluctuation = {};
+  std::optional<double> flow = {};
+};
+
+const TableOf<ProbeRow>& probes_table() {
+  static const TableOf<ProbeRow> kTable(
+      {.name = "probes"},
+      {{{},
+        {{kStep, [](auto& row) { return row.now.model.state().step; }},
+         {kStage, [](auto& row) { return row.now.stage.name; }},
+         {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
+         {{"filling", "Filling", "",
+           "share of its sites that particles cover, of those without wall"},
+          &ProbeRow::filling},
+         {{"particles", "Particles", "particles", "that the next three are over"},
+          &ProbeRow::particles},
+         {kVelocity, &ProbeRow::velocity},
+         {kFluctuation, &ProbeRow::fluctuation},
+         {{"flow", "Flow", "sites/step",
+           "since the last row, of the particles whose centre has passed the horizontal middle "
+           "line of the probe downwards, less those that have passed it upwards"},
+          &ProbeRow::flow}}}});
+  return kTable;
+}
+
+/// Of the automaton, motion is over the steps since the last row, of the particles that were in the
+/// probe then; of the contact model, it is that at the row.
+class Probes {
+ public:
+  explicit Probes(const scene::Scene& scene) : table_(scene, probes_table()) {}
+
+  /// Adds a row for each probe.
+  void add(const StageView& now);
+  TableWriter<ProbeRow>& table() { return table_; }
+  /// At the last row.
+  std::optional<measure::Snapshot>& last() { return last_; }
+
+ private:
+  std::optional<measure::Snapshot> last_;
+  TableWriter<ProbeRow> table_;
+};
+
+void Probes::add(const StageView& now) {
+  const grains::State& state = now.model.state();
+  const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
+  const double speed = velocity_unit(now.scene);
+  std::vector<measure::Displacement> displacements;
+  if (is_contact(now.scene)) {
+    displacements = measure::displacements_in_step(state, now.model.velocities());
+  } else if (last_) {
+    displacements = last_->displacements(state);
+  }
+  const std::vector<scene::Probe>& probes = now.scene.probes;
+  std::vector<lattice::Rectangle> regions;
+  std::transform(probes.begin(), probes.end(), std::back_inserter(regions),
+                 [](const scene::Probe& probe) { return probe.region; });
+  const std::vector<double> fillings = measure::fillings(state, regions);
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    ProbeRow row = {now, probes[i], fillings[i]};
+    if (const auto motion =
+            measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
+      row.particles = motion->particles;
+      row.velocity = motion->velocity * speed;
+      row.fluctuation = motion->fluctuation * speed * speed;
+    }
+    if (last_) {
+      row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
+    }
+    table_.add(row);
+  }
+  last_.emplace(state);
+}
+
+/// Rows at the steps that are due and at the begin and end of stages, one for each step.
 class Series : public Observer {
  public:
-  explicit Series(const scene::Scene& scene)
-      : table_(scene, series_table(), names_of_each(scene)) {}
-
-  void begin_stage(const StageView& now) override { add_row(now); }
-  void after_step(const StageView& now) override {
-    if (now.model.state().step % now.scene.output.series->every == 0) {
-      add_row(now);
+  explicit Series(const scene::Scene& scene) : table_(scene, series_table(), names_of_each(scene)) {
+    if (!scene.probes.empty()) {
+      probes_.emplace(scene);
     }
   }
-  void end_stage(const StageView& now) override { add_row(now); }
-  void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
+
+  void begin_stage(const StageView& now) override { add_rows(now); }
+  void after_step(const StageView& now) override {
+    if (now.model.state().step % now.scene.output.series->every == 0) {
+      add_rows(now);
+    }
+  }
+  void end_stage(const StageView& now) override { add_rows(now); }
+  void save(reflection::Columns& columns) override {
+    reflection::encode(kPath, last_, columns);
+    if (probes_) {
+      reflection::encode(kProbesPath, probes_->last(), columns);
+    }
+  }
   void load(const SavedColumns& saved, const StageView& now) override {
     saved.read(kPath, last_, now.model.state());
+    if (probes_) {
+      saved.read(kProbesPath, probes_->last(), now.model.state());
+    }
   }
-  std::vector<RunTable*> tables() override { return {&table_}; }
+  std::vector<RunTable*> tables() override {
+    return probes_ ? std::vector<RunTable*>{&table_, &probes_->table()}
+                   : std::vector<RunTable*>{&table_};
+  }
 
  private:
   static constexpr const char* kPath = "outputs/series_step";
+  static constexpr const char* kProbesPath = "outputs/probes";
 
-  void add_row(const StageView& now) {
-    if (last_ != now.model.state().step) {
-      last_ = now.model.state().step;
-      table_.add({now, now.model.energy(), now.observers.find<EnergyRecord>()},
-                 cells_of_each(now.scene, now.model));
+  void add_rows(const StageView& now) {
+    if (last_ == now.model.state().step) {
+      return;
+    }
+    last_ = now.model.state().step;
+    table_.add({now, now.model.energy(), now.observers.find<EnergyRecord>()},
+               cells_of_each(now.scene, now.model));
+    if (probes_) {
+      probes_->add(now);
     }
   }
 
   std::optional<std::uint64_t> last_;  // step that has a row
   TableWriter<SeriesRow> table_;
+  std::optional<Probes> probes_;
 };
 
 }  // namespace
 
 ObserverKind series_observer() {
   return observer_kind<Series>(
-      [](const scene::Scene& scene) { return scene.output.series.has_value(); }, {&series_table()});
+      [](const scene::Scene& scene) { return scene.output.series.has_value(); },
+      {&series_table(), &probes_table()});
 }
 
 }  // namespace clca::run

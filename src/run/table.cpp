@@ -29,6 +29,20 @@ void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean) {
   cells.emplace_back(mean.standard_error);
 }
 
+void add_cell(std::vector<store::Cell>& cells, const std::optional<Eigen::Vector2d>& vector) {
+  for (const Eigen::Index axis : {0, 1}) {
+    add_cell(cells, vector ? std::optional((*vector)[axis]) : std::nullopt);
+  }
+}
+
+std::vector<std::string> ColumnInfo::names() const {
+  std::vector<std::string> names;
+  for (const std::string_view ending : endings) {
+    names.push_back(std::string(quantity.key).append(ending));
+  }
+  return names;
+}
+
 TableScope table_scope(const scene::Scene& scene) {
   TableScope scope = {.parts = {}, .conversion = scene::conversion(scene)};
   for (const scene::Stage& stage : scene.stages) {
@@ -36,9 +50,6 @@ TableScope table_scope(const scene::Scene& scene) {
   }
   return scope;
 }
-
-RunTable::RunTable(const TableInfo& info, TableScope scope, const std::vector<std::string>& names)
-    : info_(info), scope_(std::move(scope)), table_(names) {}
 
 std::vector<PlannedFile> RunTable::files() const {
   const std::string name(info_.name);

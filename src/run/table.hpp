@@ -1,6 +1,7 @@
 #pragma once
 // Tables of a run: columns that say what they are, and files for their rows.
 
+#include <Eigen/Core>
 #include <concepts>
 #include <cstdint>
 #include <functional>
@@ -37,44 +38,56 @@ inline constexpr Condition kContactModel = {"with `model: contact`", is_contact}
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
 inline constexpr Quantity kTime = {"time", "Time", "time", "of the whole run"};
 inline constexpr Quantity kStage = {"stage", "Stage", "", "its name"};
-inline constexpr Quantity kCellX = {"x", "x", "spacings", "of the centre of the cell"};
-inline constexpr Quantity kCellY = {"y", "y", "spacings", "of the centre of the cell"};
+inline constexpr Quantity kCellCentre = {"", "Place", "spacings", "of the centre of the cell"};
+inline constexpr Quantity kVelocity = {"v", "Velocity", "spacings/step",
+                                       "of the particles, mean, weighted by sites"};
 inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations",
                                           "(spacings/step)²", "½⟨|v - ⟨v⟩|²⟩, weighted by sites"};
 
 /// The unit of velocities in tables: a lattice spacing per step in it.
 double velocity_unit(const scene::Scene& scene);
 
-// How values of rows are written. A mean takes two columns, KEY and KEY_se, its standard error.
+/// What a column is, of any run.
+struct ColumnInfo {
+  Quantity quantity;
+  std::string_view where;                 ///< as ConditionOn::text
+  std::vector<std::string_view> endings;  ///< columns KEY + ending: one, or two as below
+
+  std::vector<std::string> names() const;
+};
+
+// How values are written. Two columns: a mean, KEY and KEY_se (its standard error), and a vector,
+// KEYx and KEYy.
+template <class Value>
+std::vector<std::string_view> column_endings() {
+  if constexpr (std::is_same_v<Value, statistics::Sample>) {
+    return {"", "_se"};
+  } else if constexpr (std::is_same_v<Value, Eigen::Vector2d> ||
+                       std::is_same_v<Value, std::optional<Eigen::Vector2d>>) {
+    return {"x", "y"};
+  } else {
+    return {""};
+  }
+}
 void add_cell(std::vector<store::Cell>& cells, const std::optional<double>& value);
 void add_cell(std::vector<store::Cell>& cells, const std::string& text);
 void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean);
+void add_cell(std::vector<store::Cell>& cells, const std::optional<Eigen::Vector2d>& vector);
 void add_cell(std::vector<store::Cell>& cells, std::integral auto number) {
   cells.emplace_back(static_cast<std::uint64_t>(number));
 }
 
-/// What a column is, of any run.
-struct ColumnInfo {
-  Quantity quantity;
-  std::string_view where;  ///< as ConditionOn::text
-  bool has_error = false;  ///< also a column KEY_se
-};
-
 /// A column and what takes its value from what a row is made of: a member or a function.
-template <class Row, class Scene = scene::Scene>
+template <class Row>
 struct Column {
   template <class Value>
-  Column(const Quantity& quantity, Value value, const ConditionOn<Scene>& condition = {})
-      : info{quantity, condition.text,
-             std::is_same_v<std::decay_t<std::invoke_result_t<Value, const Row&>>,
-                            statistics::Sample>},
-        holds(condition.holds),
+  Column(const Quantity& quantity, Value value)
+      : info{quantity, "", column_endings<std::decay_t<std::invoke_result_t<Value, const Row&>>>()},
         add([value](std::vector<store::Cell>& cells, const Row& row) {
           add_cell(cells, std::invoke(value, row));
         }) {}
 
   ColumnInfo info;
-  bool (*holds)(const Scene& scene);
   std::function<void(std::vector<store::Cell>&, const Row&)> add;
 };
 
@@ -94,20 +107,30 @@ struct TableInfo {
   std::vector<ColumnInfo> columns = {};
 };
 
+/// Columns that are there for some scenes.
+template <class Row, class Scene = scene::Scene>
+struct Columns {
+  ConditionOn<Scene> where;
+  std::vector<Column<Row>> columns;
+};
+
 /// The same with the values of its columns.
 template <class Row, class Scene = scene::Scene>
 struct TableOf : TableInfo {
-  TableOf(const TableInfo& info, std::vector<Column<Row, Scene>> all)
-      : TableInfo(info), values(std::move(all)) {
-    for (const auto& column : values) {
-      columns.push_back(column.info);
-      if (column.info.quantity.key == kStep.key) {
-        columns.push_back({kTime, kContactModel.text});
+  TableOf(const TableInfo& info, std::vector<Columns<Row, Scene>> all)
+      : TableInfo(info), groups(std::move(all)) {
+    for (auto& group : groups) {
+      for (Column<Row>& column : group.columns) {
+        column.info.where = group.where.text;
+        columns.push_back(column.info);
+        if (column.info.quantity.key == kStep.key) {
+          columns.push_back({kTime, kContactModel.text, {""}});
+        }
       }
     }
   }
 
-  std::vector<Column<Row, Scene>> values;
+  std::vector<Columns<Row, Scene>> groups;
 };
 
 /// What the tables of a run have in common.
@@ -135,15 +158,16 @@ class RunTable {
   void write(const store::OutputFolder& folder, const std::string& part = "");
 
  protected:
-  RunTable(const TableInfo& info, TableScope scope, const std::vector<std::string>& names);
+  RunTable(const TableInfo& info, TableScope scope) : info_(info), scope_(std::move(scope)) {}
 
   const TableScope& scope() const { return scope_; }
+  void set_columns(const std::vector<std::string>& names) { table_ = store::Table(names); }
   void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
 
  private:
   const TableInfo& info_;
   TableScope scope_;
-  store::Table table_;
+  store::Table table_{{}};
   std::uint64_t bytes_ = 0;
   std::optional<store::GrowingFile> file_;
 };
@@ -154,16 +178,36 @@ class TableWriter : public RunTable {
   /// `more`: names of the columns of_each. `table` outlives this.
   TableWriter(const Scene& scene, const TableOf<Row, Scene>& table,
               const std::vector<std::string>& more = {})
-      : TableWriter(table_scope(scene), scene, table, more) {}
+      : RunTable(table, table_scope(scene)) {
+    std::vector<std::string> names;
+    for (const auto& group : table.groups) {
+      if (group.where.holds != nullptr && !group.where.holds(scene)) {
+        continue;
+      }
+      for (const Column<Row>& column : group.columns) {
+        columns_.push_back(&column);
+        for (const std::string& name : column.info.names()) {
+          names.push_back(name);
+        }
+        if (is_mean(column) && !scope().has_errors) {
+          names.pop_back();
+        } else if (has_time(column)) {
+          names.emplace_back(kTime.key);
+        }
+      }
+    }
+    names.insert(names.end(), more.begin(), more.end());
+    set_columns(names);
+  }
 
   /// `more`: cells of the columns of_each.
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
-    for (const auto* column : columns_) {
+    for (const Column<Row>* column : columns_) {
       column->add(cells, row);
-      if (column->info.has_error && !scope().has_errors) {
+      if (is_mean(*column) && !scope().has_errors) {
         cells.pop_back();
-      } else if (has_time(*column, scope())) {
+      } else if (has_time(*column)) {
         cells.emplace_back(scope().conversion->time(std::get<std::uint64_t>(cells.back())));
       }
     }
@@ -172,41 +216,12 @@ class TableWriter : public RunTable {
   }
 
  private:
-  using Columns = std::vector<const Column<Row, Scene>*>;
-
-  TableWriter(const TableScope& scope, const Scene& scene, const TableOf<Row, Scene>& table,
-              const std::vector<std::string>& more)
-      : RunTable(table, scope, names(scope, columns_of(scene, table), more)),
-        columns_(columns_of(scene, table)) {}
-
-  static bool has_time(const Column<Row, Scene>& column, const TableScope& scope) {
-    return scope.conversion && column.info.quantity.key == kStep.key;
-  }
-  static Columns columns_of(const Scene& scene, const TableOf<Row, Scene>& table) {
-    Columns columns;
-    for (const auto& column : table.values) {
-      if (column.holds == nullptr || column.holds(scene)) {
-        columns.push_back(&column);
-      }
-    }
-    return columns;
-  }
-  static std::vector<std::string> names(const TableScope& scope, const Columns& columns,
-                                        const std::vector<std::string>& more) {
-    std::vector<std::string> names;
-    for (const auto* column : columns) {
-      names.emplace_back(column->info.quantity.key);
-      if (column->info.has_error && scope.has_errors) {
-        names.push_back(names.back() + "_se");
-      } else if (has_time(*column, scope)) {
-        names.emplace_back(kTime.key);
-      }
-    }
-    names.insert(names.end(), more.begin(), more.end());
-    return names;
+  static bool is_mean(const Column<Row>& column) { return column.info.endings.back() == "_se"; }
+  bool has_time(const Column<Row>& column) const {
+    return scope().conversion && column.info.quantity.key == kStep.key;
   }
 
-  Columns columns_;  // those that the scene has
+  std::vector<const Column<Row>*> columns_;  // those that the scene has
 };
 
 }  // namespace clca::run
