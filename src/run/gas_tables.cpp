@@ -284,6 +284,10 @@ TableScope table_scope(const GasScene& scene) {
   return scope;
 }
 
+std::vector<const TableInfo*> gas_tables() {
+  return {&gas_series_table(), &gas_histogram_table(), &gas_closure_table()};
+}
+
 const std::vector<Quantity>& gas_quantities() {
   static const std::vector<Quantity> kQuantities = [] {
     std::vector<Quantity> all = {kRestitution,

@@ -27,9 +27,6 @@ inline constexpr Quantity kSegregationIndex = {
 inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixing", "",
                                          "0 separated, 1 as random"};
 
-std::vector<QuantityGroup> outflow_quantities();
-std::vector<QuantityGroup> force_quantities();
-
 /// All of a stage, in the order of the documents; those of one measure in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();
 
@@ -38,7 +35,8 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// Why slopes among the measures have no value where it is not plain; one line for each flank.
 std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
 
-/// Of gases.
+// Of gases.
 const std::vector<Quantity>& gas_quantities();
+std::vector<const TableInfo*> gas_tables();
 
 }  // namespace clca::run

@@ -10,6 +10,9 @@
 
 namespace clca::run {
 
+std::vector<QuantityGroup> outflow_quantities();
+std::vector<QuantityGroup> force_quantities();
+
 namespace {
 
 using Values = std::vector<store::MeasureValue>;
