@@ -33,7 +33,8 @@ std::string explained(const std::string& name) {
       throw;
     }
     return fmt::format(
-        "{}: {}{}{}\n  a number in run.json or a column of series.csv; in tables of a sweep\n",
+        "{}: {}{}{}\n  a number in run.json or a column of a table of the run; in tables of a "
+        "sweep\n",
         name, quantity->name,
         quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
         quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));

@@ -17,24 +17,19 @@ bool has_gravity_slope(const scene::Scene& scene) {
 const TableOf<CycleRow>& cycles_table() {
   static const TableOf<CycleRow> kTable(
       {.name = "cycles"},
-      {{{},
-        {{kStage, [](auto& row) { return row.now.stage.name; }},
-         {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
-          &CycleRow::cycle},
-         {kStep, [](auto& row) { return row.now.model.state().step; }},
-         {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
-         {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
-         {kIntruderHeight,
-          [](auto& row) { return measure::intruder_height(row.now.model.state()); }},
-         {kSegregationIndex,
-          [](auto& row) { return measure::segregation_index(row.now.model.state()); }},
-         {kLaceyIndex,
-          [](auto& row) { return measure::lacey_index(row.now.model.state(), row.cell); }}}},
-       {{"with a [vessel](#vessel), not in a periodic box", has_gravity_slope},
+      {{kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
+        &CycleRow::cycle},
+       {kStep, [](auto& row) { return row.state().step; }},
+       {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
+       {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
+       {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
+       {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
+       {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell); }}},
+      {{{"with a [vessel](#vessel), not in a periodic box", has_gravity_slope},
         {{kReposeGravity, [](auto& row) {
             const auto down = contact::gravity_direction(row.now.model.vessel());
-            return measure::repose_angle(measure::surface_profile(row.now.model.state(), down))
-                .mean();
+            return measure::repose_angle(measure::surface_profile(row.state(), down)).mean();
           }}}}});
   return kTable;
 }
@@ -43,11 +38,10 @@ const TableOf<measure::Arrow>& convection_table() {
   using measure::Arrow;
   static const TableOf<Arrow> kTable(
       {.name = "convection", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{kCellCentre, &Arrow::centre},
-         {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
-         {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
-          &Arrow::weight}}}});
+      {{kCellCentre, &Arrow::centre},
+       {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
+       {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
+        &Arrow::weight}});
   return kTable;
 }
 

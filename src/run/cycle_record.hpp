@@ -18,6 +18,8 @@ struct CycleRow {
   std::uint64_t cycle;
   std::vector<double> profile;
   double cell;
+
+  const grains::State& state() const { return now.model.state(); }
 };
 
 class CycleRecord : public SavedObserver<CycleRecord> {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace clca::run {
 
@@ -32,8 +31,7 @@ void EnergyRecord::begin(const scene::Stage& stage, const Model& model) {
 }
 
 void EnergyRecord::after_step(const StageView& now) {
-  add(now.model, now.model.exchange());
-  if (const auto growth = take_warning()) {
+  if (const auto growth = add(now.model, now.model.exchange())) {
     now.log.warning(fmt::format(
         "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
         "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
@@ -43,10 +41,11 @@ void EnergyRecord::after_step(const StageView& now) {
   }
 }
 
-void EnergyRecord::add(const Model& model, const contact::EnergyExchange& exchange) {
+std::optional<EnergyRecord::Growth> EnergyRecord::add(const Model& model,
+                                                      const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
-    return;
+    return std::nullopt;
   }
   const contact::Energy energy = *model.energy();
   const double now = energy.sum() - exchanged_.gained();
@@ -54,21 +53,18 @@ void EnergyRecord::add(const Model& model, const contact::EnergyExchange& exchan
   // On a slope without end the potential energy falls without end, below 0.
   const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
   if (scale <= 0) {
-    return;
+    return std::nullopt;
   }
   growth_ = std::max(growth_, (now - lowest_) / scale);
-  if (!has_warned_ && growth_ > kTolerance && now - lowest_ > lift_) {
-    has_warned_ = true;
-    warning_ = {.scale = scale, .lowest = lowest_, .now = now};
+  if (has_warned_ || growth_ <= kTolerance || now - lowest_ <= lift_) {
+    return std::nullopt;
   }
+  has_warned_ = true;
+  return Growth{.scale = scale, .lowest = lowest_, .now = now};
 }
 
 double EnergyRecord::dissipated(const contact::Energy& now) const {
   return start_ + exchanged_.gained() - now.sum();
-}
-
-std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {
-  return std::exchange(warning_, std::nullopt);
 }
 
 std::optional<double> EnergyRecord::growth() const {

@@ -15,18 +15,6 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   /// Warns of energy that grows.
   void after_step(const StageView& now) override;
 
-  void begin(const scene::Stage& stage, const Model& model);
-  /// `exchange`: of the step.
-  void add(const Model& model, const contact::EnergyExchange& exchange);
-
-  /// Since the start of the stage.
-  const contact::EnergyExchange& exchanged() const { return exchanged_; }
-  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
-  /// the present energy.
-  double dissipated(const contact::Energy& now) const;
-
-  /// A warning if the energy has grown by more than 1 % of the scale, and by more than rest may
-  /// lift: half a spacing a grain, some of them up and some down. Given once per run.
   struct Growth {
     /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
     /// grains by a lattice spacing.
@@ -34,7 +22,18 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
     double lowest = 0;  ///< of the stage
     double now = 0;
   };
-  std::optional<Growth> take_warning();
+  void begin(const scene::Stage& stage, const Model& model);
+  /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
+  /// than 1 % of the scale, and by more than rest may lift: half a spacing a grain, some of them up
+  /// and some down.
+  std::optional<Growth> add(const Model& model, const contact::EnergyExchange& exchange);
+
+  /// Since the start of the stage.
+  const contact::EnergyExchange& exchanged() const { return exchanged_; }
+  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
+  /// the present energy.
+  double dissipated(const contact::Energy& now) const;
+
   /// Largest rise above an earlier minimum, relative to the scale. None if sources, walls or the
   /// vessel did work.
   std::optional<double> growth() const;
@@ -60,7 +59,6 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   double lowest_ = 0;
   double growth_ = 0;
   bool has_warned_ = false;
-  std::optional<Growth> warning_;
 };
 
 }  // namespace clca::run

@@ -22,17 +22,16 @@ struct FieldRow {
 const TableOf<FieldRow>& fields_table() {
   static const TableOf<FieldRow> kTable(
       {.name = "fields"},
-      {{{},
-        {{kStage, [](auto& row) { return row.now.stage.name; }},
-         {kStep, [](auto& row) { return row.now.model.state().step; }},
-         {kCellCentre, [](auto& row) { return row.cell.centre; }},
-         {{"packing", "Packing", "",
-           "share of its sites that particles take at the end of the window"},
-          [](auto& row) { return row.cell.packing; }},
-         {{"particles", "Particles", "particles", "that began the window in the cell"},
-          [](auto& row) { return row.cell.particles; }},
-         {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
-         {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}}}});
+      {{kStage, [](auto& row) { return row.now.stage.name; }},
+       {kStep, [](auto& row) { return row.now.model.state().step; }},
+       {kCellCentre, [](auto& row) { return row.cell.centre; }},
+       {{"packing", "Packing", "",
+         "share of its sites that particles take at the end of the window"},
+        [](auto& row) { return row.cell.packing; }},
+       {{"particles", "Particles", "particles", "that began the window in the cell"},
+        [](auto& row) { return row.cell.particles; }},
+       {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
+       {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}});
   return kTable;
 }
 
@@ -47,15 +46,13 @@ struct EnergyBin {
 const TableOf<EnergyBin>& fluctuation_table() {
   static const TableOf<EnergyBin> kTable(
       {.name = "fluctuation", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
-          &EnergyBin::lower},
-         {{"upper", "Upper end of the bin", "", "none for the last"}, &EnergyBin::upper},
-         {{"share", "Share of the particles", "", "over the mean of the window"},
-          &EnergyBin::share},
-         {{"share_local", "Share of the particles, local", "", "over the mean of the cell"},
-          &EnergyBin::share_local},
-         {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}}}});
+      {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
+        &EnergyBin::lower},
+       {{"upper", "Upper end of the bin", "", "none for the last"}, &EnergyBin::upper},
+       {{"share", "Share of the particles", "", "over the mean of the window"}, &EnergyBin::share},
+       {{"share_local", "Share of the particles, local", "", "over the mean of the cell"},
+        &EnergyBin::share_local},
+       {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}});
   return kTable;
 }
 

@@ -1,4 +1,4 @@
-#include "run/force_measures.hpp"
+// Measures of forces between grains, and of walls that push grains and are stalled.
 
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
 #pragma once
-// Overlaps of a stage, averaged over steps.
+// Overlaps of a stage, averaged over steps; distribution of forces, walls that are stalled.
 
 #include <optional>
 #include <vector>
 
+#include "clca/contact/force.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/force_distribution.hpp"
 #include "run/observer.hpp"
@@ -38,5 +39,12 @@ class ForceRecord : public SavedObserver<ForceRecord> {
   std::optional<scene::Contacts> sampling_;
   measure::ForceAverage average_;
 };
+
+/// Of the normal forces between grains; none without any.
+std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces);
+
+/// One line per stalled wall: since when, its travel, its overlaps.
+std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
+                                     const std::vector<double>& surface_at_start);
 
 }  // namespace clca::run

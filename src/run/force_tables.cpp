@@ -9,7 +9,6 @@
 #include "clca/measure/stress.hpp"
 #include "run/contact_record.hpp"
 #include "run/cycle_record.hpp"
-#include "run/force_measures.hpp"
 #include "run/force_record.hpp"
 
 namespace clca::run {
@@ -20,6 +19,7 @@ using Forces = std::vector<contact::Force>;
 using Overlaps = std::vector<measure::OverlapContact>;
 
 constexpr Condition kOverlap = {"with `passive: overlap`", has_overlaps};
+
 /// A pair of bodies, the second of which may be a wall.
 struct ContactRow {
   std::uint64_t first = 0;
@@ -35,16 +35,15 @@ struct ContactRow {
 const TableOf<ContactRow>& contacts_table() {
   static const TableOf<ContactRow> kTable(
       {.name = "contacts", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
-          &ContactRow::first},
-         {{"second", "Second body", "",
-           "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
-          &ContactRow::second},
-         {{"", "Place", "spacings",
-           "of the contact: on the side of the box, else on discs of the particles’ areas"},
-          &ContactRow::point}}},
-       {kContactModel,
+      {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
+        &ContactRow::first},
+       {{"second", "Second body", "",
+         "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
+        &ContactRow::second},
+       {{"", "Place", "spacings",
+         "of the contact: on the side of the box, else on discs of the particles’ areas"},
+        &ContactRow::point}},
+      {{kContactModel,
         {{{"normal_", "Normal", "", "towards the first"},
           [](auto& row) { return row.force->normal; }},
          {{"normal_force", "Normal force", "grain weights", ""},
@@ -68,14 +67,13 @@ const TableOf<measure::ForceBin>& forces_table() {
   using Bin = measure::ForceBin;
   static const TableOf<Bin> kTable(
       {.name = "forces", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"low", "Lower end of the bin", "",
-           "of the index of force in sites; of the contact model of normal forces between grains, "
-           "in grain weights"},
-          &Bin::low},
-         {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
-         {{"count", "Contacts", "", "in the bin"}, &Bin::count},
-         {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}}}});
+      {{{"low", "Lower end of the bin", "",
+         "of the index of force in sites; of the contact model of normal forces between grains, "
+         "in grain weights"},
+        &Bin::low},
+       {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
+       {{"count", "Contacts", "", "in the bin"}, &Bin::count},
+       {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}});
   return kTable;
 }
 
@@ -91,12 +89,11 @@ struct LoadRow {
 const TableOf<LoadRow>& loads_table() {
   static const TableOf<LoadRow> kTable(
       {.name = "loads", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
-          &LoadRow::id},
-         {{"species", "Species", "", "its name"}, &LoadRow::species},
-         {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}}},
-       {kContactModel,
+      {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
+        &LoadRow::id},
+       {{"species", "Species", "", "its name"}, &LoadRow::species},
+       {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}},
+      {{kContactModel,
         {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
          {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
           &LoadRow::load},
@@ -121,12 +118,11 @@ struct WallRow {
 const TableOf<WallRow>& walls_table() {
   static const TableOf<WallRow> kTable(
       {.name = "walls", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"wall", "Wall", "",
-           "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
-           "else of those that move"},
-          &WallRow::wall}}},
-       {kContactModel,
+      {{{"wall", "Wall", "",
+         "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
+         "else of those that move"},
+        &WallRow::wall}},
+      {{kContactModel,
         {{{"contacts", "Contacts", "", ""}, &WallRow::contacts},
          {{"force_", "Force on the wall", "grain weights", ""}, &WallRow::force}}},
        {kOverlap,
@@ -153,12 +149,11 @@ const TableOf<measure::StressCell>& stress_table() {
   constexpr std::string_view kUnit = "grain weights/spacing";
   static const TableOf<Cell> kTable(
       {.name = "stress", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{kCellCentre, &Cell::centre},
-         {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
-         {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
-         {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
-         {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}}}});
+      {{kCellCentre, &Cell::centre},
+       {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
+       {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
+       {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
+       {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}});
   return kTable;
 }
 

@@ -104,7 +104,8 @@ const TableOf<GasRow, GasScene>& gas_series_table() {
                                           return estimate(row.gases, row.place, value);
                                         }}}});
     }
-    return TableOf<GasRow, GasScene>({.name = "series", .kind = TableInfo::Kind::whole}, columns);
+    return TableOf<GasRow, GasScene>({.name = "series", .kind = TableInfo::Kind::whole}, {},
+                                     columns);
   }();
   return kTable;
 }
@@ -120,7 +121,7 @@ struct GasBin {
 
 const TableOf<GasBin, GasScene>& gas_histogram_table() {
   static const TableOf<GasBin, GasScene> kTable(
-      {.name = "histogram", .kind = TableInfo::Kind::parts},
+      {.name = "histogram", .kind = TableInfo::Kind::parts}, {},
       {{kWithList, {{kRestitution, &GasBin::restitution}}},
        {{},
         {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
@@ -144,7 +145,7 @@ struct GasClosure {
 
 const TableOf<GasClosure, GasScene>& gas_closure_table() {
   static const TableOf<GasClosure, GasScene> kTable(
-      {.name = "closure", .kind = TableInfo::Kind::whole},
+      {.name = "closure", .kind = TableInfo::Kind::whole}, {},
       {{kWithList, {{kRestitution, &GasClosure::restitution}}},
        {{}, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
        {kWithoutShear, {{kRotational, &GasClosure::rotational}}},
@@ -159,85 +160,34 @@ std::string time_name(double time) {
   return fmt::format("{}", time);
 }
 
-class GasTables {
- public:
-  explicit GasTables(const GasScene& scene) : scene_(scene) {}
+using Series = TableWriter<GasRow, GasScene>;
+using Histogram = TableWriter<GasBin, GasScene>;
+using Closure = TableWriter<GasClosure, GasScene>;
 
-  std::vector<PlannedFile> files() const {
-    std::vector<PlannedFile> files = histogram_.files();
-    files.push_back(series_.files().front());
-    files.push_back(closure_.files().front());
-    return files;
-  }
-  void write(const store::OutputFolder& folder, const std::vector<GasCase>& cases);
-
- private:
-  void add_bins(const GasCase& one, std::size_t place, const char* energy,
-                std::vector<double> boltzmann::EnergyShares::*kind);
-  void add_cooling(const GasCase& one);
-  void add_steady_flow(const GasCase& one);
-
-  const GasScene& scene_;
-  std::vector<GasTime> times_ = gas_times(scene_);
-  TableWriter<GasRow, GasScene> series_{scene_, gas_series_table()};
-  TableWriter<GasBin, GasScene> histogram_{scene_, gas_histogram_table()};
-  TableWriter<GasClosure, GasScene> closure_{scene_, gas_closure_table()};
-};
-
-void GasTables::write(const store::OutputFolder& folder, const std::vector<GasCase>& cases) {
-  for (const GasCase& one : cases) {
-    for (std::size_t i = 0; i < one.observations(); ++i) {
-      if (times_[i].in_series) {
-        series_.add({one, i, times_[i].time});
-      }
-    }
-  }
-  series_.write(folder);
-  for (std::size_t i = 0; i < times_.size(); ++i) {
-    const auto has_reached = [i](const GasCase& one) { return i < one.observations(); };
-    if (times_[i].in_histograms && std::any_of(cases.begin(), cases.end(), has_reached)) {
-      for (const GasCase& one : cases) {
-        if (has_reached(one)) {
-          add_bins(one, i, "translational", &boltzmann::EnergyShares::translational);
-          add_bins(one, i, "rotational", &boltzmann::EnergyShares::rotational);
-        }
-      }
-      histogram_.write(folder, time_name(times_[i].time));
-    }
-  }
-  if (scene_.shear_rate == 0 || scene_.friction == 0) {
-    for (const GasCase& one : cases) {
-      scene_.shear_rate == 0 ? add_cooling(one) : add_steady_flow(one);
-    }
-    closure_.write(folder);
-  }
-}
-
-void GasTables::add_bins(const GasCase& one, std::size_t place, const char* energy,
-                         std::vector<double> boltzmann::EnergyShares::*kind) {
-  const statistics::Bins bins = bins_of(scene_);
+void add_bins(Histogram& table, const GasScene& scene, const GasCase& one, std::size_t place,
+              const char* energy, std::vector<double> boltzmann::EnergyShares::*kind) {
+  const statistics::Bins bins = bins_of(scene);
   const std::vector<double> reference = statistics::chi_square_shares(bins, kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
     for (const GasMember* member : one.at(place)) {
       values.push_back((member->observations[place].shares.*kind)[bin]);
     }
-    histogram_.add(
-        {.restitution = one.restitution,
-         .energy = energy,
-         .lower = bins.lower(bin),
-         .upper = std::isinf(bins.upper(bin)) ? std::nullopt : std::optional(bins.upper(bin)),
-         .share = statistics::sample(values),
-         .reference = reference[bin]});
+    table.add({.restitution = one.restitution,
+               .energy = energy,
+               .lower = bins.lower(bin),
+               .upper = std::isinf(bins.upper(bin)) ? std::nullopt : std::optional(bins.upper(bin)),
+               .share = statistics::sample(values),
+               .reference = reference[bin]});
   }
 }
 
 /// Temperatures by the closed forms, at the times of the series.
-void GasTables::add_cooling(const GasCase& one) {
+void add_cooling(Closure& table, const GasScene& scene, const GasCase& one) {
   if (one.observations() == 0) {
     return;
   }
-  const boltzmann::Law law = law_of(scene_, one.restitution);
+  const boltzmann::Law law = law_of(scene, one.restitution);
   std::vector<double> spins;
   for (const GasMember* member : one.at(0)) {
     spins.push_back(member->observations.front().moments.rotational);
@@ -245,11 +195,11 @@ void GasTables::add_cooling(const GasCase& one) {
   const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
   boltzmann::Temperatures now = start;
   double since = 0;
-  for (const GasTime& time : times_) {
+  for (const GasTime& time : gas_times(scene)) {
     now = boltzmann::closure(law, now, time.time - since);
     since = time.time;
     if (time.in_series) {
-      closure_.add(
+      table.add(
           {.restitution = one.restitution,
            .time = time.time,
            .translational = now.translational,
@@ -259,18 +209,18 @@ void GasTables::add_cooling(const GasCase& one) {
 }
 
 /// Steady temperature and stresses of smooth spheres in shear, at the begin and the end.
-void GasTables::add_steady_flow(const GasCase& one) {
+void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& one) {
   if (one.restitution == 1) {
     return;  // heats for ever
   }
-  const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene_.shear_rate);
-  for (const double time : {0.0, scene_.until}) {
-    closure_.add({.restitution = one.restitution,
-                  .time = time,
-                  .translational = flow.temperature,
-                  .p_xx = flow.p_xx,
-                  .p_yy = flow.p_yy,
-                  .p_xy = flow.p_xy});
+  const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+  for (const double time : {0.0, scene.until}) {
+    table.add({.restitution = one.restitution,
+               .time = time,
+               .translational = flow.temperature,
+               .p_xx = flow.p_xx,
+               .p_yy = flow.p_yy,
+               .p_xy = flow.p_xy});
   }
 }
 
@@ -322,12 +272,44 @@ std::vector<const GasMember*> GasCase::at(std::size_t place) const {
 }
 
 std::vector<PlannedFile> gas_files(const GasScene& scene) {
-  return GasTables(scene).files();
+  std::vector<PlannedFile> files = Histogram(scene, gas_histogram_table()).files();
+  files.push_back(Series(scene, gas_series_table()).files().front());
+  files.push_back(Closure(scene, gas_closure_table()).files().front());
+  return files;
 }
 
 void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
-  GasTables(scene).write(folder, cases);
+  const std::vector<GasTime> times = gas_times(scene);
+  Series series(scene, gas_series_table());
+  for (const GasCase& one : cases) {
+    for (std::size_t i = 0; i < one.observations(); ++i) {
+      if (times[i].in_series) {
+        series.add({one, i, times[i].time});
+      }
+    }
+  }
+  series.write(folder);
+  Histogram histogram(scene, gas_histogram_table());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (const GasCase& one : cases) {
+      if (times[i].in_histograms && i < one.observations()) {
+        add_bins(histogram, scene, one, i, "translational",
+                 &boltzmann::EnergyShares::translational);
+        add_bins(histogram, scene, one, i, "rotational", &boltzmann::EnergyShares::rotational);
+      }
+    }
+    if (!histogram.is_empty()) {
+      histogram.write(folder, time_name(times[i].time));
+    }
+  }
+  if (scene.shear_rate == 0 || scene.friction == 0) {
+    Closure closure(scene, gas_closure_table());
+    for (const GasCase& one : cases) {
+      (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, one);
+    }
+    closure.write(folder);
+  }
 }
 
 std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& one) {

@@ -24,25 +24,23 @@ statistics::Sample mean(const measure::LineMean& mean, double unit) {
 const TableOf<LineRow>& lines_table() {
   static const TableOf<LineRow> kTable(
       {.name = "lines", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
-         {{"position", "Position", "spacings",
-           "of the middle of the part, from the start of the line"},
-          [](auto& row) { return row.part.position; }},
-         {{"", "Place", "spacings", "of the middle of the part"},
-          [](auto& row) { return row.part.middle; }},
-         {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
-          [](auto& row) { return mean(row.part.flux, 1); }},
-         {{"v_across", "Velocity across the line", "spacings/step",
-           "mean of what lies on the line"},
-          [](auto& row) { return mean(row.part.across, row.speed); }},
-         {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-          [](auto& row) { return mean(row.part.along, row.speed); }},
-         {{"filling", "Filling", "",
-           "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
-          [](auto& row) { return row.part.filling; }},
-         {{"particles", "Particles", "particles", "whose centre has passed, either way"},
-          [](auto& row) { return row.part.particles; }}}}});
+      {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
+       {{"position", "Position", "spacings",
+         "of the middle of the part, from the start of the line"},
+        [](auto& row) { return row.part.position; }},
+       {{"", "Place", "spacings", "of the middle of the part"},
+        [](auto& row) { return row.part.middle; }},
+       {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
+        [](auto& row) { return mean(row.part.flux, 1); }},
+       {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
+        [](auto& row) { return mean(row.part.across, row.speed); }},
+       {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
+        [](auto& row) { return mean(row.part.along, row.speed); }},
+       {{"filling", "Filling", "",
+         "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
+        [](auto& row) { return row.part.filling; }},
+       {{"particles", "Particles", "particles", "whose centre has passed, either way"},
+        [](auto& row) { return row.part.particles; }}});
   return kTable;
 }
 

@@ -15,17 +15,16 @@ struct MixingRow {
 const TableOf<MixingRow>& mixing_table() {
   static const TableOf<MixingRow> kTable(
       {.name = "mixing", .kind = TableInfo::Kind::parts},
-      {{{},
-        {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
-         {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
-          [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},
-         {{"pairs", "Pairs", "", "that have fallen so far"},
-          [](auto& row) { return row.fallen.pairs; }},
-         {{"kept", "Neighbours kept", "", "share of the pairs that are still neighbours"},
-          [](auto& row) { return row.fallen.kept_share(); }},
-         {{"pair_diffusion", "Diffusion of pairs", "spacings",
-           "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen"},
-          [](auto& row) { return row.fallen.diffusion(); }}}}});
+      {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
+       {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
+        [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},
+       {{"pairs", "Pairs", "", "that have fallen so far"},
+        [](auto& row) { return row.fallen.pairs; }},
+       {{"kept", "Neighbours kept", "", "share of the pairs that are still neighbours"},
+        [](auto& row) { return row.fallen.kept_share(); }},
+       {{"pair_diffusion", "Diffusion of pairs", "spacings",
+         "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen"},
+        [](auto& row) { return row.fallen.diffusion(); }}});
   return kTable;
 }
 

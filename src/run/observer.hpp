@@ -147,14 +147,20 @@ class Observers {
 
   std::vector<PlannedFile> files() const;
   void open(const store::RunFolder& folder, const grains::State& now);
-  void begin_stage(const StageView& now);
+  void begin_stage(const StageView& now) { call(&Observer::begin_stage, now); }
   void after_step(const StageView& now);
   void end_stage(const StageView& now);
   void save(reflection::Columns& columns);
   void load(const SavedColumns& saved, const StageView& now);
-  void finish();
+  void finish() { call(&Observer::finish); }
 
  private:
+  template <class... Parameters, class... Arguments>
+  void call(void (Observer::*function)(Parameters...), Arguments&... arguments) {
+    for (const auto& observer : all_) {
+      (observer.get()->*function)(arguments...);
+    }
+  }
   void write_rows(std::size_t least);
 
   std::vector<std::unique_ptr<Observer>> all_;
@@ -172,16 +178,11 @@ struct QuantityGroup {
   std::vector<store::NamedMeasure> (*apart)(const StageView& stage) = nullptr;
 };
 
-/// What an observer is made for.
-struct ObservedRun {
-  const scene::Scene& scene;
-  const grains::State& state;
-  const RunOptions& options;
-};
-
 struct ObserverKind {
   /// Null if the scene does not need it. Throws SceneRunError.
-  std::function<std::unique_ptr<Observer>(const ObservedRun& run)> make;
+  std::function<std::unique_ptr<Observer>(const scene::Scene& scene, const grains::State& state,
+                                          const RunOptions& options)>
+      make;
   std::vector<const TableInfo*> tables = {};
   std::vector<QuantityGroup> quantities = {};
 };
@@ -191,8 +192,8 @@ template <class T>
 ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
                            std::vector<const TableInfo*> tables = {},
                            std::vector<QuantityGroup> quantities = {}) {
-  return {[wanted](const ObservedRun& run) -> std::unique_ptr<Observer> {
-            return wanted(run.scene) ? std::make_unique<T>(run.scene) : nullptr;
+  return {[wanted](const scene::Scene& scene, const auto&...) -> std::unique_ptr<Observer> {
+            return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
           },
           std::move(tables), std::move(quantities)};
 }
@@ -201,7 +202,8 @@ ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
 const std::vector<ObserverKind>& observer_kinds();
 
 /// Those that the scene needs. Throws SceneRunError for pictures that the driver cannot draw.
-Observers observers_of(const ObservedRun& run);
+Observers observers_of(const scene::Scene& scene, const grains::State& state,
+                       const RunOptions& options);
 
 bool requests(const scene::Scene& scene, scene::Measure measure);
 

@@ -25,10 +25,11 @@ const std::vector<ObserverKind>& observer_kinds() {
   return kAll;
 }
 
-Observers observers_of(const ObservedRun& run) {
+Observers observers_of(const scene::Scene& scene, const grains::State& state,
+                       const RunOptions& options) {
   std::vector<std::unique_ptr<Observer>> all;
   for (const ObserverKind& kind : observer_kinds()) {
-    if (auto observer = kind.make(run)) {
+    if (auto observer = kind.make(scene, state, options)) {
       all.push_back(std::move(observer));
     }
   }
@@ -64,9 +65,7 @@ void Observers::open(const store::RunFolder& folder, const grains::State& now) {
   for (RunTable* table : tables_) {
     table->open(folder.files());
   }
-  for (const auto& observer : all_) {
-    observer->open(folder, now);
-  }
+  call(&Observer::open, folder, now);
 }
 
 void Observers::write_rows(std::size_t least) {
@@ -75,24 +74,14 @@ void Observers::write_rows(std::size_t least) {
   }
 }
 
-void Observers::begin_stage(const StageView& now) {
-  for (const auto& observer : all_) {
-    observer->begin_stage(now);
-  }
-}
-
 void Observers::after_step(const StageView& now) {
   constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at once
-  for (const auto& observer : all_) {
-    observer->after_step(now);
-  }
+  call(&Observer::after_step, now);
   write_rows(kBlock);
 }
 
 void Observers::end_stage(const StageView& now) {
-  for (const auto& observer : all_) {
-    observer->end_stage(now);
-  }
+  call(&Observer::end_stage, now);
   write_rows(0);
 }
 
@@ -111,9 +100,7 @@ void Observers::save(reflection::Columns& columns) {
       reflection::encode(bytes_path(*table), table->bytes(), columns);
     }
   }
-  for (const auto& observer : all_) {
-    observer->save(columns);
-  }
+  call(&Observer::save, columns);
 }
 
 void Observers::load(const SavedColumns& saved, const StageView& now) {
@@ -122,15 +109,7 @@ void Observers::load(const SavedColumns& saved, const StageView& now) {
       saved.read(bytes_path(*table), table->bytes(), now.model.state());
     }
   }
-  for (const auto& observer : all_) {
-    observer->load(saved, now);
-  }
-}
-
-void Observers::finish() {
-  for (const auto& observer : all_) {
-    observer->finish();
-  }
+  call(&Observer::load, saved, now);
 }
 
 }  // namespace clca::run

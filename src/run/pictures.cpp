@@ -14,10 +14,8 @@ namespace {
 class Pictures : public Observer {
  public:
   /// Throws SceneRunError if the driver cannot draw them.
-  explicit Pictures(const ObservedRun& run)
-      : scene_(run.scene),
-        wanted_(run.options.pictures),
-        painter_(run.scene, run.state, run.options.threads) {}
+  Pictures(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
+      : scene_(scene), wanted_(options.pictures), painter_(scene, state, options.threads) {}
 
   void begin_stage(const StageView& now) override {
     run::begin_stage(history_, scene_, now.stage, now.model.state());
@@ -101,9 +99,10 @@ void Pictures::draw(const StageView& now) {
 }  // namespace
 
 ObserverKind pictures_observer() {
-  return {[](const ObservedRun& run) -> std::unique_ptr<Observer> {
-    return run.scene.output.frames && run.options.pictures != WantedPictures::none
-               ? std::make_unique<Pictures>(run)
+  return {[](const scene::Scene& scene, const grains::State& state,
+             const RunOptions& options) -> std::unique_ptr<Observer> {
+    return scene.output.frames && options.pictures != WantedPictures::none
+               ? std::make_unique<Pictures>(scene, state, options)
                : nullptr;
   }};
 }

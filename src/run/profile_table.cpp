@@ -16,12 +16,11 @@ struct ProfileRow {
 const TableOf<ProfileRow>& profile_table() {
   static const TableOf<ProfileRow> kTable(
       {.name = "profile", .kind = TableInfo::Kind::parts, .is_certain = true},
-      {{{},
-        {{{"x", "Place", "spacings", "of a column of the lattice"}, &ProfileRow::x},
-         {{"height_start", "Height at the start", "spacings",
-           "of the surface, after walls have gone and the fill is placed"},
-          &ProfileRow::start},
-         {{"height_end", "Height at the end", "spacings", "of the surface"}, &ProfileRow::end}}}});
+      {{{"x", "Place", "spacings", "of a column of the lattice"}, &ProfileRow::x},
+       {{"height_start", "Height at the start", "spacings",
+         "of the surface, after walls have gone and the fill is placed"},
+        &ProfileRow::start},
+       {{"height_end", "Height at the end", "spacings", "of the surface"}, &ProfileRow::end}});
   return kTable;
 }
 

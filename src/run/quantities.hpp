@@ -35,6 +35,15 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// Why slopes among the measures have no value where it is not plain; one line for each flank.
 std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
 
+/// `discharged.OUTLET` where there are several outlets, each followed by
+/// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
+/// run.json would have too many measures.
+std::vector<std::string> discharge_names(const scene::Scene& scene);
+
+/// The values of these names, from those of measure::discharged_particles.
+std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
+                                            const std::vector<std::uint64_t>& particles);
+
 // Of gases.
 const std::vector<Quantity>& gas_quantities();
 std::vector<const TableInfo*> gas_tables();

@@ -16,7 +16,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "run/cycle_record.hpp"
-#include "run/force_measures.hpp"
+#include "run/force_record.hpp"
 #include "run/frame_painter.hpp"
 #include "run/gas_saved.hpp"
 #include "run/meter.hpp"
@@ -97,7 +97,7 @@ class Run : public RunBase {
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
                 .reference = options.reference}),
-        observers_(observers_of({scene, model_.state(), options})) {}
+        observers_(observers_of(scene, model_.state(), options)) {}
 
   /// Restores the state of `saved`.
   void go_on(SavedRun& saved, SavedParts& parts);

@@ -3,16 +3,17 @@
 
 #include <cstddef>
 #include <exception>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/run/run.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "run/begin.hpp"
-#include "run/checkpoint_writer.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
 
@@ -33,6 +34,26 @@ class MemoryReserve {
 /// The options with as many threads as could be started: the result does not depend on them. Warns
 /// if fewer than requested.
 RunOptions with_threads(RunOptions options, int startable, const RunEvents& events);
+
+/// Decides when to save a checkpoint and writes it in the background.
+class CheckpointWriter {
+ public:
+  explicit CheckpointWriter(const std::optional<scene::Checkpoints>& when);
+
+  /// Whether a checkpoint is due after `step` steps.
+  bool due(std::uint64_t step);
+  bool due_by_clock() { return timer_ && timer_->due(); }
+  /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
+  /// rethrows its error.
+  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint);
+  /// Waits until everything is written. Rethrows its error.
+  void finish();
+
+ private:
+  std::optional<scene::Checkpoints> when_;
+  std::optional<IntervalTimer> timer_;
+  std::future<void> writing_;
+};
 
 class RunBase {
  public:

@@ -7,7 +7,6 @@
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/probe.hpp"
 #include "run/energy_record.hpp"
-#include "run/outlet_counts.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {
@@ -73,25 +72,24 @@ const TableOf<SeriesRow>& series_table() {
                    {{"discharged", "Particles discharged", "particles",
                      "those of a species; with several species"},
                     "OUTLET.SPECIES"}}},
-      {{{},
-        {{kStep, [](auto& row) { return row.state().step; }},
-         {kStage, [](auto& row) { return row.now.stage.name; }},
-         {{"particles", "Particles", "particles", "in the box"},
-          [](auto& row) { return grains::present_count(row.state()); }},
-         {{"moving", "Moving", "particles",
-           "that moved by themselves or were pushed out of an overlap in this step, those removed "
-           "at its end included; not those that a rigid wall carries"},
-          [](auto& row) { return row.now.moving; }},
-         {{"moving_share", "Share moving", "", "of the particles, in this step"},
-          [](auto& row) { return moving_share(row.now); }},
-         {{"mean_height", "Mean height of the particles", "spacings",
-           "of their centres, weighted by sites"},
-          [](auto& row) { return mean_height(row.state()); }},
-         {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
-          [](auto& row) { return measure::discharge(row.state()).particles; }},
-         {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
-          [](auto& row) { return measure::discharge(row.state()).sites; }}}},
-       {kContactModel,
+      {{kStep, [](auto& row) { return row.state().step; }},
+       {kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"particles", "Particles", "particles", "in the box"},
+        [](auto& row) { return grains::present_count(row.state()); }},
+       {{"moving", "Moving", "particles",
+         "that moved by themselves or were pushed out of an overlap in this step, those removed "
+         "at its end included; not those that a rigid wall carries"},
+        [](auto& row) { return row.now.moving; }},
+       {{"moving_share", "Share moving", "", "of the particles, in this step"},
+        [](auto& row) { return moving_share(row.now); }},
+       {{"mean_height", "Mean height of the particles", "spacings",
+         "of their centres, weighted by sites"},
+        [](auto& row) { return mean_height(row.state()); }},
+       {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
+        [](auto& row) { return measure::discharge(row.state()).particles; }},
+       {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
+        [](auto& row) { return measure::discharge(row.state()).sites; }}},
+      {{kContactModel,
         {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
           [](auto& row) { return row.energy->kinetic; }},
          {{"potential_energy", "Potential energy", kEnergyUnit, ""},
@@ -181,21 +179,20 @@ struct ProbeRow {
 const TableOf<ProbeRow>& probes_table() {
   static const TableOf<ProbeRow> kTable(
       {.name = "probes"},
-      {{{},
-        {{kStep, [](auto& row) { return row.now.model.state().step; }},
-         {kStage, [](auto& row) { return row.now.stage.name; }},
-         {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
-         {{"filling", "Filling", "",
-           "share of its sites that particles cover, of those without wall"},
-          &ProbeRow::filling},
-         {{"particles", "Particles", "particles", "that the next three are over"},
-          &ProbeRow::particles},
-         {kVelocity, &ProbeRow::velocity},
-         {kFluctuation, &ProbeRow::fluctuation},
-         {{"flow", "Flow", "sites/step",
-           "since the last row, of the particles whose centre has passed the horizontal middle "
-           "line of the probe downwards, less those that have passed it upwards"},
-          &ProbeRow::flow}}}});
+      {{kStep, [](auto& row) { return row.now.model.state().step; }},
+       {kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
+       {{"filling", "Filling", "",
+         "share of its sites that particles cover, of those without wall"},
+        &ProbeRow::filling},
+       {{"particles", "Particles", "particles", "that the next three are over"},
+        &ProbeRow::particles},
+       {kVelocity, &ProbeRow::velocity},
+       {kFluctuation, &ProbeRow::fluctuation},
+       {{"flow", "Flow", "sites/step",
+         "since the last row, of the particles whose centre has passed the horizontal middle "
+         "line of the probe downwards, less those that have passed it upwards"},
+        &ProbeRow::flow}});
   return kTable;
 }
 

@@ -117,8 +117,10 @@ struct Columns {
 /// The same with the values of its columns.
 template <class Row, class Scene = scene::Scene>
 struct TableOf : TableInfo {
-  TableOf(const TableInfo& info, std::vector<Columns<Row, Scene>> all)
-      : TableInfo(info), groups(std::move(all)) {
+  TableOf(const TableInfo& info, std::vector<Column<Row>> always,
+          const std::vector<Columns<Row, Scene>>& sometimes = {})
+      : TableInfo(info), groups({{{}, std::move(always)}}) {
+    groups.insert(groups.end(), sometimes.begin(), sometimes.end());
     for (auto& group : groups) {
       for (Column<Row>& column : group.columns) {
         column.info.where = group.where.text;
@@ -154,6 +156,8 @@ class RunTable {
   void open(const store::OutputFolder& folder);
   /// Of a growing table: writes the new rows if they have at least `least` bytes.
   void write_rows(std::size_t least);
+  /// Whether there is no row to write.
+  bool is_empty() const { return table_.waiting() == 0; }
   /// Of others: writes the rows since the last call.
   void write(const store::OutputFolder& folder, const std::string& part = "");
 
