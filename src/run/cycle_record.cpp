@@ -10,39 +10,32 @@ namespace clca::run {
 
 namespace {
 
-bool has_gravity_slope(const scene::Scene& scene) {
-  return has_vessel(scene) && !scene.box.periodic;
+TableOf<CycleRow> cycles_table(const scene::Scene& scene) {
+  return {{.name = "cycles"},
+          {{kStage, [](auto& row) { return row.now.stage.name; }},
+           {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
+            &CycleRow::cycle},
+           {kStep, [](auto& row) { return row.state().step; }},
+           {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
+           {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
+           {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
+           {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
+           {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell); }}},
+          {{"with a [vessel](#vessel), not in a periodic box",
+            has_vessel(scene) && !scene.box.periodic,
+            {{kReposeGravity, [](auto& row) {
+                const auto down = contact::gravity_direction(row.now.model.vessel());
+                return measure::repose_angle(measure::surface_profile(row.state(), down)).mean();
+              }}}}}};
 }
 
-const TableOf<CycleRow>& cycles_table() {
-  static const TableOf<CycleRow> kTable(
-      {.name = "cycles"},
-      {{kStage, [](auto& row) { return row.now.stage.name; }},
-       {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
-        &CycleRow::cycle},
-       {kStep, [](auto& row) { return row.state().step; }},
-       {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
-       {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
-       {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
-       {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
-       {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell); }}},
-      {{{"with a [vessel](#vessel), not in a periodic box", has_gravity_slope},
-        {{kReposeGravity, [](auto& row) {
-            const auto down = contact::gravity_direction(row.now.model.vessel());
-            return measure::repose_angle(measure::surface_profile(row.state(), down)).mean();
-          }}}}});
-  return kTable;
-}
-
-const TableOf<measure::Arrow>& convection_table() {
+TableOf<measure::Arrow> convection_table(const scene::Scene& /*scene*/) {
   using measure::Arrow;
-  static const TableOf<Arrow> kTable(
-      {.name = "convection", .kind = TableInfo::Kind::parts},
-      {{kCellCentre, &Arrow::centre},
-       {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
-       {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
-        &Arrow::weight}});
-  return kTable;
+  return {{.name = "convection", .kind = TableInfo::Kind::parts},
+          {{kCellCentre, &Arrow::centre},
+           {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
+           {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
+            &Arrow::weight}}};
 }
 
 std::vector<store::MeasureValue> convection(const StageView& stage) {
@@ -60,8 +53,8 @@ std::vector<store::MeasureValue> convection(const StageView& stage) {
 
 CycleRecord::CycleRecord(const scene::Scene& scene)
     : cell_(scene.output.fields.value_or(scene::Fields{}).cell),
-      cycles_table_(scene, cycles_table()),
-      convection_table_(scene, convection_table()) {}
+      cycles_table_(table_scope(scene), cycles_table(scene)),
+      convection_table_(table_scope(scene), convection_table(scene)) {}
 
 void CycleRecord::begin_stage(const StageView& now) {
   prepare(now);
@@ -144,7 +137,7 @@ void CycleRecord::add_row(const StageView& now) {
 
 ObserverKind cycles_observer() {
   return observer_kind<CycleRecord>(
-      [](const scene::Scene& /*scene*/) { return true; }, {&cycles_table(), &convection_table()},
+      [](const scene::Scene& /*scene*/) { return true; }, {cycles_table, convection_table},
       {{scene::Measure::convection,
         "a wall with a wave or shake",
         {{"convection_centre_minus_wall", "Convection, centre less walls", "spacings/cycle",

@@ -19,20 +19,18 @@ struct FieldRow {
   double speed;  // unit of velocity
 };
 
-const TableOf<FieldRow>& fields_table() {
-  static const TableOf<FieldRow> kTable(
-      {.name = "fields"},
-      {{kStage, [](auto& row) { return row.now.stage.name; }},
-       {kStep, [](auto& row) { return row.now.model.state().step; }},
-       {kCellCentre, [](auto& row) { return row.cell.centre; }},
-       {{"packing", "Packing", "",
-         "share of its sites that particles take at the end of the window"},
-        [](auto& row) { return row.cell.packing; }},
-       {{"particles", "Particles", "particles", "that began the window in the cell"},
-        [](auto& row) { return row.cell.particles; }},
-       {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
-       {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}});
-  return kTable;
+TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
+  return {{.name = "fields"},
+          {{kStage, [](auto& row) { return row.now.stage.name; }},
+           {kStep, [](auto& row) { return row.now.model.state().step; }},
+           {kCellCentre, [](auto& row) { return row.cell.centre; }},
+           {{"packing", "Packing", "",
+             "share of its sites that particles take at the end of the window"},
+            [](auto& row) { return row.cell.packing; }},
+           {{"particles", "Particles", "particles", "that began the window in the cell"},
+            [](auto& row) { return row.cell.particles; }},
+           {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
+           {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}}};
 }
 
 struct EnergyBin {
@@ -43,8 +41,8 @@ struct EnergyBin {
   double reference;
 };
 
-const TableOf<EnergyBin>& fluctuation_table() {
-  static const TableOf<EnergyBin> kTable(
+TableOf<EnergyBin> fluctuation_table(const scene::Scene& /*scene*/) {
+  return {
       {.name = "fluctuation", .kind = TableInfo::Kind::parts},
       {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
         &EnergyBin::lower},
@@ -52,8 +50,7 @@ const TableOf<EnergyBin>& fluctuation_table() {
        {{"share", "Share of the particles", "", "over the mean of the window"}, &EnergyBin::share},
        {{"share_local", "Share of the particles, local", "", "over the mean of the cell"},
         &EnergyBin::share_local},
-       {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}});
-  return kTable;
+       {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}}};
 }
 
 class FieldRecord : public SavedObserver<FieldRecord> {
@@ -61,8 +58,8 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   explicit FieldRecord(const scene::Scene& scene)
       : fields_(*scene.output.fields),
         speed_(velocity_unit(scene)),
-        fields_table_(scene, fields_table()),
-        fluctuation_table_(scene, fluctuation_table()) {}
+        fields_table_(table_scope(scene), fields_table(scene)),
+        fluctuation_table_(table_scope(scene), fluctuation_table(scene)) {}
 
   void after_step(const StageView& now) override {
     if (now.model.state().step - window_begin_ >= fields_.every) {
@@ -177,7 +174,7 @@ std::vector<store::MeasureValue> FieldRecord::measures() const {
 ObserverKind fields_observer() {
   return observer_kind<FieldRecord>(
       [](const scene::Scene& scene) { return scene.output.fields.has_value(); },
-      {&fields_table(), &fluctuation_table()},
+      {fields_table, fluctuation_table},
       {{{},
         "`output.fields`",
         {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",

@@ -18,7 +18,7 @@ namespace {
 using Forces = std::vector<contact::Force>;
 using Overlaps = std::vector<measure::OverlapContact>;
 
-constexpr Condition kOverlap = {"with `passive: overlap`", has_overlaps};
+constexpr std::string_view kOverlap = "with `passive: overlap`";
 
 /// A pair of bodies, the second of which may be a wall.
 struct ContactRow {
@@ -32,8 +32,8 @@ struct ContactRow {
   std::optional<double> share = {};
 };
 
-const TableOf<ContactRow>& contacts_table() {
-  static const TableOf<ContactRow> kTable(
+TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
+  return {
       {.name = "contacts", .kind = TableInfo::Kind::parts},
       {{{"first", "First body", "", "id of a particle, of the contact model the upper one"},
         &ContactRow::first},
@@ -44,6 +44,7 @@ const TableOf<ContactRow>& contacts_table() {
          "of the contact: on the side of the box, else on discs of the particles’ areas"},
         &ContactRow::point}},
       {{kContactModel,
+        is_contact(scene),
         {{{"normal_", "Normal", "", "towards the first"},
           [](auto& row) { return row.force->normal; }},
          {{"normal_force", "Normal force", "grain weights", ""},
@@ -51,6 +52,7 @@ const TableOf<ContactRow>& contacts_table() {
          {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
           [](auto& row) { return row.force->along_shear; }}}},
        {kOverlap,
+        has_overlaps(scene),
         {{{"sites", "Overlap", "sites", "that both share"},
           [](auto& row) { return row.overlap != nullptr ? row.overlap->sites : 0; }},
          {{"depth", "Depth of the overlap", "moves", "that would take it back"},
@@ -59,13 +61,12 @@ const TableOf<ContactRow>& contacts_table() {
          {{"mean_sites", "Mean overlap", "sites",
            "over the samples of `output.contacts`; of pairs that are gone this and the next only"},
           &ContactRow::mean_sites},
-         {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share}}}});
-  return kTable;
+         {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share}}}}};
 }
 
-const TableOf<measure::ForceBin>& forces_table() {
+TableOf<measure::ForceBin> forces_table(const scene::Scene& /*scene*/) {
   using Bin = measure::ForceBin;
-  static const TableOf<Bin> kTable(
+  return {
       {.name = "forces", .kind = TableInfo::Kind::parts},
       {{{"low", "Lower end of the bin", "",
          "of the index of force in sites; of the contact model of normal forces between grains, "
@@ -73,8 +74,7 @@ const TableOf<measure::ForceBin>& forces_table() {
         &Bin::low},
        {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
        {{"count", "Contacts", "", "in the bin"}, &Bin::count},
-       {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}});
-  return kTable;
+       {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}}};
 }
 
 struct LoadRow {
@@ -86,24 +86,24 @@ struct LoadRow {
   double residual = 0;
 };
 
-const TableOf<LoadRow>& loads_table() {
-  static const TableOf<LoadRow> kTable(
-      {.name = "loads", .kind = TableInfo::Kind::parts},
-      {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
-        &LoadRow::id},
-       {{"species", "Species", "", "its name"}, &LoadRow::species},
-       {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}},
-      {{kContactModel,
-        {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
-         {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
-          &LoadRow::load},
-         {{"residual", "Balance of forces", "",
-           "what forces and weight do not balance, over the weight"},
-          &LoadRow::residual}}},
-       {kOverlap,
-        {{{"sites", "Overlap", "sites", "shared, in all its contacts"}, &LoadRow::load},
-         {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts}}}});
-  return kTable;
+TableOf<LoadRow> loads_table(const scene::Scene& scene) {
+  return {{.name = "loads", .kind = TableInfo::Kind::parts},
+          {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
+            &LoadRow::id},
+           {{"species", "Species", "", "its name"}, &LoadRow::species},
+           {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}},
+          {{kContactModel,
+            is_contact(scene),
+            {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
+             {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
+              &LoadRow::load},
+             {{"residual", "Balance of forces", "",
+               "what forces and weight do not balance, over the weight"},
+              &LoadRow::residual}}},
+           {kOverlap,
+            has_overlaps(scene),
+            {{{"sites", "Overlap", "sites", "shared, in all its contacts"}, &LoadRow::load},
+             {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts}}}}};
 }
 
 struct WallRow {
@@ -115,17 +115,19 @@ struct WallRow {
   std::optional<double> stalled_since = {};  // step
 };
 
-const TableOf<WallRow>& walls_table() {
-  static const TableOf<WallRow> kTable(
+TableOf<WallRow> walls_table(const scene::Scene& scene) {
+  return {
       {.name = "walls", .kind = TableInfo::Kind::parts},
       {{{"wall", "Wall", "",
          "its name, of the contact model also `box.floor`, `box.top`, `box.left`, `box.right`; "
          "else of those that move"},
         &WallRow::wall}},
       {{kContactModel,
+        is_contact(scene),
         {{{"contacts", "Contacts", "", ""}, &WallRow::contacts},
          {{"force_", "Force on the wall", "grain weights", ""}, &WallRow::force}}},
        {kOverlap,
+        has_overlaps(scene),
         {{{"travel", "Travel of the wall", "sites", "from home"},
           [](auto& row) { return static_cast<double>(row.overlap->travel); }},
          {{"depth", "Depth of the wall", "spacings", "under the surface at the start of the stage"},
@@ -140,21 +142,18 @@ const TableOf<WallRow>& walls_table() {
          {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
           [](auto& row) { return row.overlap->chain_sites; }},
          {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
-          [](auto& row) { return row.overlap->jammed; }}}}});
-  return kTable;
+          [](auto& row) { return row.overlap->jammed; }}}}}};
 }
 
-const TableOf<measure::StressCell>& stress_table() {
+TableOf<measure::StressCell> stress_table(const scene::Scene& /*scene*/) {
   using Cell = measure::StressCell;
   constexpr std::string_view kUnit = "grain weights/spacing";
-  static const TableOf<Cell> kTable(
-      {.name = "stress", .kind = TableInfo::Kind::parts},
-      {{kCellCentre, &Cell::centre},
-       {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
-       {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
-       {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
-       {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}});
-  return kTable;
+  return {{.name = "stress", .kind = TableInfo::Kind::parts},
+          {{kCellCentre, &Cell::centre},
+           {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
+           {{"xy", "Stress, xy", kUnit, "of the symmetric part"}, &Cell::xy},
+           {{"yy", "Stress, yy", kUnit, "pressed positive"}, &Cell::yy},
+           {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}}};
 }
 
 /// No wall has a dot in its name, so none is called as a side of the box.
@@ -177,12 +176,12 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner) {
 class ForceTables : public Observer {
  public:
   explicit ForceTables(const scene::Scene& scene)
-      : contacts_(scene, contacts_table()),
-        forces_(scene, forces_table()),
-        loads_(scene, loads_table()),
-        walls_(scene, walls_table()) {
+      : contacts_(table_scope(scene), contacts_table(scene)),
+        forces_(table_scope(scene), forces_table(scene)),
+        loads_(table_scope(scene), loads_table(scene)),
+        walls_(table_scope(scene), walls_table(scene)) {
     if (is_contact(scene)) {
-      stress_.emplace(scene, stress_table());
+      stress_.emplace(table_scope(scene), stress_table(scene));
     }
   }
 
@@ -371,7 +370,7 @@ ObserverKind force_tables_observer() {
       [](const scene::Scene& scene) {
         return requests(scene, scene::Measure::force) && (is_contact(scene) || has_overlaps(scene));
       },
-      {&contacts_table(), &forces_table(), &loads_table(), &walls_table(), &stress_table()});
+      {contacts_table, forces_table, loads_table, walls_table, stress_table});
 }
 
 }  // namespace clca::run

@@ -329,8 +329,13 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
-  GasCourse course = saved.checkpoint.is_start() ? GasCourse() : saved_course(saved);
-  saved.checkpoint.fields.clear();  // as large as the gases
+  GasCourse course;
+  if (saved.checkpoint.is_start()) {
+    saved.folder.start_over(saved.checkpoint, {});
+  } else {
+    course = saved_course(saved);
+    saved.checkpoint.fields.clear();  // as large as the gases
+  }
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
 }
 

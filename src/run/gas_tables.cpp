@@ -13,15 +13,10 @@ namespace clca::run {
 namespace {
 
 using GasScene = scene::BoltzmannScene;
-using GasCondition = ConditionOn<GasScene>;
 using statistics::Sample;
 
-constexpr GasCondition kWithShear = {"with shear",
-                                     [](const GasScene& scene) { return scene.shear_rate > 0; }};
-constexpr GasCondition kWithoutShear = {
-    "without shear", [](const GasScene& scene) { return scene.shear_rate == 0; }};
-constexpr GasCondition kWithList = {"with a list of `restitution`",
-                                    [](const GasScene& scene) { return scene.lists_restitutions; }};
+constexpr std::string_view kWithShear = "with shear";
+constexpr std::string_view kWithList = "with a list of `restitution`";
 
 constexpr Quantity kRestitution = {"restitution", "Restitution ε", "",
                                    "normal restitution of the spheres"};
@@ -43,7 +38,7 @@ struct GasMoment {
 struct GasValue {
   Quantity quantity;
   double (*of)(const GasMoment& gas);
-  GasCondition where = {};
+  bool is_of_shear = false;
 };
 
 const std::vector<GasValue>& gas_values() {
@@ -73,10 +68,14 @@ const std::vector<GasValue>& gas_values() {
         "(3⟨(v w)²⟩ - ⟨v²w²⟩)/(⟨v²⟩⟨w²⟩): above 0 where spins lie along velocities, below where "
         "across"},
        [](Gas gas) { return gas.now.moments.alignment; }},
-      {kPressureXx, [](Gas gas) { return gas.now.moments.p_xx; }, kWithShear},
-      {kPressureYy, [](Gas gas) { return gas.now.moments.p_yy; }, kWithShear},
-      {kShearStress, [](Gas gas) { return gas.now.moments.p_xy; }, kWithShear}};
+      {kPressureXx, [](Gas gas) { return gas.now.moments.p_xx; }, true},
+      {kPressureYy, [](Gas gas) { return gas.now.moments.p_yy; }, true},
+      {kShearStress, [](Gas gas) { return gas.now.moments.p_xy; }, true}};
   return kValues;
+}
+
+bool has_value(const GasScene& scene, const GasValue& value) {
+  return !value.is_of_shear || scene.shear_rate > 0;
 }
 
 /// Over the ensemble.
@@ -94,20 +93,19 @@ struct GasRow {
   double time;
 };
 
-const TableOf<GasRow, GasScene>& gas_series_table() {
-  static const TableOf<GasRow, GasScene> kTable = [] {
-    std::vector<Columns<GasRow, GasScene>> columns = {
-        {kWithList, {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
-        {{}, {{kGasTime, &GasRow::time}}}};
-    for (const GasValue& value : gas_values()) {
-      columns.push_back({value.where, {{value.quantity, [&value](auto& row) {
-                                          return estimate(row.gases, row.place, value);
-                                        }}}});
-    }
-    return TableOf<GasRow, GasScene>({.name = "series", .kind = TableInfo::Kind::whole}, {},
-                                     columns);
-  }();
-  return kTable;
+TableOf<GasRow> gas_series_table(const GasScene& scene) {
+  std::vector<ColumnGroup<GasRow>> columns = {
+      {kWithList,
+       scene.lists_restitutions,
+       {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
+      {"", true, {{kGasTime, &GasRow::time}}}};
+  for (const GasValue& value : gas_values()) {
+    columns.push_back({value.is_of_shear ? kWithShear : "",
+                       has_value(scene, value),
+                       {{value.quantity,
+                         [&value](auto& row) { return estimate(row.gases, row.place, value); }}}});
+  }
+  return {{.name = "series", .kind = TableInfo::Kind::whole}, {}, columns};
 }
 
 struct GasBin {
@@ -119,18 +117,18 @@ struct GasBin {
   double reference;
 };
 
-const TableOf<GasBin, GasScene>& gas_histogram_table() {
-  static const TableOf<GasBin, GasScene> kTable(
-      {.name = "histogram", .kind = TableInfo::Kind::parts}, {},
-      {{kWithList, {{kRestitution, &GasBin::restitution}}},
-       {{},
-        {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
-         {{"lower", "Lower end of the bin", "", "of X = v²/T_tr or w²/T_rot at the time"},
-          &GasBin::lower},
-         {{"upper", "Upper end of the bin", "", "none for the last"}, &GasBin::upper},
-         {{"share", "Share of the particles", "", ""}, &GasBin::share},
-         {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}}}});
-  return kTable;
+TableOf<GasBin> gas_histogram_table(const GasScene& scene) {
+  return {{.name = "histogram", .kind = TableInfo::Kind::parts},
+          {},
+          {{kWithList, scene.lists_restitutions, {{kRestitution, &GasBin::restitution}}},
+           {"",
+            true,
+            {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
+             {{"lower", "Lower end of the bin", "", "of X = v²/T_tr or w²/T_rot at the time"},
+              &GasBin::lower},
+             {{"upper", "Upper end of the bin", "", "none for the last"}, &GasBin::upper},
+             {{"share", "Share of the particles", "", ""}, &GasBin::share},
+             {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}}}}};
 }
 
 struct GasClosure {
@@ -143,26 +141,27 @@ struct GasClosure {
   double p_xy = 0;
 };
 
-const TableOf<GasClosure, GasScene>& gas_closure_table() {
-  static const TableOf<GasClosure, GasScene> kTable(
-      {.name = "closure", .kind = TableInfo::Kind::whole}, {},
-      {{kWithList, {{kRestitution, &GasClosure::restitution}}},
-       {{}, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
-       {kWithoutShear, {{kRotational, &GasClosure::rotational}}},
+TableOf<GasClosure> gas_closure_table(const GasScene& scene) {
+  return {
+      {.name = "closure", .kind = TableInfo::Kind::whole},
+      {},
+      {{kWithList, scene.lists_restitutions, {{kRestitution, &GasClosure::restitution}}},
+       {"", true, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
+       {"without shear", scene.shear_rate == 0, {{kRotational, &GasClosure::rotational}}},
        {kWithShear,
+        scene.shear_rate > 0,
         {{kPressureXx, &GasClosure::p_xx},
          {kPressureYy, &GasClosure::p_yy},
-         {kShearStress, &GasClosure::p_xy}}}});
-  return kTable;
+         {kShearStress, &GasClosure::p_xy}}}}};
 }
 
 std::string time_name(double time) {
   return fmt::format("{}", time);
 }
 
-using Series = TableWriter<GasRow, GasScene>;
-using Histogram = TableWriter<GasBin, GasScene>;
-using Closure = TableWriter<GasClosure, GasScene>;
+using Series = TableWriter<GasRow>;
+using Histogram = TableWriter<GasBin>;
+using Closure = TableWriter<GasClosure>;
 
 void add_bins(Histogram& table, const GasScene& scene, const GasCase& one, std::size_t place,
               const char* energy, std::vector<double> boltzmann::EnergyShares::*kind) {
@@ -234,8 +233,10 @@ TableScope table_scope(const GasScene& scene) {
   return scope;
 }
 
-std::vector<const TableInfo*> gas_tables() {
-  return {&gas_series_table(), &gas_histogram_table(), &gas_closure_table()};
+const std::vector<TableInfo>& gas_tables() {
+  static const std::vector<TableInfo> kAll = {gas_series_table({}), gas_histogram_table({}),
+                                              gas_closure_table({})};
+  return kAll;
 }
 
 const std::vector<Quantity>& gas_quantities() {
@@ -272,16 +273,17 @@ std::vector<const GasMember*> GasCase::at(std::size_t place) const {
 }
 
 std::vector<PlannedFile> gas_files(const GasScene& scene) {
-  std::vector<PlannedFile> files = Histogram(scene, gas_histogram_table()).files();
-  files.push_back(Series(scene, gas_series_table()).files().front());
-  files.push_back(Closure(scene, gas_closure_table()).files().front());
+  std::vector<PlannedFile> files =
+      Histogram(table_scope(scene), gas_histogram_table(scene)).files();
+  files.push_back(Series(table_scope(scene), gas_series_table(scene)).files().front());
+  files.push_back(Closure(table_scope(scene), gas_closure_table(scene)).files().front());
   return files;
 }
 
 void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
   const std::vector<GasTime> times = gas_times(scene);
-  Series series(scene, gas_series_table());
+  Series series(table_scope(scene), gas_series_table(scene));
   for (const GasCase& one : cases) {
     for (std::size_t i = 0; i < one.observations(); ++i) {
       if (times[i].in_series) {
@@ -290,7 +292,7 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
     }
   }
   series.write(folder);
-  Histogram histogram(scene, gas_histogram_table());
+  Histogram histogram(table_scope(scene), gas_histogram_table(scene));
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (const GasCase& one : cases) {
       if (times[i].in_histograms && i < one.observations()) {
@@ -304,7 +306,7 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
     }
   }
   if (scene.shear_rate == 0 || scene.friction == 0) {
-    Closure closure(scene, gas_closure_table());
+    Closure closure(table_scope(scene), gas_closure_table(scene));
     for (const GasCase& one : cases) {
       (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, one);
     }
@@ -323,7 +325,7 @@ std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCa
   measures.emplace_back("time", gas_times(scene)[reached - 1].time);
   measures.emplace_back("gases", static_cast<double>(one.at(reached - 1).size()));
   for (const GasValue& value : gas_values()) {
-    if (value.where.holds == nullptr || value.where.holds(scene)) {
+    if (has_value(scene, value)) {
       const Sample mean = estimate(one, reached - 1, value);
       measures.emplace_back(value.quantity.key, mean.mean);
       if (scene.ensemble > 1) {

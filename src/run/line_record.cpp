@@ -21,8 +21,8 @@ statistics::Sample mean(const measure::LineMean& mean, double unit) {
   return {.mean = mean.value * unit, .standard_error = mean.error * unit};
 }
 
-const TableOf<LineRow>& lines_table() {
-  static const TableOf<LineRow> kTable(
+TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
+  return {
       {.name = "lines", .kind = TableInfo::Kind::parts},
       {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
        {{"position", "Position", "spacings",
@@ -40,14 +40,13 @@ const TableOf<LineRow>& lines_table() {
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
         [](auto& row) { return row.part.filling; }},
        {{"particles", "Particles", "particles", "whose centre has passed, either way"},
-        [](auto& row) { return row.part.particles; }}});
-  return kTable;
+        [](auto& row) { return row.part.particles; }}}};
 }
 
 /// Observes the lines at the steps that have rows in series.csv.
 class LineRecord : public SavedObserver<LineRecord> {
  public:
-  explicit LineRecord(const scene::Scene& scene) : table_(scene, lines_table()) {}
+  explicit LineRecord(const scene::Scene& scene) : table_(table_scope(scene), lines_table(scene)) {}
 
   void after_step(const StageView& now) override {
     if (now.model.state().step % now.scene.output.series->every == 0) {
@@ -121,7 +120,7 @@ void LineRecord::observe(const StageView& now) {
 ObserverKind lines_observer() {
   return observer_kind<LineRecord>(
       [](const scene::Scene& scene) { return !scene.lines.empty() && scene.output.series; },
-      {&lines_table()});
+      {lines_table});
 }
 
 }  // namespace clca::run

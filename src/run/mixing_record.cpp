@@ -12,25 +12,24 @@ struct MixingRow {
   const measure::FallenPairs& fallen;
 };
 
-const TableOf<MixingRow>& mixing_table() {
-  static const TableOf<MixingRow> kTable(
-      {.name = "mixing", .kind = TableInfo::Kind::parts},
-      {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
-       {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
-        [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},
-       {{"pairs", "Pairs", "", "that have fallen so far"},
-        [](auto& row) { return row.fallen.pairs; }},
-       {{"kept", "Neighbours kept", "", "share of the pairs that are still neighbours"},
-        [](auto& row) { return row.fallen.kept_share(); }},
-       {{"pair_diffusion", "Diffusion of pairs", "spacings",
-         "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen"},
-        [](auto& row) { return row.fallen.diffusion(); }}});
-  return kTable;
+TableOf<MixingRow> mixing_table(const scene::Scene& /*scene*/) {
+  return {{.name = "mixing", .kind = TableInfo::Kind::parts},
+          {{{"fallen_d", "Distance fallen", "mean diameters", "1, 2, ..."}, &MixingRow::diameters},
+           {{"fallen", "Distance fallen, mean", "spacings", "of the pairs"},
+            [](auto& row) { return row.fallen.fallen / static_cast<double>(row.fallen.pairs); }},
+           {{"pairs", "Pairs", "", "that have fallen so far"},
+            [](auto& row) { return row.fallen.pairs; }},
+           {{"kept", "Neighbours kept", "", "share of the pairs that are still neighbours"},
+            [](auto& row) { return row.fallen.kept_share(); }},
+           {{"pair_diffusion", "Diffusion of pairs", "spacings",
+             "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen"},
+            [](auto& row) { return row.fallen.diffusion(); }}}};
 }
 
 class MixingRecord : public Observer {
  public:
-  explicit MixingRecord(const scene::Scene& scene) : table_(scene, mixing_table()) {}
+  explicit MixingRecord(const scene::Scene& scene)
+      : table_(table_scope(scene), mixing_table(scene)) {}
 
   void begin_stage(const StageView& now) override { mixing_ = measure::Mixing(now.model.state()); }
   void after_step(const StageView& now) override { mixing_.add(now.model.state()); }
@@ -70,7 +69,7 @@ std::vector<store::MeasureValue> mixing(const StageView& stage) {
 ObserverKind mixing_observer() {
   return observer_kind<MixingRecord>(
       [](const scene::Scene& scene) { return requests(scene, scene::Measure::mixing); },
-      {&mixing_table()},
+      {mixing_table},
       {{scene::Measure::mixing,
         "",
         {{"neighbours_kept_1", "Neighbours kept, 1 d", "",

@@ -183,14 +183,15 @@ struct ObserverKind {
   std::function<std::unique_ptr<Observer>(const scene::Scene& scene, const grains::State& state,
                                           const RunOptions& options)>
       make;
-  std::vector<const TableInfo*> tables = {};
+  /// Of a scene.
+  std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {};
   std::vector<QuantityGroup> quantities = {};
 };
 
 /// One that is made of the scene alone, if it is `wanted`.
 template <class T>
 ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
-                           std::vector<const TableInfo*> tables = {},
+                           std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
                            std::vector<QuantityGroup> quantities = {}) {
   return {[wanted](const scene::Scene& scene, const auto&...) -> std::unique_ptr<Observer> {
             return wanted(scene) ? std::make_unique<T>(scene) : nullptr;

@@ -13,20 +13,18 @@ struct ProfileRow {
   double end;
 };
 
-const TableOf<ProfileRow>& profile_table() {
-  static const TableOf<ProfileRow> kTable(
-      {.name = "profile", .kind = TableInfo::Kind::parts, .is_certain = true},
-      {{{"x", "Place", "spacings", "of a column of the lattice"}, &ProfileRow::x},
-       {{"height_start", "Height at the start", "spacings",
-         "of the surface, after walls have gone and the fill is placed"},
-        &ProfileRow::start},
-       {{"height_end", "Height at the end", "spacings", "of the surface"}, &ProfileRow::end}});
-  return kTable;
+TableOf<ProfileRow> profile_table(const scene::Scene& /*scene*/) {
+  return {{.name = "profile", .kind = TableInfo::Kind::parts, .is_certain = true},
+          {{{"x", "Place", "spacings", "of a column of the lattice"}, &ProfileRow::x},
+           {{"height_start", "Height at the start", "spacings",
+             "of the surface, after walls have gone and the fill is placed"},
+            &ProfileRow::start},
+           {{"height_end", "Height at the end", "spacings", "of the surface"}, &ProfileRow::end}}};
 }
 
 class Profile : public Observer {
  public:
-  explicit Profile(const scene::Scene& scene) : table_(scene, profile_table()) {}
+  explicit Profile(const scene::Scene& scene) : table_(table_scope(scene), profile_table(scene)) {}
 
   void end_stage(const StageView& now) override {
     const std::vector<double> end = measure::surface_profile(now.model.state());
@@ -47,7 +45,7 @@ class Profile : public Observer {
 ObserverKind profile_observer() {
   return observer_kind<Profile>(
       [](const scene::Scene& scene) { return requests(scene, scene::Measure::profile); },
-      {&profile_table()});
+      {profile_table});
 }
 
 }  // namespace clca::run

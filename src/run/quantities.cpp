@@ -35,14 +35,19 @@ std::string described(const Quantity& quantity) {
 }
 
 /// The series first: a key that several tables have is explained as there.
-std::vector<const TableInfo*> all_tables() {
-  std::vector<const TableInfo*> all;
-  for (const ObserverKind& kind : observer_kinds()) {
-    all.insert(all.end(), kind.tables.begin(), kind.tables.end());
-  }
-  std::stable_partition(all.begin(), all.end(),
-                        [](const TableInfo* table) { return table->name == "series"; });
-  return all;
+const std::vector<TableInfo>& all_tables() {
+  static const std::vector<TableInfo> kAll = [] {
+    std::vector<TableInfo> all;
+    for (const ObserverKind& kind : observer_kinds()) {
+      for (const auto& table : kind.tables) {
+        all.push_back(table({}));
+      }
+    }
+    std::stable_partition(all.begin(), all.end(),
+                          [](const TableInfo& table) { return table.name == "series"; });
+    return all;
+  }();
+  return kAll;
 }
 
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
@@ -63,16 +68,16 @@ const Quantity* find_quantity(std::string_view key) {
   if (const Quantity* found = find_in(kOfSweeps, whole)) {
     return found;
   }
-  for (const TableInfo* table : all_tables()) {
+  for (const TableInfo& table : all_tables()) {
     const auto of_each = std::ranges::find_if(
-        table->of_each, [&](const auto& one) { return one.first.key == whole; });
-    if (of_each != table->of_each.end()) {
+        table.of_each, [&](const auto& one) { return one.first.key == whole; });
+    if (of_each != table.of_each.end()) {
       return &of_each->first;
     }
-    const auto column = std::ranges::find_if(table->columns, [&](const ColumnInfo& one) {
+    const auto column = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
       return std::ranges::count(one.names(), whole) > 0;
     });
-    if (column != table->columns.end()) {
+    if (column != table.columns.end()) {
       return &column->quantity;
     }
   }
@@ -108,17 +113,17 @@ std::string columns_table(std::string_view table) {
                         where.empty() ? "" : "; ", where);
   };
   std::vector<std::string_view> known;
-  for (const TableInfo* info : is_gas ? gas_tables() : all_tables()) {
-    known.push_back(info->name);
-    if (info->name != name) {
+  for (const TableInfo& info : is_gas ? gas_tables() : all_tables()) {
+    known.push_back(info.name);
+    if (info.name != name) {
       continue;
     }
-    for (const ColumnInfo& column : info->columns) {
+    for (const ColumnInfo& column : info.columns) {
       add(column.endings.back() == "_se" ? fmt::format("`{}` (`_se`)", column.quantity.key)
                                          : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
           column.quantity, column.where);
     }
-    for (const auto& [what, of] : info->of_each) {
+    for (const auto& [what, of] : info.of_each) {
       add(fmt::format("`{}.{}`", what.key, of), what, "");
     }
     return text;

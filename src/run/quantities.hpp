@@ -46,6 +46,6 @@ std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
 
 // Of gases.
 const std::vector<Quantity>& gas_quantities();
-std::vector<const TableInfo*> gas_tables();
+const std::vector<TableInfo>& gas_tables();
 
 }  // namespace clca::run

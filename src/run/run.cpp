@@ -362,9 +362,6 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   if (saved.finished) {
     return *saved.finished;
   }
-  if (saved.checkpoint.is_start()) {
-    saved.folder.start_over(saved.checkpoint, {});
-  }
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }
@@ -372,6 +369,7 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
     startable.pictures = saved_pictures(saved);
+    saved.folder.start_over(saved.checkpoint, {});
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }
   return resumed_run(scene, startable, events, saved)->execute();

@@ -35,18 +35,6 @@ struct SeriesRow {
   const grains::State& state() const { return now.model.state(); }
 };
 
-bool has_sources(const scene::Scene& scene) {
-  return is_contact(scene) && !scene.sources.empty();
-}
-bool has_outlets(const scene::Scene& scene) {
-  return is_contact(scene) && !scene.outlets.empty();
-}
-bool has_moving_walls(const scene::Scene& scene) {
-  return is_contact(scene) &&
-         std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [](const scene::Wall& wall) { return wall.motion.has_value(); });
-}
-
 double moving_share(const StageView& now) {
   const std::size_t all = grains::present_count(now.model.state());
   return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
@@ -56,8 +44,8 @@ constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 constexpr std::string_view kSinceStage = "since the start of the stage";
 constexpr std::string_view kSinceRun = "by all outlets, since the start of the run";
 
-const TableOf<SeriesRow>& series_table() {
-  static const TableOf<SeriesRow> kTable(
+TableOf<SeriesRow> series_table(const scene::Scene& scene) {
+  return {
       {.name = "series",
        .is_certain = true,
        .of_each = {{{"travel", "Travel of the wall", "sites",
@@ -90,27 +78,33 @@ const TableOf<SeriesRow>& series_table() {
        {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
         [](auto& row) { return measure::discharge(row.state()).sites; }}},
       {{kContactModel,
+        is_contact(scene),
         {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
           [](auto& row) { return row.energy->kinetic; }},
          {{"potential_energy", "Potential energy", kEnergyUnit, ""},
           [](auto& row) { return row.energy->potential; }},
          {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->dissipated(*row.energy); }}}},
-       {{"with `model: contact` and sources", has_sources},
+       {"with `model: contact` and sources",
+        is_contact(scene) && !scene.sources.empty(),
         {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().sources; }}}},
-       {{"with `model: contact` and outlets", has_outlets},
+       {"with `model: contact` and outlets",
+        is_contact(scene) && !scene.outlets.empty(),
         {{{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().outlets; }}}},
-       {{"with `model: contact` and walls that move", has_moving_walls},
+       {"with `model: contact` and walls that move",
+        is_contact(scene) &&
+            std::any_of(scene.walls.begin(), scene.walls.end(),
+                        [](const scene::Wall& wall) { return wall.motion.has_value(); }),
         {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().walls; }}}},
-       {{"with a vessel in some stage", has_vessel},
+       {"with a vessel in some stage",
+        has_vessel(scene),
         {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().vessel; }},
          {kVesselAngle,
-          [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}});
-  return kTable;
+          [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}}};
 }
 
 /// Of each wall and outlet, KEY.NAME.
@@ -176,31 +170,29 @@ struct ProbeRow {
   std::optional<double> flow = {};
 };
 
-const TableOf<ProbeRow>& probes_table() {
-  static const TableOf<ProbeRow> kTable(
-      {.name = "probes"},
-      {{kStep, [](auto& row) { return row.now.model.state().step; }},
-       {kStage, [](auto& row) { return row.now.stage.name; }},
-       {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
-       {{"filling", "Filling", "",
-         "share of its sites that particles cover, of those without wall"},
-        &ProbeRow::filling},
-       {{"particles", "Particles", "particles", "that the next three are over"},
-        &ProbeRow::particles},
-       {kVelocity, &ProbeRow::velocity},
-       {kFluctuation, &ProbeRow::fluctuation},
-       {{"flow", "Flow", "sites/step",
-         "since the last row, of the particles whose centre has passed the horizontal middle "
-         "line of the probe downwards, less those that have passed it upwards"},
-        &ProbeRow::flow}});
-  return kTable;
+TableOf<ProbeRow> probes_table(const scene::Scene& /*scene*/) {
+  return {{.name = "probes"},
+          {{kStep, [](auto& row) { return row.now.model.state().step; }},
+           {kStage, [](auto& row) { return row.now.stage.name; }},
+           {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
+           {{"filling", "Filling", "",
+             "share of its sites that particles cover, of those without wall"},
+            &ProbeRow::filling},
+           {{"particles", "Particles", "particles", "that the next three are over"},
+            &ProbeRow::particles},
+           {kVelocity, &ProbeRow::velocity},
+           {kFluctuation, &ProbeRow::fluctuation},
+           {{"flow", "Flow", "sites/step",
+             "since the last row, of the particles whose centre has passed the horizontal middle "
+             "line of the probe downwards, less those that have passed it upwards"},
+            &ProbeRow::flow}}};
 }
 
 /// Of the automaton, motion is over the steps since the last row, of the particles that were in the
 /// probe then; of the contact model, it is that at the row.
 class Probes {
  public:
-  explicit Probes(const scene::Scene& scene) : table_(scene, probes_table()) {}
+  explicit Probes(const scene::Scene& scene) : table_(table_scope(scene), probes_table(scene)) {}
 
   /// Adds a row for each probe.
   void add(const StageView& now);
@@ -247,7 +239,8 @@ void Probes::add(const StageView& now) {
 /// Rows at the steps that are due and at the begin and end of stages, one for each step.
 class Series : public Observer {
  public:
-  explicit Series(const scene::Scene& scene) : table_(scene, series_table(), names_of_each(scene)) {
+  explicit Series(const scene::Scene& scene)
+      : table_(table_scope(scene), series_table(scene), names_of_each(scene)) {
     if (!scene.probes.empty()) {
       probes_.emplace(scene);
     }
@@ -303,7 +296,7 @@ class Series : public Observer {
 ObserverKind series_observer() {
   return observer_kind<Series>(
       [](const scene::Scene& scene) { return scene.output.series.has_value(); },
-      {&series_table(), &probes_table()});
+      {series_table, probes_table});
 }
 
 }  // namespace clca::run

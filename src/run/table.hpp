@@ -23,16 +23,8 @@
 
 namespace clca::run {
 
-/// For which scenes there is a column.
-template <class Scene>
-struct ConditionOn {
-  std::string_view text = {};  ///< Markdown, as `with ...`; empty: all
-  bool (*holds)(const Scene& scene) = nullptr;
-};
-using Condition = ConditionOn<scene::Scene>;
-
 bool is_contact(const scene::Scene& scene);
-inline constexpr Condition kContactModel = {"with `model: contact`", is_contact};
+inline constexpr std::string_view kContactModel = "with `model: contact`";
 
 // In several tables. Behind the step, each table has the time where steps have a length.
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
@@ -50,7 +42,7 @@ double velocity_unit(const scene::Scene& scene);
 /// What a column is, of any run.
 struct ColumnInfo {
   Quantity quantity;
-  std::string_view where;                 ///< as ConditionOn::text
+  std::string_view where;                 ///< as ColumnGroup::where
   std::vector<std::string_view> endings;  ///< columns KEY + ending: one, or two as below
 
   std::vector<std::string> names() const;
@@ -108,31 +100,32 @@ struct TableInfo {
 };
 
 /// Columns that are there for some scenes.
-template <class Row, class Scene = scene::Scene>
-struct Columns {
-  ConditionOn<Scene> where;
+template <class Row>
+struct ColumnGroup {
+  std::string_view where;  ///< Markdown, as `with ...`; empty: all
+  bool is_there;           ///< for this scene
   std::vector<Column<Row>> columns;
 };
 
-/// The same with the values of its columns.
-template <class Row, class Scene = scene::Scene>
+/// The same for a scene, with the values of its columns.
+template <class Row>
 struct TableOf : TableInfo {
   TableOf(const TableInfo& info, std::vector<Column<Row>> always,
-          const std::vector<Columns<Row, Scene>>& sometimes = {})
-      : TableInfo(info), groups({{{}, std::move(always)}}) {
+          const std::vector<ColumnGroup<Row>>& sometimes = {})
+      : TableInfo(info), groups({{"", true, std::move(always)}}) {
     groups.insert(groups.end(), sometimes.begin(), sometimes.end());
-    for (auto& group : groups) {
+    for (ColumnGroup<Row>& group : groups) {
       for (Column<Row>& column : group.columns) {
-        column.info.where = group.where.text;
+        column.info.where = group.where;
         columns.push_back(column.info);
         if (column.info.quantity.key == kStep.key) {
-          columns.push_back({kTime, kContactModel.text, {""}});
+          columns.push_back({kTime, kContactModel, {""}});
         }
       }
     }
   }
 
-  std::vector<Columns<Row, Scene>> groups;
+  std::vector<ColumnGroup<Row>> groups;
 };
 
 /// What the tables of a run have in common.
@@ -162,34 +155,34 @@ class RunTable {
   void write(const store::OutputFolder& folder, const std::string& part = "");
 
  protected:
-  RunTable(const TableInfo& info, TableScope scope) : info_(info), scope_(std::move(scope)) {}
+  RunTable(TableInfo info, TableScope scope) : info_(std::move(info)), scope_(std::move(scope)) {}
 
   const TableScope& scope() const { return scope_; }
   void set_columns(const std::vector<std::string>& names) { table_ = store::Table(names); }
   void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
 
  private:
-  const TableInfo& info_;
+  TableInfo info_;
   TableScope scope_;
   store::Table table_{{}};
   std::uint64_t bytes_ = 0;
   std::optional<store::GrowingFile> file_;
 };
 
-template <class Row, class Scene = scene::Scene>
+template <class Row>
 class TableWriter : public RunTable {
  public:
-  /// `more`: names of the columns of_each. `table` outlives this.
-  TableWriter(const Scene& scene, const TableOf<Row, Scene>& table,
+  /// `more`: names of the columns of_each.
+  TableWriter(TableScope scope_of_run, const TableOf<Row>& table,
               const std::vector<std::string>& more = {})
-      : RunTable(table, table_scope(scene)) {
+      : RunTable(table, std::move(scope_of_run)) {
     std::vector<std::string> names;
-    for (const auto& group : table.groups) {
-      if (group.where.holds != nullptr && !group.where.holds(scene)) {
+    for (const ColumnGroup<Row>& group : table.groups) {
+      if (!group.is_there) {
         continue;
       }
       for (const Column<Row>& column : group.columns) {
-        columns_.push_back(&column);
+        columns_.push_back(column);
         for (const std::string& name : column.info.names()) {
           names.push_back(name);
         }
@@ -207,11 +200,11 @@ class TableWriter : public RunTable {
   /// `more`: cells of the columns of_each.
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
-    for (const Column<Row>* column : columns_) {
-      column->add(cells, row);
-      if (is_mean(*column) && !scope().has_errors) {
+    for (const Column<Row>& column : columns_) {
+      column.add(cells, row);
+      if (is_mean(column) && !scope().has_errors) {
         cells.pop_back();
-      } else if (has_time(*column)) {
+      } else if (has_time(column)) {
         cells.emplace_back(scope().conversion->time(std::get<std::uint64_t>(cells.back())));
       }
     }
@@ -225,7 +218,7 @@ class TableWriter : public RunTable {
     return scope().conversion && column.info.quantity.key == kStep.key;
   }
 
-  std::vector<const Column<Row>*> columns_;  // those that the scene has
+  std::vector<Column<Row>> columns_;
 };
 
 }  // namespace clca::run
