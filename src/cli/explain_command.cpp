@@ -33,8 +33,9 @@ std::string explained(const std::string& name) {
       throw;
     }
     return fmt::format(
-        "{}: {}{}{}\n  a number in run.json or a column of series.csv; in tables of a sweep\n",
-        quantity->key, quantity->name,
+        "{}: {}{}{}\n  a number in run.json or a column of a table of the run; in tables of a "
+        "sweep\n",
+        name, quantity->name,
         quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
         quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));
   }
@@ -49,6 +50,9 @@ std::string text_of(const ExplainOptions& options) {
   }
   const std::vector<std::string> keys =
       options.keys.empty() ? std::vector<std::string>{""} : options.keys;
+  if (options.format == "columns") {
+    return run::columns_table(keys.front());
+  }
   if (options.format == "markdown") {
     return scene::markdown_table(keys);
   }
@@ -70,11 +74,12 @@ void add_explain_command(CommandLine& command_line) {
       "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
       "quantities of run.json [the top]");
   command
-      .option(
-          "--format", &options->format,
-          "text, markdown (a table), schema (JSON Schema), or quantities (a table of the measures)")
+      .option("--format", &options->format,
+              "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
+              "measures), or "
+              "columns (of a table of a run: KEY is its name, such as series or gas.series)")
       .type("FORMAT")
-      .values(one_of({"text", "markdown", "schema", "quantities"}))
+      .values(one_of({"text", "markdown", "schema", "quantities", "columns"}))
       .show_default();
   command.action([options] {
     print_out("{}", text_of(*options));

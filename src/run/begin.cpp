@@ -66,8 +66,7 @@ void require_no_foreign(const store::OutputFolder& folder, const std::string& be
 }  // namespace
 
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start, const std::vector<std::string>& files,
-                           const std::set<std::string>& planned) {
+                           const store::Checkpoint& start, const std::vector<PlannedFile>& files) {
   const fs::path path = options.keep ? made_free(options.folder) : options.folder;
   if (events.folder) {
     events.folder(path);
@@ -75,8 +74,12 @@ store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
   store::RunFolder folder = store::RunFolder::for_new_run(path);
   require_no_foreign(folder.files(), store::kFramesFolder, start.scene_name + "-", ".png");
   require_no_foreign(folder.files(), "trajectory", "part-", ".h5");
-  for (const std::string& name : files) {
-    folder.files().require_free(name);
+  std::set<std::string> planned;
+  for (const PlannedFile& file : files) {
+    folder.files().require_free(file.name);
+    if (file.is_certain) {
+      planned.insert(file.name);
+    }
   }
   if (const auto earlier = folder.earlier_run()) {
     const std::string run = description(*earlier);

@@ -1,7 +1,6 @@
 #pragma once
 // The folder of a new run.
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -9,12 +8,16 @@
 
 namespace clca::run {
 
-/// Prepares the folder of `options` for a run that starts with `start`, and removes the files of an
-/// earlier run. `files`: names that the run may write; `planned`: those that it will write for
-/// certain, besides those of every run.
+/// A file that a run may write.
+struct PlannedFile {
+  std::string name;
+  bool is_certain = false;  ///< it writes it whatever happens
+};
+
+/// Prepares the folder of `options` for a run that starts with `start` and writes `files` besides
+/// those of every run; removes the files of an earlier run.
 /// Throws UnfinishedRunError and store::StoreError before it changes anything.
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start, const std::vector<std::string>& files,
-                           const std::set<std::string>& planned = {});
+                           const store::Checkpoint& start, const std::vector<PlannedFile>& files);
 
 }  // namespace clca::run

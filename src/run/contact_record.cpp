@@ -76,14 +76,13 @@ bool ContactRecord::Recurring::is_due_within(std::uint64_t steps,
 ContactRecord::ContactRecord(const scene::Scene& scene)
     : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
       most_((sampling_.window + sampling_.every - 1) / sampling_.every),
-      has_tables_(std::find(scene.measures.begin(), scene.measures.end(), scene::Measure::force) !=
-                  scene.measures.end()),
+      has_tables_(requests(scene, scene::Measure::force)),
       pictures_{.every = pictures_show_forces(scene) ? scene.output.frames->every : 0},
       frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
                            ? scene.output.trajectory->every
                            : 0} {}
 
-void ContactRecord::begin_stage() {
+void ContactRecord::prepare(const StageView& /*now*/) {
   stage_.clear();
   for (Recurring* recurring : {&pictures_, &frames_}) {
     recurring->window.clear();
@@ -91,13 +90,14 @@ void ContactRecord::begin_stage() {
   }
 }
 
-void ContactRecord::after_step(const scene::Stage& stage, const Model& model,
-                               std::uint64_t steps_in_stage) {
+void ContactRecord::after_step(const StageView& now) {
+  const std::uint64_t steps_in_stage = now.history.steps;
   pictures_.begin_step(steps_in_stage);
   frames_.begin_step(steps_in_stage);
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
-  const bool ends_soon = (has_tables_ || is_shown) &&
-                         may_end_soon(stage, steps_in_stage, sampling_.window, model.quiet());
+  const bool ends_soon =
+      (has_tables_ || is_shown) &&
+      may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.quiet());
   if (!ends_soon && !stage_.is_empty()) {
     stage_.clear();
   }
@@ -116,7 +116,7 @@ void ContactRecord::after_step(const scene::Stage& stage, const Model& model,
   if (takers.empty()) {
     return;
   }
-  const std::vector<contact::Force> forces = *model.forces();
+  const std::vector<contact::Force> forces = *now.model.forces();
   for (ForceWindow* window : takers) {
     window->add(forces, most_);
   }
@@ -147,8 +147,12 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
   return forces;
 }
 
+ObserverKind contacts_observer() {
+  return observer_kind<ContactRecord>(is_contact);
+}
+
 bool pictures_show_forces(const scene::Scene& scene) {
-  return scene.model == scene::Model::contact && scene.output.frames &&
+  return is_contact(scene) && scene.output.frames &&
          (scene.output.frames->overlay == scene::Overlay::forces ||
           scene.output.frames->color_by == scene::ColorBy::force);
 }

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "clca/contact/force.hpp"
-#include "clca/scene/scene.hpp"
-#include "run/model.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
@@ -35,13 +34,11 @@ class ForceWindow {
 
 /// Mean forces before the end of a stage, each picture and each trajectory frame that shows forces.
 /// Costs nothing in steps that none of them needs.
-class ContactRecord {
+class ContactRecord : public SavedObserver<ContactRecord> {
  public:
   explicit ContactRecord(const scene::Scene& scene);
 
-  void begin_stage();
-  /// Call after each step with its report.
-  void after_step(const scene::Stage& stage, const Model& model, std::uint64_t steps_in_stage);
+  void after_step(const StageView& now) override;
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
@@ -57,6 +54,7 @@ class ContactRecord {
     return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
            frames_.window.belongs_to(now);
   }
+  static constexpr const char* kPath = "records/contacts";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(field("stage", &ContactRecord::stage_),
@@ -79,6 +77,7 @@ class ContactRecord {
     }
   };
 
+  void prepare(const StageView& now) override;
   std::vector<contact::Force> forces_of(const Recurring& recurring, const Model& model) const;
 
   scene::Contacts sampling_;

@@ -1,64 +1,81 @@
 #include "run/cycle_record.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <utility>
 
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
-#include "run/model.hpp"
+#include "run/quantities.hpp"
 
 namespace clca::run {
 
 namespace {
 
-double value_or_nan(const std::optional<double>& value) {
-  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+TableOf<CycleRow> cycles_table(const scene::Scene& scene) {
+  return {{.name = "cycles"},
+          {{kStage, [](auto& row) { return row.now.stage.name; }},
+           {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
+            &CycleRow::cycle},
+           {kStep, [](auto& row) { return row.state().step; }},
+           {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
+           {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
+           {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
+           {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
+           {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell); }}},
+          {{"with a [vessel](#vessel), not in a periodic box",
+            has_vessel(scene) && !scene.box.periodic,
+            {{kReposeGravity, [](auto& row) {
+                const auto down = contact::gravity_direction(row.now.model.vessel());
+                return measure::repose_angle(measure::surface_profile(row.state(), down)).mean();
+              }}}}}};
 }
 
-std::vector<std::string> cycle_columns(bool has_time, bool has_vessel) {
-  std::vector<std::string> names = {"stage", "cycle", "step"};
-  if (has_time) {
-    names.emplace_back("time");
+TableOf<measure::Arrow> convection_table(const scene::Scene& /*scene*/) {
+  using measure::Arrow;
+  return {{.name = "convection", .kind = TableInfo::Kind::parts},
+          {{kCellCentre, &Arrow::centre},
+           {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
+           {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
+            &Arrow::weight}}};
+}
+
+std::vector<store::MeasureValue> convection(const StageView& stage) {
+  const measure::Convection* convection = stage.observers.find<CycleRecord>()->convection();
+  if (convection == nullptr) {
+    return {};
   }
-  names.insert(names.end(), {"height_mean", "repose_angle_deg", "intruder_height_rel",
-                             "segregation_index", "lacey_index"});
-  if (has_vessel) {
-    names.emplace_back("repose_gravity_deg");
-  }
-  return names;
+  using Values = std::vector<store::MeasureValue>;
+  const auto rolls = convection->rolls();
+  return rolls ? Values{rolls->centre_minus_wall, rolls->circulation_left, rolls->circulation_right}
+               : Values(3);
 }
 
 }  // namespace
 
-CycleRecord::CycleRecord(double cell, const scene::Scene& scene)
-    : cell_(cell),
-      conversion_(scene::conversion(scene)),
-      has_vessel_(has_vessel(scene) && !scene.box.periodic),
-      table_(cycle_columns(conversion_.has_value(), has_vessel_)) {}
+CycleRecord::CycleRecord(const scene::Scene& scene)
+    : cell_(scene.output.fields.value_or(scene::Fields{}).cell),
+      cycles_table_(table_scope(scene), cycles_table(scene)),
+      convection_table_(table_scope(scene), convection_table(scene)) {}
 
-void CycleRecord::begin_stage(const scene::Scene& scene, const scene::Stage& stage,
-                              const grains::State& state, const contact::Vessel& vessel) {
-  resume_stage(scene, stage, state);
+void CycleRecord::begin_stage(const StageView& now) {
+  prepare(now);
   if (convection_) {
-    convection_->begin_cycle(state);
-    add_row(state, vessel);
+    convection_->begin_cycle(now.model.state());
+    add_row(now);
   }
 }
 
-void CycleRecord::resume_stage(const scene::Scene& scene, const scene::Stage& stage,
-                               const grains::State& state) {
-  stage_ = stage.name;
+void CycleRecord::prepare(const StageView& now) {
+  const grains::State& state = now.model.state();
   cycles_ = 0;
   at_start_.clear();
   for (const grains::Wall& wall : state.walls) {
     at_start_.push_back(wall.travel);
   }
   convection_.reset();
-  const bool cyclic = std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
-    return grains::is_cyclic(*scene.walls[wall].motion);
-  });
-  vessel_has_cycles_ = scene::vessel_has_cycles(stage);
+  const bool cyclic = std::any_of(
+      now.stage.move.begin(), now.stage.move.end(),
+      [&](std::size_t wall) { return grains::is_cyclic(*now.scene.walls[wall].motion); });
+  vessel_has_cycles_ = scene::vessel_has_cycles(now.stage);
   if (cyclic || vessel_has_cycles_) {
     convection_.emplace(state.lattice, cell_);
   }
@@ -68,18 +85,28 @@ bool CycleRecord::precedes(const grains::State& now) const {
   return at_start_.size() == now.walls.size() && (!convection_ || convection_->precedes(now));
 }
 
-void CycleRecord::after_step(const grains::State& state, const contact::Vessel& vessel) {
+void CycleRecord::after_step(const StageView& now) {
+  const grains::State& state = now.model.state();
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = completed(state, vessel.whole_cycles);
+  const std::uint64_t cycles = completed(state, now.model.vessel().whole_cycles);
   if (cycles == cycles_) {
     return;
   }
   cycles_ = cycles;
   convection_->end_cycle(state);
   convection_->begin_cycle(state);
-  add_row(state, vessel);
+  add_row(now);
+}
+
+void CycleRecord::end_stage(const StageView& now) {
+  if (convection_ && requests(now.scene, scene::Measure::convection)) {
+    for (const measure::Arrow& arrow : convection_->arrows()) {
+      convection_table_.add(arrow);
+    }
+    convection_table_.write(now.files, now.stage.name);
+  }
 }
 
 std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t of_vessel) const {
@@ -101,31 +128,23 @@ std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t o
   return least.value_or(0);
 }
 
-void CycleRecord::add_row(const grains::State& state, const contact::Vessel& vessel) {
-  const std::vector<double> profile = measure::surface_profile(state);
-  std::vector<store::Cell> cells = {stage_, cycles_, state.step};
-  if (conversion_) {
-    cells.emplace_back(conversion_->time(state.step));
-  }
-  cells.insert(cells.end(),
-               {measure::mean_height(profile), value_or_nan(measure::repose_angle(profile).mean()),
-                value_or_nan(measure::intruder_height(state)),
-                value_or_nan(measure::segregation_index(state)),
-                value_or_nan(measure::lacey_index(state, cell_))});
-  if (has_vessel_) {
-    const auto in_gravity = measure::surface_profile(state, contact::gravity_direction(vessel));
-    cells.emplace_back(value_or_nan(measure::repose_angle(in_gravity).mean()));
-  }
-  table_.add_row(std::move(cells));
+void CycleRecord::add_row(const StageView& now) {
+  cycles_table_.add({.now = now,
+                     .cycle = cycles_,
+                     .profile = measure::surface_profile(now.model.state()),
+                     .cell = cell_});
 }
 
-std::string CycleRecord::convection_csv() const {
-  store::Table table({"x", "y", "dx", "dy", "weight"});
-  for (const measure::Arrow& arrow : convection_->arrows()) {
-    table.add_row({arrow.centre.x(), arrow.centre.y(), arrow.displacement.x(),
-                   arrow.displacement.y(), arrow.weight});
-  }
-  return table.to_csv();
+ObserverKind cycles_observer() {
+  return observer_kind<CycleRecord>(
+      [](const scene::Scene& /*scene*/) { return true; }, {cycles_table, convection_table},
+      {{scene::Measure::convection,
+        "a wall with a wave or shake",
+        {{"convection_centre_minus_wall", "Convection, centre less walls", "spacings/cycle",
+          "rise inside less that at the walls"},
+         {"convection_circulation_left", "Circulation, left half", "rad/cycle", "anticlockwise"},
+         {"convection_circulation_right", "Circulation, right half", "rad/cycle", "anticlockwise"}},
+        convection}});
 }
 
 }  // namespace clca::run

@@ -1,8 +1,9 @@
 #include "run/energy_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace clca::run {
 
@@ -12,7 +13,7 @@ constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for so
 
 }  // namespace
 
-void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
+void EnergyRecord::begin(const scene::Stage& stage, const Model& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = model.energy()->sum();
   fall_ = 0;
@@ -29,10 +30,22 @@ void EnergyRecord::begin_stage(const scene::Stage& stage, const Model& model) {
   growth_ = 0;
 }
 
-void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange& exchange) {
+void EnergyRecord::after_step(const StageView& now) {
+  if (const auto growth = add(now.model, now.model.exchange()); growth && now.log != nullptr) {
+    now.log->warning(fmt::format(
+        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
+        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
+        "contact.resolution",
+        now.stage.name, now.model.state().step, growth->lowest, growth->now,
+        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
+  }
+}
+
+std::optional<EnergyRecord::Growth> EnergyRecord::add(const Model& model,
+                                                      const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
-    return;
+    return std::nullopt;
   }
   const contact::Energy energy = *model.energy();
   const double now = energy.sum() - exchanged_.gained();
@@ -40,25 +53,37 @@ void EnergyRecord::after_step(const Model& model, const contact::EnergyExchange&
   // On a slope without end the potential energy falls without end, below 0.
   const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
   if (scale <= 0) {
-    return;
+    return std::nullopt;
   }
   growth_ = std::max(growth_, (now - lowest_) / scale);
-  if (!has_warned_ && growth_ > kTolerance && now - lowest_ > lift_) {
-    has_warned_ = true;
-    warning_ = {.scale = scale, .lowest = lowest_, .now = now};
+  if (has_warned_ || growth_ <= kTolerance || now - lowest_ <= lift_) {
+    return std::nullopt;
   }
+  has_warned_ = true;
+  return Growth{.scale = scale, .lowest = lowest_, .now = now};
 }
 
 double EnergyRecord::dissipated(const contact::Energy& now) const {
   return start_ + exchanged_.gained() - now.sum();
 }
 
-std::optional<EnergyRecord::Growth> EnergyRecord::take_warning() {
-  return std::exchange(warning_, std::nullopt);
-}
-
 std::optional<double> EnergyRecord::growth() const {
   return is_closed_ ? std::optional(growth_) : std::nullopt;
+}
+
+ObserverKind energy_observer() {
+  return observer_kind<EnergyRecord>(
+      is_contact, {},
+      {{{},
+        "model `contact`, without sources",
+        {{"energy_growth", "Growth of the energy", "",
+          "most that it has grown in the stage, as a share of that at its start"}},
+        [](const StageView& stage) -> std::vector<store::MeasureValue> {
+          const auto* energy = stage.observers.find<EnergyRecord>();
+          const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
+          return growth ? std::vector<store::MeasureValue>{*growth}
+                        : std::vector<store::MeasureValue>();
+        }}});
 }
 
 }  // namespace clca::run

@@ -4,26 +4,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "clca/reflection/reflection.hpp"
-#include "clca/scene/scene.hpp"
-#include "run/model.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
-class EnergyRecord {
+class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:
-  void begin_stage(const scene::Stage& stage, const Model& model);
-  /// Call after each step; `exchange`: of the step.
-  void after_step(const Model& model, const contact::EnergyExchange& exchange);
+  explicit EnergyRecord(const scene::Scene& /*scene*/) {}
 
-  /// Since the start of the stage.
-  const contact::EnergyExchange& exchanged() const { return exchanged_; }
-  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
-  /// the present energy.
-  double dissipated(const contact::Energy& now) const;
+  /// Warns of energy that grows.
+  void after_step(const StageView& now) override;
 
-  /// A warning if the energy has grown by more than 1 % of the scale, and by more than rest may
-  /// lift: half a spacing a grain, some of them up and some down. Given once per run.
   struct Growth {
     /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
     /// grains by a lattice spacing.
@@ -31,11 +22,23 @@ class EnergyRecord {
     double lowest = 0;  ///< of the stage
     double now = 0;
   };
-  std::optional<Growth> take_warning();
+  void begin(const scene::Stage& stage, const Model& model);
+  /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
+  /// than 1 % of the scale, and by more than rest may lift: half a spacing a grain, some of them up
+  /// and some down.
+  std::optional<Growth> add(const Model& model, const contact::EnergyExchange& exchange);
+
+  /// Since the start of the stage.
+  const contact::EnergyExchange& exchanged() const { return exchanged_; }
+  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
+  /// the present energy.
+  double dissipated(const contact::Energy& now) const;
+
   /// Largest rise above an earlier minimum, relative to the scale. None if sources, walls or the
   /// vessel did work.
   std::optional<double> growth() const;
 
+  static constexpr const char* kPath = "records/energy";
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(
@@ -46,6 +49,8 @@ class EnergyRecord {
   }
 
  private:
+  void prepare(const StageView& now) override { begin(now.stage, now.model); }
+
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
   double fall_ = 0;  // of all grains by a lattice spacing
@@ -54,7 +59,6 @@ class EnergyRecord {
   double lowest_ = 0;
   double growth_ = 0;
   bool has_warned_ = false;
-  std::optional<Growth> warning_;
 };
 
 }  // namespace clca::run

@@ -1,4 +1,4 @@
-#include "run/force_measures.hpp"
+// Measures of forces between grains, and of walls that push grains and are stalled.
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <numeric>
 #include <optional>
 
-#include "run/contact_tables.hpp"
+#include "run/contact_record.hpp"
+#include "run/force_record.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {
@@ -61,10 +62,11 @@ Values values_of(const std::optional<Distribution>& distribution) {
 
 /// Of grains that touch.
 Values contact_forces(const StageView& stage) {
-  if (!stage.records.contacts()) {
+  const auto* contacts = stage.observers.find<ContactRecord>();
+  if (contacts == nullptr) {
     return {};
   }
-  const std::vector<contact::Force> forces = stage.records.contacts()->at_end(stage.model);
+  const std::vector<contact::Force> forces = contacts->at_end(stage.model);
   const grains::State& state = stage.model.state();
   const auto grains = static_cast<double>(grains::present_count(state));
   double touching = 0;  // bodies of contacts that are grains
@@ -85,14 +87,15 @@ Values contact_forces(const StageView& stage) {
 
 /// Of walls that overlap grains.
 Values overlap_forces(const StageView& stage) {
-  if (!stage.records.forces()) {
+  const auto* overlaps = stage.observers.find<ForceRecord>();
+  if (overlaps == nullptr) {
     return {};
   }
   const grains::State& state = stage.model.state();
   const grains::Occupancy& occupancy = stage.model.grains().occupancy();
   const auto contacts = measure::contacts(state, occupancy);
   const auto summary = measure::force_summary(state, occupancy, contacts);
-  const Values shape = values_of(stage.records.forces()->distribution(contacts));
+  const Values shape = values_of(overlaps->distribution(contacts));
   const CombinedWalls walls = combined(state, summary, stage.history.profile_at_start);
   return {static_cast<double>(summary.depth_max),
           static_cast<double>(summary.sites),
@@ -106,6 +109,16 @@ Values overlap_forces(const StageView& stage) {
 }
 
 }  // namespace
+
+std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces) {
+  std::vector<double> strengths;
+  for (const contact::Force& force : forces) {
+    if (grains::is_particle(force.other) && force.along_normal > 0) {
+      strengths.push_back(force.along_normal);
+    }
+  }
+  return measure::force_distribution(strengths, measure::Strength::averaged);
+}
 
 std::vector<QuantityGroup> force_quantities() {
   using scene::Measure;

@@ -63,26 +63,6 @@ double rotational_unit(double translational, double rotational) {
   return rotational > 0 ? rotational : translational;
 }
 
-std::vector<GasColumn> GasObservation::columns(const GasObservation& start, bool sheared) const {
-  const boltzmann::Moments& first = start.moments;
-  std::vector<GasColumn> columns = {
-      {"t_tr", moments.translational / first.translational},
-      {"t_rot", moments.rotational / rotational_unit(first.translational, first.rotational)},
-      {"collisions", collisions},
-      {"a2_tr", moments.a2_translational},
-      {"a2_rot", moments.a2_rotational},
-      {"dh_tr", dh_translational},
-      {"dh_rot", dh_rotational},
-      {"correlation", moments.correlation},
-      {"alignment", moments.alignment}};
-  if (sheared) {
-    columns.push_back({"p_xx", moments.p_xx});
-    columns.push_back({"p_yy", moments.p_yy});
-    columns.push_back({"p_xy", moments.p_xy});
-  }
-  return columns;
-}
-
 void GasMember::count() {
   steps = gas->step;
   participations = gas->participations;

@@ -42,12 +42,6 @@ statistics::Bins bins_of(const scene::BoltzmannScene& scene);
 /// Unit of rotational temperatures: that of time 0, or the translational one if there is no spin.
 double rotational_unit(double translational, double rotational);
 
-/// One quantity of a row of series.csv.
-struct GasColumn {
-  const char* name;
-  double value;
-};
-
 /// Observation of a gas at one time.
 struct GasObservation {
   boltzmann::Moments moments;
@@ -55,9 +49,6 @@ struct GasObservation {
   double dh_translational = 0;
   double dh_rotational = 0;
   boltzmann::EnergyShares shares;  ///< empty where no histogram is asked for
-
-  /// The columns of series.csv after `time`, temperatures relative to `start`.
-  std::vector<GasColumn> columns(const GasObservation& start, bool sheared) const;
 
   static constexpr auto fields() {
     using reflection::field;

@@ -1,7 +1,5 @@
 // Runs a scene of the Boltzmann equation: an ensemble of gases for each restitution.
 
-#include "run/gas_run.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,14 +14,11 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/tasks/pool.hpp"
-#include "run/begin.hpp"
-#include "run/checkpoint_writer.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_share.hpp"
 #include "run/gas_slots.hpp"
 #include "run/meter.hpp"
 #include "run/run_base.hpp"
-#include "run/startable.hpp"
 
 namespace clca::run {
 
@@ -50,7 +45,7 @@ class GasRun : public RunBase {
                  .title = scene.title,
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
-                 .keeps_checkpoint = scene.checkpoint.has_value()},
+                 .checkpoints = scene.checkpoint},
                 with_threads(options, parallel::startable_threads(options.threads), events),
                 events),
         scene_(scene),
@@ -58,16 +53,16 @@ class GasRun : public RunBase {
         threads_(RunBase::options().threads, scene.ensemble, ranks_.size()),
         integrator_(scene),
         course_(std::move(course)),
-        cases_logged_(std::exchange(course_.cases_ended, 0)),
-        checkpoint_writer_(scene.checkpoint) {
-    write_to(folder ? std::move(*folder)
-                    : begin_run(options, events, checkpoint(), gas_table_names(scene)),
-             course_.log_bytes, course_.wall_seconds);
+        cases_logged_(std::exchange(course_.cases_ended, 0)) {
+    if (course_.cases.empty()) {
+      begin(std::move(folder), checkpoint(), gas_files(scene));
+    } else {
+      go_on(*std::move(folder), course_.log_bytes, course_.wall_seconds);
+    }
   }
 
  private:
   void carry_out() override;
-  bool is_complete() const override { return complete_; }
   void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
   void run_case(GasCase& one);
@@ -81,7 +76,7 @@ class GasRun : public RunBase {
   bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
   void finish_case(const GasCase& one);
   /// Writes a checkpoint; no gas may change meanwhile.
-  void save();
+  void save_course();
   void warn();
   bool is_done(const GasMember& member) const {
     return member.observations.size() == integrator_.times().size();
@@ -102,22 +97,17 @@ class GasRun : public RunBase {
   tasks::OneRank alone_;
   tasks::Ranks& ranks_;
   GasThreads threads_;
-  IntervalTimer timer_{events().progress_interval};
   GasIntegrator integrator_;
   GasCourse course_;
-  std::uint64_t cases_logged_;  // by the lines of log.txt that were there
-  std::vector<store::StageSummary> stages_;
+  std::uint64_t cases_logged_;          // by the lines of log.txt that were there
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
   std::vector<GasAtWork> at_work_;          // one for each member of a case
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
   TimeEstimate forecast_;
-  bool complete_ = true;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
-  CheckpointWriter
-      checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 void GasRun::carry_out() {
@@ -148,22 +138,23 @@ void GasRun::warn() {
 
 void GasRun::run_cases() {
   course_.cases.reserve(scene_.restitutions.size());
-  for (std::size_t i = 0; i < scene_.restitutions.size() && complete_; ++i) {
+  for (std::size_t i = 0; i < scene_.restitutions.size() && is_complete(); ++i) {
     if (i == course_.cases.size()) {
       course_.cases.push_back({.restitution = scene_.restitutions[i],
                                .members = std::vector<GasMember>(scene_.ensemble)});
     }
     GasCase& one = course_.cases[i];
     run_case(one);
-    complete_ = complete(one);
+    if (!complete(one)) {
+      interrupt();
+    }
     const bool last = i + 1 == scene_.restitutions.size();
-    if (!complete_ || (last && scene_.checkpoint)) {
-      save();
+    if (!is_complete() || (last && scene_.checkpoint)) {
+      save_course();
     }
     finish_case(one);
-    write_tables(scene_, course_.cases, folder());
+    write_tables(scene_, course_.cases, folder().files());
   }
-  checkpoint_writer_.finish();
 }
 
 void GasRun::run_case(GasCase& one) {
@@ -175,7 +166,7 @@ void GasRun::run_case(GasCase& one) {
   }
   forecast_ = TimeEstimate();
   at_work_ = std::vector<GasAtWork>(one.members.size());
-  GasSlots slots(one.members, checkpoint_writer_, [this] { save(); });
+  GasSlots slots(one.members, checkpoint_writer(), [this] { save_course(); });
   const std::vector<GasShare> shares = shares_of(one);
   ranks_.hand_out(
       [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
@@ -195,7 +186,7 @@ void GasRun::run_case(GasCase& one) {
     if (ranks_.size() > 1) {
       slots.save_if_time();
     }
-    if (timer_.due()) {
+    if (progress_due()) {
       show_progress(one.restitution);
     }
   }
@@ -261,7 +252,7 @@ bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double re
                         const std::atomic<int>& stop) {
   at_work_[number].time = gas.time;
   at_work_[number].participations = gas.participations;
-  if (std::this_thread::get_id() == thread_ && timer_.due()) {
+  if (std::this_thread::get_id() == thread_ && progress_due()) {
     show_progress(restitution);
   }
   return stop == 0 && !stop_asked();
@@ -301,23 +292,23 @@ void GasRun::finish_case(const GasCase& one) {
     hash_.add(member.hash);
   }
   steps_ += steps;
-  const std::string ended = complete_ ? "time" : "interrupted";
-  stages_.push_back({.name = case_name(one.restitution),
-                     .steps = steps,
-                     .ended = ended,
-                     .measures = gas_measures(scene_, one)});
+  const std::string ended = is_complete() ? "time" : "interrupted";
+  stages().push_back({.name = case_name(one.restitution),
+                      .steps = steps,
+                      .ended = ended,
+                      .measures = gas_measures(scene_, one)});
   if (++course_.cases_ended > cases_logged_) {
     log().info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
                            one.restitution, one.members.size(), scene_.particles, steps, ended));
   }
 }
 
-void GasRun::save() {
+void GasRun::save_course() {
   course_.wall_seconds = wall_seconds();
   course_.log_bytes = log().bytes();
   store::Checkpoint saved = checkpoint();
   reflection::encode(kSavedGases, course_, saved.fields);
-  checkpoint_writer_.save(folder().files(), std::move(saved));
+  save(std::move(saved));
 }
 
 void GasRun::complete_summary(store::RunSummary& summary) const {
@@ -327,7 +318,6 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.step_seconds = summary.wall_seconds;
   summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
-  summary.stages = stages_;
 }
 
 }  // namespace
@@ -339,12 +329,13 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
+  GasCourse course;
   if (saved.checkpoint.is_start()) {
     saved.folder.start_over(saved.checkpoint, {});
-    return GasRun(scene, options, events, std::move(saved.folder)).execute();
+  } else {
+    course = saved_course(saved);
+    saved.checkpoint.fields.clear();  // as large as the gases
   }
-  GasCourse course = saved_course(saved);
-  saved.checkpoint.fields.clear();  // as large as the gases
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
 }
 

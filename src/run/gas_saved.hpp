@@ -24,6 +24,9 @@ struct GasCourse {
   }
 };
 
+/// As resume(), for a scene of the Boltzmann equation.
+store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events);
+
 inline constexpr const char* kSavedGases = "gases";
 
 /// Loads the checkpoint for resuming with its scene. Gases at or on the way to a previous end go

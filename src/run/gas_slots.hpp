@@ -7,8 +7,8 @@
 #include <mutex>
 #include <vector>
 
-#include "run/checkpoint_writer.hpp"
 #include "run/gas_member.hpp"
+#include "run/run_base.hpp"
 
 namespace clca::run {
 

@@ -4,94 +4,167 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "clca/boltzmann/closure.hpp"
-#include "clca/statistics/sample.hpp"
-#include "clca/store/file.hpp"
-#include "clca/store/table.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {
 
 namespace {
 
-using Row = std::vector<store::Cell>;
+using GasScene = scene::BoltzmannScene;
+using statistics::Sample;
 
-/// The first cell of each row of a scene with a list of restitutions.
-Row begin_row(const scene::BoltzmannScene& scene, double restitution) {
-  return scene.lists_restitutions ? Row{restitution} : Row{};
-}
+constexpr std::string_view kWithShear = "with shear";
+constexpr std::string_view kWithList = "with a list of `restitution`";
 
-std::vector<std::string> begin_columns(const scene::BoltzmannScene& scene) {
-  return scene.lists_restitutions ? std::vector<std::string>{"restitution"}
-                                  : std::vector<std::string>{};
-}
+constexpr Quantity kRestitution = {"restitution", "Restitution ε", "",
+                                   "normal restitution of the spheres"};
+constexpr Quantity kGasTime = {"time", "Time", "1/(π N (2a)² v₀)", ""};
+constexpr Quantity kTranslational = {"t_tr", "Translational temperature", "",
+                                     "⟨v²⟩/3, relative to time 0"};
+constexpr Quantity kRotational = {
+    "t_rot", "Rotational temperature", "",
+    "⟨w²⟩/3, relative to time 0; without spin then, to the translational one"};
+constexpr Quantity kPressureXx = {"p_xx", "Pressure p_xx", "mean pressure", "3⟨v_x²⟩/⟨v²⟩"};
+constexpr Quantity kPressureYy = {"p_yy", "Pressure p_yy", "mean pressure", "likewise"};
+constexpr Quantity kShearStress = {"p_xy", "Shear stress p_xy", "mean pressure", "likewise"};
 
-void add_columns(std::vector<std::string>& columns, const std::string& name, bool with_error) {
-  columns.push_back(name);
-  if (with_error) {
-    columns.push_back(name + "_se");
-  }
-}
-
-void add_cells(Row& row, const statistics::Sample& value, bool with_error) {
-  row.emplace_back(value.mean);
-  if (with_error) {
-    row.emplace_back(value.standard_error);
-  }
-}
-
-struct NamedEstimate {
-  const char* name;
-  statistics::Sample value;
+/// What is observed of a gas at a time, with its first observation.
+struct GasMoment {
+  const GasObservation& now;
+  const GasObservation& start;
+};
+struct GasValue {
+  Quantity quantity;
+  double (*of)(const GasMoment& gas);
+  bool is_of_shear = false;
 };
 
-/// The columns of series.csv at one time, over the ensemble.
-std::vector<NamedEstimate> series_estimates(const GasCase& one, std::size_t place, bool sheared) {
-  std::vector<std::vector<GasColumn>> members;
+const std::vector<GasValue>& gas_values() {
+  using Gas = const GasMoment&;
+  static const std::vector<GasValue> kValues = {
+      {kTranslational,
+       [](Gas gas) { return gas.now.moments.translational / gas.start.moments.translational; }},
+      {kRotational,
+       [](Gas gas) {
+         return gas.now.moments.rotational /
+                rotational_unit(gas.start.moments.translational, gas.start.moments.rotational);
+       }},
+      {{"collisions", "Collisions", "", "of a particle since time 0, mean"},
+       [](Gas gas) { return gas.now.collisions; }},
+      {{"a2_tr", "Second cumulant, velocities", "", "3⟨v⁴⟩/(5⟨v²⟩²) - 1; 0 if normal"},
+       [](Gas gas) { return gas.now.moments.a2_translational; }},
+      {{"a2_rot", "Second cumulant, spins", "", "the same of the spins"},
+       [](Gas gas) { return gas.now.moments.a2_rotational; }},
+      {{"dh_tr", "Distance, translational energy", "", "from chi-square (Hellinger)"},
+       [](Gas gas) { return gas.now.dh_translational; }},
+      {{"dh_rot", "Distance, rotational energy", "", "from chi-square (Hellinger)"},
+       [](Gas gas) { return gas.now.dh_rotational; }},
+      {{"correlation", "Correlation of the energies", "",
+        "⟨v²w²⟩/(⟨v²⟩⟨w²⟩) - 1 of speed and spin; 0 if independent"},
+       [](Gas gas) { return gas.now.moments.correlation; }},
+      {{"alignment", "Alignment of spin and velocity", "",
+        "(3⟨(v w)²⟩ - ⟨v²w²⟩)/(⟨v²⟩⟨w²⟩): above 0 where spins lie along velocities, below where "
+        "across"},
+       [](Gas gas) { return gas.now.moments.alignment; }},
+      {kPressureXx, [](Gas gas) { return gas.now.moments.p_xx; }, true},
+      {kPressureYy, [](Gas gas) { return gas.now.moments.p_yy; }, true},
+      {kShearStress, [](Gas gas) { return gas.now.moments.p_xy; }, true}};
+  return kValues;
+}
+
+bool has_value(const GasScene& scene, const GasValue& value) {
+  return !value.is_of_shear || scene.shear_rate > 0;
+}
+
+/// Over the ensemble.
+Sample estimate(const GasCase& one, std::size_t place, const GasValue& value) {
+  std::vector<double> values;
   for (const GasMember* member : one.at(place)) {
-    members.push_back(member->observations[place].columns(member->observations.front(), sheared));
+    values.push_back(value.of({member->observations[place], member->observations.front()}));
   }
-  std::vector<NamedEstimate> estimates;
-  for (std::size_t column = 0; column < members.front().size(); ++column) {
-    std::vector<double> values;
-    for (const auto& member : members) {
-      values.push_back(member[column].value);
-    }
-    estimates.push_back({members.front()[column].name, statistics::sample(values)});
-  }
-  return estimates;
+  return statistics::sample(values);
 }
 
-std::string series_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
-  const bool errors = scene.ensemble > 1;
-  std::vector<std::string> columns = begin_columns(scene);
-  columns.emplace_back("time");
-  for (const GasColumn& column : GasObservation().columns({}, scene.shear_rate > 0)) {
-    add_columns(columns, column.name, errors);
+struct GasRow {
+  const GasCase& gases;
+  std::size_t place;  // of the observation
+  double time;
+};
+
+TableOf<GasRow> gas_series_table(const GasScene& scene) {
+  std::vector<ColumnGroup<GasRow>> columns = {
+      {kWithList,
+       scene.lists_restitutions,
+       {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
+      {"", true, {{kGasTime, &GasRow::time}}}};
+  for (const GasValue& value : gas_values()) {
+    columns.push_back({value.is_of_shear ? kWithShear : "",
+                       has_value(scene, value),
+                       {{value.quantity,
+                         [&value](auto& row) { return estimate(row.gases, row.place, value); }}}});
   }
-  store::Table table(columns);
-  const std::vector<GasTime> times = gas_times(scene);
-  for (const GasCase& one : cases) {
-    for (std::size_t i = 0; i < one.observations(); ++i) {
-      if (times[i].in_series) {
-        Row row = begin_row(scene, one.restitution);
-        row.emplace_back(times[i].time);
-        for (const NamedEstimate& entry : series_estimates(one, i, scene.shear_rate > 0)) {
-          add_cells(row, entry.value, errors);
-        }
-        table.add_row(std::move(row));
-      }
-    }
-  }
-  return table.to_csv();
+  return {{.name = "series", .kind = TableInfo::Kind::whole}, {}, columns};
 }
 
-/// Shares of one kind of energy at one time, a row for each bin.
-void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, const GasCase& one,
-                   std::size_t place, const char* energy,
-                   std::vector<double> boltzmann::EnergyShares::*kind) {
+struct GasBin {
+  double restitution;
+  std::string energy;
+  double lower;
+  std::optional<double> upper;
+  Sample share;
+  double reference;
+};
+
+TableOf<GasBin> gas_histogram_table(const GasScene& scene) {
+  return {{.name = "histogram", .kind = TableInfo::Kind::parts},
+          {},
+          {{kWithList, scene.lists_restitutions, {{kRestitution, &GasBin::restitution}}},
+           {"",
+            true,
+            {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
+             {{"lower", "Lower end of the bin", "", "of X = v²/T_tr or w²/T_rot at the time"},
+              &GasBin::lower},
+             {{"upper", "Upper end of the bin", "", "none for the last"}, &GasBin::upper},
+             {{"share", "Share of the particles", "", ""}, &GasBin::share},
+             {{"reference", "Share under chi-square", "", ""}, &GasBin::reference}}}}};
+}
+
+struct GasClosure {
+  double restitution;
+  double time;
+  double translational;
+  double rotational = 0;
+  double p_xx = 0;
+  double p_yy = 0;
+  double p_xy = 0;
+};
+
+TableOf<GasClosure> gas_closure_table(const GasScene& scene) {
+  return {
+      {.name = "closure", .kind = TableInfo::Kind::whole},
+      {},
+      {{kWithList, scene.lists_restitutions, {{kRestitution, &GasClosure::restitution}}},
+       {"", true, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
+       {"without shear", scene.shear_rate == 0, {{kRotational, &GasClosure::rotational}}},
+       {kWithShear,
+        scene.shear_rate > 0,
+        {{kPressureXx, &GasClosure::p_xx},
+         {kPressureYy, &GasClosure::p_yy},
+         {kShearStress, &GasClosure::p_xy}}}}};
+}
+
+std::string time_name(double time) {
+  return fmt::format("{}", time);
+}
+
+using Series = TableWriter<GasRow>;
+using Histogram = TableWriter<GasBin>;
+using Closure = TableWriter<GasClosure>;
+
+void add_bins(Histogram& table, const GasScene& scene, const GasCase& one, std::size_t place,
+              const char* energy, std::vector<double> boltzmann::EnergyShares::*kind) {
   const statistics::Bins bins = bins_of(scene);
   const std::vector<double> reference = statistics::chi_square_shares(bins, kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
@@ -99,112 +172,85 @@ void add_histogram(store::Table& table, const scene::BoltzmannScene& scene, cons
     for (const GasMember* member : one.at(place)) {
       values.push_back((member->observations[place].shares.*kind)[bin]);
     }
-    const bool open = std::isinf(bins.upper(bin));
-    Row row = begin_row(scene, one.restitution);
-    row.emplace_back(energy);
-    row.emplace_back(bins.lower(bin));
-    row.emplace_back(open ? std::numeric_limits<double>::quiet_NaN() : bins.upper(bin));
-    add_cells(row, statistics::sample(values), scene.ensemble > 1);
-    row.emplace_back(reference[bin]);
-    table.add_row(std::move(row));
+    table.add({.restitution = one.restitution,
+               .energy = energy,
+               .lower = bins.lower(bin),
+               .upper = std::isinf(bins.upper(bin)) ? std::nullopt : std::optional(bins.upper(bin)),
+               .share = statistics::sample(values),
+               .reference = reference[bin]});
   }
 }
 
-/// None where no case has come so far.
-std::string histogram_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
-                          std::size_t place) {
-  std::vector<std::string> columns = begin_columns(scene);
-  columns.insert(columns.end(), {"energy", "lower", "upper"});
-  add_columns(columns, "share", scene.ensemble > 1);
-  columns.emplace_back("reference");
-  store::Table table(columns);
-  for (const GasCase& one : cases) {
-    if (place < one.observations()) {
-      add_histogram(table, scene, one, place, "translational",
-                    &boltzmann::EnergyShares::translational);
-      add_histogram(table, scene, one, place, "rotational", &boltzmann::EnergyShares::rotational);
+/// Temperatures by the closed forms, at the times of the series.
+void add_cooling(Closure& table, const GasScene& scene, const GasCase& one) {
+  if (one.observations() == 0) {
+    return;
+  }
+  const boltzmann::Law law = scene::process(scene, one.restitution).law;
+  std::vector<double> spins;
+  for (const GasMember* member : one.at(0)) {
+    spins.push_back(member->observations.front().moments.rotational);
+  }
+  const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
+  boltzmann::Temperatures now = start;
+  double since = 0;
+  for (const GasTime& time : gas_times(scene)) {
+    now = boltzmann::closure(law, now, time.time - since);
+    since = time.time;
+    if (time.in_series) {
+      table.add(
+          {.restitution = one.restitution,
+           .time = time.time,
+           .translational = now.translational,
+           .rotational = now.rotational / rotational_unit(start.translational, start.rotational)});
     }
   }
-  return table.to_csv();
-}
-
-/// Temperatures by the closed forms, relative to time 0, at the times of the series.
-std::string closure_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
-  std::vector<std::string> columns = begin_columns(scene);
-  columns.insert(columns.end(), {"time", "t_tr", "t_rot"});
-  store::Table table(columns);
-  for (const GasCase& one : cases) {
-    if (one.observations() == 0) {
-      continue;
-    }
-    const boltzmann::Law law = scene::process(scene, one.restitution).law;
-    std::vector<double> spins;
-    for (const GasMember* member : one.at(0)) {
-      spins.push_back(member->observations.front().moments.rotational);
-    }
-    const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
-    boltzmann::Temperatures now = start;
-    double since = 0;
-    for (const GasTime& time : gas_times(scene)) {
-      now = boltzmann::closure(law, now, time.time - since);
-      since = time.time;
-      if (time.in_series) {
-        Row row = begin_row(scene, one.restitution);
-        row.insert(row.end(),
-                   {time.time, now.translational,
-                    now.rotational / rotational_unit(start.translational, start.rotational)});
-        table.add_row(std::move(row));
-      }
-    }
-  }
-  return table.to_csv();
 }
 
 /// Steady temperature and stresses of smooth spheres in shear, at the begin and the end.
-std::string steady_csv(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases) {
-  std::vector<std::string> columns = begin_columns(scene);
-  columns.insert(columns.end(), {"time", "t_tr", "p_xx", "p_yy", "p_xy"});
-  store::Table table(columns);
-  for (const GasCase& one : cases) {
-    if (one.restitution == 1) {
-      continue;  // heats for ever
-    }
-    const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
-    for (const double time : {0.0, scene.until}) {
-      Row row = begin_row(scene, one.restitution);
-      row.insert(row.end(), {time, flow.temperature, flow.p_xx, flow.p_yy, flow.p_xy});
-      table.add_row(std::move(row));
-    }
+void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& one) {
+  if (one.restitution == 1) {
+    return;  // heats for ever
   }
-  return table.to_csv();
-}
-
-std::string histogram_name(const GasTime& time) {
-  return store::table_name("histogram", fmt::format("{}", time.time));
+  const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+  for (const double time : {0.0, scene.until}) {
+    table.add({.restitution = one.restitution,
+               .time = time,
+               .translational = flow.temperature,
+               .p_xx = flow.p_xx,
+               .p_yy = flow.p_yy,
+               .p_xy = flow.p_xy});
+  }
 }
 
 }  // namespace
 
+TableScope table_scope(const GasScene& scene) {
+  TableScope scope = {.parts = {}, .has_errors = scene.ensemble > 1};
+  for (const GasTime& time : gas_times(scene)) {
+    scope.parts.push_back(time_name(time.time));
+  }
+  return scope;
+}
+
+const std::vector<TableInfo>& gas_tables() {
+  static const std::vector<TableInfo> kAll = {gas_series_table({}), gas_histogram_table({}),
+                                              gas_closure_table({})};
+  return kAll;
+}
+
 const std::vector<Quantity>& gas_quantities() {
-  static const std::vector<Quantity> kQuantities = {
-      {"restitution", "Restitution ε", "", "normal restitution of the spheres"},
-      {"hellinger_floor", "Distance by sampling alone", "",
-       "Hellinger distance that a sample without any difference has"},
-      {"time", "Time", "1/(π N (2a)² v₀)", "at the end"},
-      {"gases", "Gases", "", "members of the ensemble"},
-      {"t_tr", "Translational temperature", "", "relative to time 0"},
-      {"t_rot", "Rotational temperature", "", "relative to time 0"},
-      {"collisions", "Collisions", "", "per particle, since time 0"},
-      {"a2_tr", "Second cumulant, velocities", "", "3⟨v⁴⟩/(5⟨v²⟩²) - 1; 0 if normal"},
-      {"a2_rot", "Second cumulant, spins", "", "the same of the spins"},
-      {"dh_tr", "Distance, translational energy", "", "from chi-square (Hellinger)"},
-      {"dh_rot", "Distance, rotational energy", "", "from chi-square (Hellinger)"},
-      {"correlation", "Correlation of the energies", "",
-       "⟨v²w²⟩/(⟨v²⟩⟨w²⟩) - 1 of speed and spin; 0 if independent"},
-      {"alignment", "Alignment of spin and velocity", "", "0 if their angle is random"},
-      {"p_xx", "Pressure p_xx", "mean pressure", ""},
-      {"p_yy", "Pressure p_yy", "mean pressure", ""},
-      {"p_xy", "Shear stress p_xy", "mean pressure", ""}};
+  static const std::vector<Quantity> kQuantities = [] {
+    std::vector<Quantity> all = {kRestitution,
+                                 {"hellinger_floor", "Distance by sampling alone", "",
+                                  "Hellinger distance that a sample without any difference has"},
+                                 kGasTime,
+                                 {"gases", "Gases", "", "members of the ensemble"}};
+    for (const GasValue& value : gas_values()) {
+      all.push_back(value.quantity);
+    }
+    return all;
+  }();
   return kQuantities;
 }
 
@@ -226,37 +272,49 @@ std::vector<const GasMember*> GasCase::at(std::size_t place) const {
   return those;
 }
 
-std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene) {
-  std::vector<std::string> names = {store::table_name("series"), store::table_name("closure")};
-  for (const GasTime& time : gas_times(scene)) {
-    names.push_back(histogram_name(time));
-  }
-  return names;
+std::vector<PlannedFile> gas_files(const GasScene& scene) {
+  std::vector<PlannedFile> files =
+      Histogram(table_scope(scene), gas_histogram_table(scene)).files();
+  files.push_back(Series(table_scope(scene), gas_series_table(scene)).files().front());
+  files.push_back(Closure(table_scope(scene), gas_closure_table(scene)).files().front());
+  return files;
 }
 
-void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
-                  const store::RunFolder& folder) {
-  const auto write = [&](const std::string& name, const std::string& csv) {
-    folder.files().write(name, csv);
-  };
-  write(store::table_name("series"), series_csv(scene, cases));
+void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
+                  const store::OutputFolder& folder) {
   const std::vector<GasTime> times = gas_times(scene);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const bool reached = std::any_of(cases.begin(), cases.end(),
-                                     [i](const GasCase& one) { return i < one.observations(); });
-    if (times[i].in_histograms && reached) {
-      write(histogram_name(times[i]), histogram_csv(scene, cases, i));
+  Series series(table_scope(scene), gas_series_table(scene));
+  for (const GasCase& one : cases) {
+    for (std::size_t i = 0; i < one.observations(); ++i) {
+      if (times[i].in_series) {
+        series.add({one, i, times[i].time});
+      }
     }
   }
-  if (scene.shear_rate == 0) {
-    write(store::table_name("closure"), closure_csv(scene, cases));
-  } else if (scene.friction == 0) {
-    write(store::table_name("closure"), steady_csv(scene, cases));
+  series.write(&folder);
+  Histogram histogram(table_scope(scene), gas_histogram_table(scene));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (const GasCase& one : cases) {
+      if (times[i].in_histograms && i < one.observations()) {
+        add_bins(histogram, scene, one, i, "translational",
+                 &boltzmann::EnergyShares::translational);
+        add_bins(histogram, scene, one, i, "rotational", &boltzmann::EnergyShares::rotational);
+      }
+    }
+    if (!histogram.is_empty()) {
+      histogram.write(&folder, time_name(times[i].time));
+    }
+  }
+  if (scene.shear_rate == 0 || scene.friction == 0) {
+    Closure closure(table_scope(scene), gas_closure_table(scene));
+    for (const GasCase& one : cases) {
+      (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, one);
+    }
+    closure.write(&folder);
   }
 }
 
-std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,
-                                              const GasCase& one) {
+std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& one) {
   std::vector<store::NamedMeasure> measures = {
       {"restitution", one.restitution},
       {"hellinger_floor", statistics::hellinger_floor(bins_of(scene).count(), scene.particles)}};
@@ -266,10 +324,13 @@ std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene
   }
   measures.emplace_back("time", gas_times(scene)[reached - 1].time);
   measures.emplace_back("gases", static_cast<double>(one.at(reached - 1).size()));
-  for (const NamedEstimate& entry : series_estimates(one, reached - 1, scene.shear_rate > 0)) {
-    measures.emplace_back(entry.name, entry.value.mean);
-    if (scene.ensemble > 1) {
-      measures.emplace_back(fmt::format("{}_se", entry.name), entry.value.standard_error);
+  for (const GasValue& value : gas_values()) {
+    if (has_value(scene, value)) {
+      const Sample mean = estimate(one, reached - 1, value);
+      measures.emplace_back(value.quantity.key, mean.mean);
+      if (scene.ensemble > 1) {
+        measures.emplace_back(fmt::format("{}_se", value.quantity.key), mean.standard_error);
+      }
     }
   }
   return measures;

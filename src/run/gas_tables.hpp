@@ -5,9 +5,9 @@
 
 #include "clca/boltzmann/law.hpp"
 #include "clca/scene/boltzmann.hpp"
-#include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "run/gas_member.hpp"
+#include "run/table.hpp"
 
 namespace clca::run {
 
@@ -32,9 +32,9 @@ struct GasCase {
 /// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws
 /// store::StoreError.
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
-                  const store::RunFolder& folder);
-/// Names of all tables that write_tables() can write.
-std::vector<std::string> gas_table_names(const scene::BoltzmannScene& scene);
+                  const store::OutputFolder& folder);
+/// All that write_tables() can write.
+std::vector<PlannedFile> gas_files(const scene::BoltzmannScene& scene);
 
 /// The last row of the series and further results of a case.
 std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,

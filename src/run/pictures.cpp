@@ -1,39 +1,110 @@
-#include "run/pictures.hpp"
+// Draws the frames that a scene requests.
 
-#include <utility>
+#include <fmt/format.h>
+
+#include "run/contact_record.hpp"
+#include "run/cycle_record.hpp"
+#include "run/frame_painter.hpp"
+#include "run/frame_writer.hpp"
 
 namespace clca::run {
 
-Pictures::Pictures(const scene::Scene& scene, const grains::State& state, int threads)
-    : scene_(scene), painter_(scene, state, threads) {}
+namespace {
 
-void Pictures::begin_stage(const scene::Stage& stage, const grains::State& state) {
-  run::begin_stage(history_, scene_, stage, state);
+class Pictures : public Observer {
+ public:
+  /// Throws SceneRunError if the driver cannot draw them.
+  Pictures(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
+      : scene_(scene), wanted_(options.pictures), painter_(scene, state, options.threads) {}
+
+  void begin_stage(const StageView& now) override {
+    run::begin_stage(history_, scene_, now.stage, now.model.state());
+    if (wanted_ == WantedPictures::all) {
+      draw(now);
+    }
+  }
+  void after_step(const StageView& now) override {
+    if (wanted_ == WantedPictures::all && now.history.steps % scene_.output.frames->every == 0) {
+      draw(now);
+    }
+  }
+  void end_stage(const StageView& now) override {
+    if (wanted_ == WantedPictures::all || &now.stage == &scene_.stages.back()) {
+      draw(now);
+    }
+  }
+  void save(reflection::Columns& columns) override {
+    finish();
+    reflection::encode(kPath, history_, columns);
+  }
+  void load(const SavedColumns& saved, const StageView& now) override;
+  std::vector<PlannedFile> files() const override {
+    return {{store::frame_path("", scene_.name, 0, scene::step_digits(scene_)).string()}};
+  }
+  void open(const store::RunFolder& folder, const grains::State& /*now*/) override {
+    folder.remove_frames_after(history_.last_step);
+    folder.files().make_folder(store::kFramesFolder);
+  }
+  void finish() override { writer_.finish(); }
+
+ private:
+  static constexpr const char* kPath = "outputs/pictures";
+
+  /// Captures the state; drawing and writing happen on another thread. A step is drawn once.
+  void draw(const StageView& now);
+
+  const scene::Scene& scene_;
+  WantedPictures wanted_;
+  FramePainter painter_;
+  PictureHistory history_;
+  FrameWriter writer_;  // last: at the end it waits for its thread, which uses the painter
+};
+
+void Pictures::load(const SavedColumns& saved, const StageView& now) {
+  saved.read(kPath, history_, now.model.state());
+  if (shows_velocities(scene_) != history_.window.has_value() ||
+      (history_.window && !history_.window->precedes(now.model.state()))) {
+    throw reflection::Mismatch("its velocities are of another run");
+  }
+  if (!history_.stage.empty() && history_.stage != now.stage.name) {
+    throw reflection::Mismatch("its pictures are of another stage");
+  }
 }
 
-void Pictures::draw(const Model& model, const Records& records, const store::RunFolder& folder) {
-  const grains::State& state = model.state();
+void Pictures::draw(const StageView& now) {
+  const grains::State& state = now.model.state();
   if (history_.last_step == state.step) {
     return;
   }
   history_.last_step = state.step;
   std::optional<std::vector<contact::Force>> forces;
   if (pictures_show_forces(scene_)) {
-    forces = records.contacts()->of_picture(model);
+    forces = now.observers.find<ContactRecord>()->of_picture(now.model);
   }
   CapturedFrame frame = painter_.capture({.state = state,
-                                          .occupancy = model.grains().occupancy(),
-                                          .cycles = &records.cycles(),
+                                          .occupancy = now.model.grains().occupancy(),
+                                          .cycles = now.observers.find<CycleRecord>(),
                                           .forces = forces ? &*forces : nullptr,
-                                          .angle = model.vessel().angle},
+                                          .angle = now.model.vessel().angle},
                                          history_);
   begin_window(history_, scene_, state);
-  writer_.write(folder.files().subfolder(store::kFramesFolder),
+  writer_.write(now.files->subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
                 [this, frame = std::move(frame)] {
                   const Picture picture = painter_.rasterize(frame);
                   return image::encode_png(picture.image, picture.text);
                 });
+}
+
+}  // namespace
+
+ObserverKind pictures_observer() {
+  return {[](const scene::Scene& scene, const grains::State& state,
+             const RunOptions& options) -> std::unique_ptr<Observer> {
+    return scene.output.frames && options.pictures != WantedPictures::none
+               ? std::make_unique<Pictures>(scene, state, options)
+               : nullptr;
+  }};
 }
 
 }  // namespace clca::run

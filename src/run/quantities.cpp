@@ -1,6 +1,7 @@
 #include "run/quantities.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "clca/scene/format.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::run {
 
@@ -19,6 +21,34 @@ constexpr auto kOfSweeps = std::to_array<Quantity>({
     {"discharged_until_clog", "Discharged until a clog", "particles",
      "all that left in the runs, over the number of clogs"},
 });
+
+/// Name and meaning, in a table in Markdown.
+std::string described(const Quantity& quantity) {
+  std::string text(quantity.name);
+  if (!quantity.meaning.empty()) {
+    text.append(": ").append(quantity.meaning);
+  }
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) {
+    text.insert(at, 1, '\\');
+  }
+  return text;
+}
+
+/// The series first: a key that several tables have is explained as there.
+const std::vector<TableInfo>& all_tables() {
+  static const std::vector<TableInfo> kAll = [] {
+    std::vector<TableInfo> all;
+    for (const ObserverKind& kind : observer_kinds()) {
+      for (const auto& table : kind.tables) {
+        all.push_back(table({}));
+      }
+    }
+    std::stable_partition(all.begin(), all.end(),
+                          [](const TableInfo& table) { return table.name == "series"; });
+    return all;
+  }();
+  return kAll;
+}
 
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
@@ -35,8 +65,23 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  const Quantity* found = find_in(kOfSweeps, whole);
-  return found != nullptr ? found : find_in(series_quantities(), whole);
+  if (const Quantity* found = find_in(kOfSweeps, whole)) {
+    return found;
+  }
+  for (const TableInfo& table : all_tables()) {
+    const auto of_each = std::ranges::find_if(
+        table.of_each, [&](const auto& one) { return one.first.key == whole; });
+    if (of_each != table.of_each.end()) {
+      return &of_each->first;
+    }
+    const auto column = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
+      return std::ranges::count(one.names(), whole) > 0;
+    });
+    if (column != table.columns.end()) {
+      return &column->quantity;
+    }
+  }
+  return nullptr;
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
@@ -58,6 +103,34 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
   return text;
 }
 
+std::string columns_table(std::string_view table) {
+  constexpr std::string_view kGas = "gas.";
+  const bool is_gas = table.starts_with(kGas);
+  const std::string_view name = is_gas ? table.substr(kGas.size()) : table;
+  std::string text = "| column | unit | what |\n|---|---|---|\n";
+  const auto add = [&text](const std::string& names, const Quantity& what, std::string_view where) {
+    text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
+                        where.empty() ? "" : "; ", where);
+  };
+  std::vector<std::string_view> known;
+  for (const TableInfo& info : is_gas ? gas_tables() : all_tables()) {
+    known.push_back(info.name);
+    if (info.name != name) {
+      continue;
+    }
+    for (const ColumnInfo& column : info.columns) {
+      add(column.endings.back() == "_se" ? fmt::format("`{}` (`_se`)", column.quantity.key)
+                                         : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
+          column.quantity, column.where);
+    }
+    for (const auto& [what, of] : info.of_each) {
+      add(fmt::format("`{}.{}`", what.key, of), what, "");
+    }
+    return text;
+  }
+  throw text::InputError(fmt::format("no table '{}'; there are {}", table, fmt::join(known, ", ")));
+}
+
 std::string quantities_table() {
   std::string table = "| measure | in run.json | unit | what |\n|---|---|---|---|\n";
   std::optional<scene::Measure> above;
@@ -69,9 +142,8 @@ std::string quantities_table() {
     }
     above = group.measure;
     for (const Quantity& one : group.quantities) {
-      table += fmt::format("| {} | `{}` | {} | {}{}{} |\n", std::exchange(first, ""), one.key,
-                           one.unit.empty() ? "1" : one.unit, one.name,
-                           one.meaning.empty() ? "" : ": ", one.meaning);
+      table += fmt::format("| {} | `{}` | {} | {} |\n", std::exchange(first, ""), one.key,
+                           one.unit.empty() ? "1" : one.unit, described(one));
     }
   }
   return table;

@@ -1,49 +1,53 @@
 #pragma once
 // The measures of a stage: what each is, beside what takes its value.
 
-#include <optional>
 #include <vector>
 
 #include "clca/run/quantity.hpp"
-#include "clca/scene/scene.hpp"
-#include "clca/store/summary.hpp"
-#include "run/model.hpp"
-#include "run/records.hpp"
-#include "run/stage_measures.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
-/// Of a stage and of series.csv.
+// Measures of a stage that are also columns of tables.
 inline constexpr Quantity kVesselAngle = {"vessel_angle_deg", "Angle of the vessel", "degrees",
                                           "anticlockwise from upright"};
-
-/// A stage at its end.
-struct StageView {
-  const scene::Scene& scene;
-  const Model& model;
-  const StageHistory& history;
-  const Records& records;
-};
-
-/// Quantities that are taken together.
-struct QuantityGroup {
-  std::optional<scene::Measure> measure;  ///< that asks for it; none: always taken
-  std::string_view condition;             ///< Markdown: when there are values; empty: always
-  std::vector<Quantity> quantities;
-  /// In the order of the quantities; none where the condition does not hold.
-  std::vector<store::MeasureValue> (*values)(const StageView& stage);
-  /// The same, or a part of it, of each outlet or species; may be null.
-  std::vector<store::NamedMeasure> (*apart)(const StageView& stage) = nullptr;
-};
-
-std::vector<QuantityGroup> outflow_quantities();
-std::vector<QuantityGroup> force_quantities();
+inline constexpr Quantity kHeightMean = {"height_mean", "Mean height", "spacings",
+                                         "of the surface, over the columns with particles"};
+inline constexpr Quantity kReposeAngle = {"repose_angle_deg", "Slope", "degrees",
+                                          "mean of the flanks that are there"};
+inline constexpr Quantity kReposeGravity = {
+    "repose_gravity_deg", "Slope against gravity", "degrees",
+    "mean of the flanks that are there, where gravity points down; all others are in the frame of "
+    "the vessel"};
+inline constexpr Quantity kIntruderHeight = {"intruder_height_rel", "Height of the intruder", "",
+                                             "0 on the floor, 1 just buried at the top"};
+inline constexpr Quantity kSegregationIndex = {
+    "segregation_index", "Segregation index", "",
+    "height of the large ones over the small ones, over half the bed"};
+inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixing", "",
+                                         "0 separated, 1 as random"};
 
 /// All of a stage, in the order of the documents; those of one measure in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();
 
-/// Of series.csv, and of gases.
-const std::vector<Quantity>& series_quantities();
+std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
+/// Of one measure alone, which the scene asks for.
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
+
+/// Why slopes among the measures have no value where it is not plain; one line for each flank.
+std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
+
+/// `discharged.OUTLET` where there are several outlets, each followed by
+/// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
+/// run.json would have too many measures.
+std::vector<std::string> discharge_names(const scene::Scene& scene);
+
+/// The values of these names, from those of measure::discharged_particles.
+std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
+                                            const std::vector<std::uint64_t>& particles);
+
+// Of gases.
 const std::vector<Quantity>& gas_quantities();
+const std::vector<TableInfo>& gas_tables();
 
 }  // namespace clca::run

@@ -14,18 +14,16 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
-#include "run/begin.hpp"
-#include "run/checkpoint_writer.hpp"
-#include "run/force_measures.hpp"
+#include "run/cycle_record.hpp"
+#include "run/force_record.hpp"
 #include "run/frame_painter.hpp"
-#include "run/gas_run.hpp"
+#include "run/gas_saved.hpp"
 #include "run/meter.hpp"
-#include "run/outputs.hpp"
-#include "run/records.hpp"
+#include "run/observer.hpp"
+#include "run/quantities.hpp"
 #include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
-#include "run/startable.hpp"
 
 namespace clca::run {
 
@@ -51,11 +49,8 @@ class Run : public RunBase {
       : Run(scene, options, events, first_state(scene)) {
     prepare();
     store::Checkpoint start = checkpoint();
-    reflection::encode(store::Checkpoint::kWanted, SavedWish{options.pictures}, start.fields);
-    write_to(
-        folder ? std::move(*folder)
-               : begin_run(options, events, start, outputs_.file_names(), outputs_.planned_names()),
-        0, 0);
+    reflection::encode(kWantedPictures, options.pictures, start.fields);
+    begin(std::move(folder), start, observers_.files());
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -73,7 +68,7 @@ class Run : public RunBase {
                  .title = scene.title,
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
-                 .keeps_checkpoint = scene.output.checkpoint.has_value()},
+                 .checkpoints = scene.output.checkpoint},
                 options, events),
         scene_(scene),
         conversion_(scene::conversion(scene)),
@@ -81,14 +76,11 @@ class Run : public RunBase {
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
                 .reference = options.reference}),
-        outputs_(scene, model_.state(), options),
-        records_(scene),
-        checkpoint_writer_(scene.output.checkpoint) {}
+        observers_(observers_of(scene, model_.state(), options)) {}
 
   /// Restores the state of `saved`.
   void go_on(SavedRun& saved, SavedParts& parts);
   void carry_out() override;
-  bool is_complete() const override { return !interrupted_; }
   void complete_summary(store::RunSummary& summary) const override;
   /// Counts what has left before the stage, then prepares it: its fill may be in outlets.
   void prepare();
@@ -97,13 +89,14 @@ class Run : public RunBase {
   /// Runs steps until the stage ends; returns the reason.
   StageEnd run_steps();
   void step();
-  void warn_of_energy();
   void end_stage(StageEnd end);
-  /// Writes a checkpoint of the run between two steps.
-  void save();
+  /// Of the run between two steps.
   store::Checkpoint checkpoint_now();
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
+  StageView view() {
+    return {scene_, stage(), model_, history_, observers_, course_.moving, &folder().files(), &log()};
+  }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
@@ -111,46 +104,37 @@ class Run : public RunBase {
   std::optional<scene::Conversion> conversion_;
   Stopwatch step_clock_;
   Model model_;
-  Outputs outputs_;
-  Records records_;
-  IntervalTimer timer_{events().progress_interval};
+  Observers observers_;
   RunCourse course_;
   StageHistory history_;
-  bool in_stage_ = false;  // one that goes on
-  bool interrupted_ = false;
-  std::vector<store::StageSummary> stages_;
+  bool in_stage_ = false;                            // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
-  CheckpointWriter
-      checkpoint_writer_;  // last: at the end it waits for its thread, which uses the rest
 };
 
 void Run::go_on(SavedRun& saved, SavedParts& parts) {
   course_ = parts.course;
-  write_to(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
+  RunBase::go_on(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
   history_ = std::move(parts.history);
-  stages_ = std::move(parts.stages);
+  stages() = std::move(parts.stages);
   model_.set_rules(stage());
-  records_.resume_stage(stage(), model_, saved.checkpoint.fields, saved.max_bytes);
-  outputs_.reopen(folder(), model_.state(), parts.outputs);
+  observers_.load({saved.checkpoint.fields, saved.max_bytes}, view());
   in_stage_ = true;
 }
 
 void Run::carry_out() {
-  if (!in_stage_) {
-    outputs_.open(folder(), model_.state());
-  }
-  if (outputs_.has_pictures() && scene_.output.frames->caption && !render::font_problem().empty()) {
+  observers_.open(folder(), model_.state());
+  const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
+  if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     log().warning(render::font_problem());
   }
-  while (course_.stage < scene_.stages.size() && !interrupted_) {
+  while (course_.stage < scene_.stages.size() && is_complete()) {
     run_stage();
     ++course_.stage;
   }
-  outputs_.finish();
+  observers_.finish();
   if (end_checkpoint_) {
-    checkpoint_writer_.save(folder().files(), *std::move(end_checkpoint_));
+    save(*std::move(end_checkpoint_));
   }
-  checkpoint_writer_.finish();
 }
 
 void Run::prepare() {
@@ -167,22 +151,21 @@ void Run::begin_stage() {
   history_.begin(model_.state());
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                    model_.state().step, grains::present_count(model_.state())));
-  records_.begin_stage(stage(), model_);
-  outputs_.begin_stage(stage(), model_, records_);
+  observers_.begin_stage(view());
 }
 
 void Run::run_stage() {
   if (!std::exchange(in_stage_, false)) {
     begin_stage();
     if (scene_.begin && course_.stage == 0) {
-      save();  // from here on the other run is not needed
+      save(checkpoint_now());  // from here on the other run is not needed
     }
   }
   const StageEnd end = run_steps();
-  interrupted_ = end == StageEnd::interrupted;
   const bool last = course_.stage + 1 == scene_.stages.size();
-  if (interrupted_) {
-    save();
+  if (end == StageEnd::interrupted) {
+    interrupt();
+    save(checkpoint_now());
   } else if (last && scene_.output.checkpoint) {
     end_checkpoint_ = checkpoint_now();
   }
@@ -203,12 +186,12 @@ StageEnd Run::run_steps() {
     const auto particles = static_cast<double>(model_.state().particles.size());
     const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
     max_moving = std::max(max_moving, moving_share);
-    if (timer_.due()) {
+    if (progress_due()) {
       estimate.update(done_share(stage(), history_, moving_share, max_moving));
       show_progress(moving_share, estimate.seconds_left());
     }
-    if (checkpoint_writer_.due(model_.state().step)) {
-      save();
+    if (checkpoint_writer().due(model_.state().step)) {
+      save(checkpoint_now());
     }
   }
 }
@@ -220,39 +203,23 @@ void Run::step() {
   history_.add_step(report, model_.state());
   course_.moving = report.moved;
   course_.updates += static_cast<double>(model_.state().particles.size());
-  records_.after_step(stage(), model_, history_.steps);
-  warn_of_energy();
-  history_.cycles = records_.cycles().cycles();
-  outputs_.after_step(stage(), model_, records_, history_.steps, report.moved);
-}
-
-void Run::warn_of_energy() {
-  const auto growth = records_.energy() ? records_.energy()->take_warning() : std::nullopt;
-  if (growth) {
-    log().warning(fmt::format(
-        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
-        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
-        "contact.resolution",
-        stage().name, model_.state().step, growth->lowest, growth->now,
-        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
-  }
+  observers_.after_step(view());
+  history_.cycles = observers_.find<CycleRecord>()->cycles();
 }
 
 void Run::end_stage(StageEnd end) {
   history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
-  records_.end_stage(model_);
-  warn_of_energy();
-  outputs_.end_stage(stage(), model_, records_, course_.moving, history_);
-  stages_.push_back({.name = stage().name,
-                     .steps = history_.steps,
-                     .ended = to_text(end),
-                     .measures = stage_measures(scene_, model_, history_, records_),
-                     .notes = slope_notes(scene_, model_)});
+  observers_.end_stage(view());
+  stages().push_back({.name = stage().name,
+                      .steps = history_.steps,
+                      .ended = to_text(end),
+                      .measures = stage_measures(view()),
+                      .notes = slope_notes(scene_, model_)});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
                          to_text(end)));
-  for (const std::string& note : stages_.back().notes) {
+  for (const std::string& note : stages().back().notes) {
     log().info(fmt::format("stage {}: {}", stage().name, note));
   }
   for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
@@ -264,23 +231,18 @@ void Run::end_stage(StageEnd end) {
   }
 }
 
-void Run::save() {
-  checkpoint_writer_.save(folder().files(), checkpoint_now());
-}
-
 store::Checkpoint Run::checkpoint_now() {
   tell(fmt::format("checkpoint of step {}", model_.state().step));
-  const OutputHistory outputs = outputs_.flush(records_);
+  store::Checkpoint saved = checkpoint();
+  observers_.save(saved.fields);
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
   course.log_bytes = log().bytes();
-  store::Checkpoint saved = checkpoint();
   model_.save(saved.fields);
   reflection::encode(kSavedCourse, course, saved.fields);
   reflection::encode(kSavedHistory, history_, saved.fields);
-  reflection::encode(kSavedOutputs, outputs, saved.fields);
-  records_.save(saved.fields);
+  reflection::encode(kSavedPictures, options().pictures, saved.fields);
   return saved;
 }
 
@@ -318,7 +280,6 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.step_seconds = step_seconds();
   summary.rate = rate();
   summary.state_hash = model_.hash();
-  summary.stages = stages_;
 }
 
 /// With the threads that the steps will use started: later there may be no memory for them.
@@ -327,10 +288,11 @@ RunOptions with_team(const RunOptions& options, const RunEvents& events) {
 }
 
 /// Throws store::StoreError for a checkpoint that no run of the scene can have saved.
-std::unique_ptr<Run> resumed_run(const scene::Scene& scene, const RunOptions& options,
+std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
                                  const RunEvents& events, SavedRun& saved) {
   const std::filesystem::path folder = saved.folder.path();
   try {
+    options.pictures = saved_pictures(saved);
     return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
   } catch (const reflection::Mismatch& error) {
     throw mismatched_checkpoint(folder, error.what());

@@ -1,10 +1,51 @@
 #include "run/run_base.hpp"
 
+#include <fmt/format.h>
+
+#include <memory>
+#include <system_error>
 #include <utility>
 
 #include "clca/store/file.hpp"
 
 namespace clca::run {
+
+RunOptions with_threads(RunOptions options, int startable, const RunEvents& events) {
+  const int wanted = std::exchange(options.threads, startable);
+  if (options.threads < wanted && events.warning) {
+    events.warning(fmt::format("only {} of {} threads can be started", options.threads, wanted));
+  }
+  return options;
+}
+
+CheckpointWriter::CheckpointWriter(const std::optional<scene::Checkpoints>& when) : when_(when) {
+  if (when && when->seconds) {
+    timer_.emplace(std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::chrono::duration<double>(*when->seconds)));
+  }
+}
+
+bool CheckpointWriter::due(std::uint64_t step) {
+  const bool by_steps = when_ && when_->every && step % *when_->every == 0;
+  return by_steps || due_by_clock();
+}
+
+void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint) {
+  finish();
+  const auto shared = std::make_shared<const store::Checkpoint>(std::move(checkpoint));
+  const auto write = [run_folder, shared] { store::write_checkpoint(run_folder, *shared); };
+  try {
+    writing_ = std::async(std::launch::async, write);
+  } catch (const std::system_error&) {  // no more threads can be had
+    write();
+  }
+}
+
+void CheckpointWriter::finish() {
+  if (writing_.valid()) {
+    writing_.get();
+  }
+}
 
 store::RunSummary RunBase::execute() {
   // Before scene.yaml: the old summary must not be combined with the new scene.
@@ -12,19 +53,28 @@ store::RunSummary RunBase::execute() {
   folder_->files().write(store::kSceneFile, identity_.scene_text);
   try {
     carry_out();
+    checkpoint_writer_.finish();
   } catch (const std::exception& error) {
     note_failure(error);
     throw;
   }
-  const std::string status = is_complete() ? "done" : "interrupted";
+  const std::string status = is_complete_ ? "done" : "interrupted";
   write_summary(status);
-  if (is_complete() && !identity_.keeps_checkpoint) {
+  if (is_complete_ && !identity_.checkpoints) {
     store::remove_checkpoints(folder_->files());
   }
   return summary(status);
 }
 
-void RunBase::write_to(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before) {
+void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start,
+                    std::vector<PlannedFile> files) {
+  if (identity_.checkpoints) {
+    files.push_back({store::kCheckpointBefore, true});
+  }
+  go_on(folder ? std::move(*folder) : begin_run(options_, events_, start, files), 0, 0);
+}
+
+void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before) {
   folder_.emplace(std::move(folder));
   log_.emplace(*folder_, log_bytes, events_);
   seconds_before_ = seconds_before;
@@ -47,6 +97,7 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   summary.threads = options_.threads;
   summary.status = status;
   summary.wall_seconds = wall_seconds();
+  summary.stages = stages_;
   complete_summary(summary);
   return summary;
 }

@@ -1,19 +1,59 @@
 #pragma once
 // What runs of grains and of gases share: summary and log, clock, the way a run begins and ends.
 
+#include <cstddef>
 #include <exception>
+#include <future>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clca/run/run.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "run/begin.hpp"
 #include "run/log.hpp"
-#include "run/memory_reserve.hpp"
 #include "run/meter.hpp"
 
 namespace clca::run {
+
+/// Memory held back, so that a run that runs out of memory can still write its summary.
+class MemoryReserve {
+ public:
+  /// Frees it.
+  void reset() { std::vector<std::byte>().swap(bytes_); }
+
+ private:
+  static constexpr std::size_t kBytes = std::size_t{1} << 20U;
+
+  std::vector<std::byte> bytes_ = std::vector<std::byte>(kBytes);
+};
+
+/// The options with as many threads as could be started: the result does not depend on them. Warns
+/// if fewer than requested.
+RunOptions with_threads(RunOptions options, int startable, const RunEvents& events);
+
+/// Decides when to save a checkpoint and writes it in the background.
+class CheckpointWriter {
+ public:
+  explicit CheckpointWriter(const std::optional<scene::Checkpoints>& when);
+
+  /// Whether a checkpoint is due after `step` steps.
+  bool due(std::uint64_t step);
+  bool due_by_clock() { return timer_ && timer_->due(); }
+  /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
+  /// rethrows its error.
+  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint);
+  /// Waits until everything is written. Rethrows its error.
+  void finish();
+
+ private:
+  std::optional<scene::Checkpoints> when_;
+  std::optional<IntervalTimer> timer_;
+  std::future<void> writing_;
+};
 
 class RunBase {
  public:
@@ -32,19 +72,25 @@ class RunBase {
     std::string title;
     std::uint64_t seed = 0;
     std::string scene_text;  ///< resolved
-    bool keeps_checkpoint = false;
+    std::optional<scene::Checkpoints> checkpoints;
   };
 
   RunBase(Identity identity, RunOptions options, const RunEvents& events)
-      : identity_(std::move(identity)), options_(std::move(options)), events_(events) {}
+      : identity_(std::move(identity)),
+        options_(std::move(options)),
+        events_(events),
+        progress_timer_(events.progress_interval),
+        checkpoint_writer_(identity_.checkpoints) {}
 
   virtual void carry_out() = 0;
-  virtual bool is_complete() const = 0;
   virtual void complete_summary(store::RunSummary& summary) const = 0;
 
-  /// Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run was
-  /// saved.
-  void write_to(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before);
+  /// Begins a run that may write `files`. `folder`: if it has been prepared already.
+  void begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start,
+             std::vector<PlannedFile> files);
+  /// Goes on. Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run
+  /// was saved.
+  void go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before);
   const RunOptions& options() const { return options_; }
   const RunEvents& events() const { return events_; }
   const store::RunFolder& folder() const { return *folder_; }
@@ -60,6 +106,16 @@ class RunBase {
            (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
   }
   double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
+  /// Whether it is time to show progress.
+  bool progress_due() { return progress_timer_.due(); }
+  void interrupt() { is_complete_ = false; }
+  bool is_complete() const { return is_complete_; }
+  /// Those that have ended.
+  std::vector<store::StageSummary>& stages() { return stages_; }
+  CheckpointWriter& checkpoint_writer() { return checkpoint_writer_; }
+  void save(store::Checkpoint checkpoint) {
+    checkpoint_writer_.save(folder_->files(), std::move(checkpoint));
+  }
   /// Without fields.
   store::Checkpoint checkpoint() const;
 
@@ -75,7 +131,11 @@ class RunBase {
   double seconds_before_ = 0;
   std::optional<store::RunFolder> folder_;
   std::optional<Log> log_;
+  IntervalTimer progress_timer_;
+  bool is_complete_ = true;
+  std::vector<store::StageSummary> stages_;
   MemoryReserve reserve_;
+  CheckpointWriter checkpoint_writer_;  // last: at the end it waits for its thread
 };
 
 }  // namespace clca::run

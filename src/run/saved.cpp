@@ -134,29 +134,24 @@ store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path
 }
 
 WantedPictures saved_pictures(const SavedRun& saved) {
-  if (saved.checkpoint.is_start()) {
-    SavedWish wish;
-    if (!saved.checkpoint.fields.empty()) {
-      reflection::decode(store::Checkpoint::kWanted, saved.checkpoint.fields, saved.max_bytes,
-                         wish);
-    }
-    return wish.pictures;
+  const reflection::Columns& columns = saved.checkpoint.fields;
+  const bool is_start = saved.checkpoint.is_start();
+  WantedPictures pictures = WantedPictures::all;
+  if (!is_start || !columns.empty()) {
+    reflection::decode(is_start ? kWantedPictures : kSavedPictures, columns, saved.max_bytes,
+                       pictures);
   }
-  OutputHistory outputs;
-  reflection::decode(kSavedOutputs, saved.checkpoint.fields, saved.max_bytes, outputs);
-  return outputs.wanted_pictures;
+  return pictures;
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   SavedParts parts = {.state = saved_state(scene, saved.checkpoint.fields, saved.max_bytes),
                       .course = {},
                       .history = {},
-                      .outputs = {},
                       .stages = {}};
   const reflection::Columns& columns = saved.checkpoint.fields;
   reflection::decode(kSavedCourse, columns, saved.max_bytes, parts.course);
   reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);
-  reflection::decode(kSavedOutputs, columns, saved.max_bytes, parts.outputs);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
@@ -166,20 +161,6 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw reflection::Mismatch("its stages are others");
-  }
-  if (parts.outputs.probes && !parts.outputs.probes->precedes(grains)) {
-    throw reflection::Mismatch("its probes are of another run");
-  }
-  const PictureHistory& pictures = parts.outputs.pictures;
-  const bool has_window =
-      shows_velocities(scene) && parts.outputs.wanted_pictures != WantedPictures::none;
-  if (has_window != pictures.window.has_value() ||
-      (pictures.window && !pictures.window->precedes(grains))) {
-    throw reflection::Mismatch("its velocities are of another run");
-  }
-  const std::string& pictured = pictures.stage;
-  if (!pictured.empty() && pictured != scene.stages[parts.course.stage].name) {
-    throw reflection::Mismatch("its pictures are of another stage");
   }
   if (saved.until && parts.course.stage + 1 == scene.stages.size()) {
     require_ahead(*saved.until, scene.stages.back(), parts.history);

@@ -1,11 +1,10 @@
 #pragma once
-// The checkpoint content of a run of grains, without records and outputs.
+// The checkpoint content of a run of grains, without that of observers.
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "run/model.hpp"
-#include "run/outputs.hpp"
-#include "run/stage_measures.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
@@ -27,25 +26,17 @@ struct RunCourse {
   }
 };
 
-/// What is wanted of a run that has not taken a step yet.
-struct SavedWish {
-  WantedPictures pictures = WantedPictures::all;
-
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("pictures", &SavedWish::pictures));
-  }
-};
-
 inline constexpr const char* kSavedCourse = "course";
 inline constexpr const char* kSavedHistory = "stage";
-inline constexpr const char* kSavedOutputs = "outputs";
+/// Which pictures are wanted: before the first step, and later.
+inline const std::string kWantedPictures = std::string(store::Checkpoint::kWanted) + "/pictures";
+inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 
-/// The parts of a checkpoint that are not records.
+/// The parts of a checkpoint that are not of observers.
 struct SavedParts {
   ModelState state;
   RunCourse course;
   StageHistory history;
-  OutputHistory outputs;
   std::vector<store::StageSummary> stages;  ///< those that have ended
 };
 

@@ -1,10 +1,12 @@
-#include "run/series.hpp"
+// series.csv and probes.csv: the time series of a run, and what the probes of the scene see.
 
 #include <algorithm>
+#include <iterator>
 
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/outflow.hpp"
-#include "run/outlet_counts.hpp"
+#include "clca/measure/probe.hpp"
+#include "run/energy_record.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {
@@ -25,127 +27,89 @@ double mean_height(const grains::State& state) {
 }
 
 /// What a row is made of.
-struct Moment {
-  const scene::Scene& scene;
-  const std::string& stage;
-  const Model& model;
-  const Records& records;
-  std::size_t moving = 0;
+struct SeriesRow {
+  const StageView& now;
   std::optional<contact::Energy> energy;  ///< of the contact model
+  const EnergyRecord* record;             ///< likewise
+
+  const grains::State& state() const { return now.model.state(); }
 };
 
-struct Column {
-  Quantity quantity;
-  bool (*applies)(const scene::Scene& scene);
-  store::Cell (*value)(const Moment& now);
-};
-
-bool always(const scene::Scene& /*scene*/) {
-  return true;
-}
-bool is_contact(const scene::Scene& scene) {
-  return scene.model == scene::Model::contact;
-}
-bool has_sources(const scene::Scene& scene) {
-  return is_contact(scene) && !scene.sources.empty();
-}
-bool has_outlets(const scene::Scene& scene) {
-  return is_contact(scene) && !scene.outlets.empty();
-}
-bool has_moving_walls(const scene::Scene& scene) {
-  return is_contact(scene) &&
-         std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [](const scene::Wall& wall) { return wall.motion.has_value(); });
-}
-
-double moving_share(const Moment& now) {
+double moving_share(const StageView& now) {
   const std::size_t all = grains::present_count(now.model.state());
   return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
 }
 
-template <double contact::EnergyExchange::*kPart>
-store::Cell exchanged(const Moment& now) {
-  return now.records.energy()->exchanged().*kPart;
-}
-
 constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 constexpr std::string_view kSinceStage = "since the start of the stage";
+constexpr std::string_view kSinceRun = "by all outlets, since the start of the run";
 
-// Those of the scene are in the table, in this order; behind them, those of walls and outlets.
-const std::vector<Column>& all_columns() {
-  using Exchange = contact::EnergyExchange;
-  static const std::vector<Column> kColumns = {
-      {{"step", "Step", "", ""},
-       always,
-       [](const Moment& now) -> store::Cell { return now.model.state().step; }},
-      {{"time", "Time", "time", ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell {
-         return scene::conversion(now.scene)->time(now.model.state().step);
-       }},
-      {{"stage", "Stage", "", ""},
-       always,
-       [](const Moment& now) -> store::Cell { return now.stage; }},
-      {{"particles", "Particles", "particles", "in the box"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return std::uint64_t{grains::present_count(now.model.state())};
-       }},
-      {{"moving", "Moving", "particles", "in this step"},
-       always,
-       [](const Moment& now) -> store::Cell { return std::uint64_t{now.moving}; }},
-      {{"moving_share", "Share moving", "", "of the particles, in this step"},
-       always,
-       [](const Moment& now) -> store::Cell { return moving_share(now); }},
-      {{"mean_height", "Mean height of the particles", "spacings", "of their sites"},
-       always,
-       [](const Moment& now) -> store::Cell { return mean_height(now.model.state()); }},
-      {{"discharged_particles", "Particles discharged", "particles", "since the start of the run"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return measure::discharge(now.model.state()).particles;
-       }},
-      {{"discharged_sites", "Sites discharged", "sites", "since the start of the run"},
-       always,
-       [](const Moment& now) -> store::Cell {
-         return measure::discharge(now.model.state()).sites;
-       }},
-      {{"kinetic_energy", "Kinetic energy", kEnergyUnit, ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell { return now.energy->kinetic; }},
-      {{"potential_energy", "Potential energy", kEnergyUnit, ""},
-       is_contact,
-       [](const Moment& now) -> store::Cell { return now.energy->potential; }},
-      {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-       is_contact,
-       [](const Moment& now) -> store::Cell {
-         return now.records.energy()->dissipated(*now.energy);
-       }},
-      {{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
-       has_sources,
-       exchanged<&Exchange::sources>},
-      {{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
-       has_outlets,
-       exchanged<&Exchange::outlets>},
-      {{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
-       has_moving_walls,
-       exchanged<&Exchange::walls>},
-      {{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
-       has_vessel,
-       exchanged<&Exchange::vessel>},
-      {kVesselAngle, has_vessel, [](const Moment& now) -> store::Cell {
-         return contact::degrees(now.model.vessel().angle);
-       }}};
-  return kColumns;
+TableOf<SeriesRow> series_table(const scene::Scene& scene) {
+  return {
+      {.name = "series",
+       .is_certain = true,
+       .of_each = {{{"travel", "Travel of the wall", "sites",
+                     "from home, along its motion; of each that moves"},
+                    "WALL"},
+                   {{"index", "Overlap of the wall", "sites",
+                     "in all contacts that began at it; with `passive: overlap`"},
+                    "WALL"},
+                   {{"discharged", "Particles discharged", "particles",
+                     "by it, since the start of the run; with several outlets"},
+                    "OUTLET"},
+                   {{"discharged", "Particles discharged", "particles",
+                     "those of a species; with several species"},
+                    "OUTLET.SPECIES"}}},
+      {{kStep, [](auto& row) { return row.state().step; }},
+       {kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"particles", "Particles", "particles", "in the box"},
+        [](auto& row) { return grains::present_count(row.state()); }},
+       {{"moving", "Moving", "particles",
+         "that moved by themselves or were pushed out of an overlap in this step, those removed "
+         "at its end included; not those that a rigid wall carries"},
+        [](auto& row) { return row.now.moving; }},
+       {{"moving_share", "Share moving", "", "of the particles, in this step"},
+        [](auto& row) { return moving_share(row.now); }},
+       {{"mean_height", "Mean height of the particles", "spacings",
+         "of their centres, weighted by sites"},
+        [](auto& row) { return mean_height(row.state()); }},
+       {{"discharged_particles", "Particles discharged", "particles", kSinceRun},
+        [](auto& row) { return measure::discharge(row.state()).particles; }},
+       {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
+        [](auto& row) { return measure::discharge(row.state()).sites; }}},
+      {{kContactModel,
+        is_contact(scene),
+        {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
+          [](auto& row) { return row.energy->kinetic; }},
+         {{"potential_energy", "Potential energy", kEnergyUnit, ""},
+          [](auto& row) { return row.energy->potential; }},
+         {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->dissipated(*row.energy); }}}},
+       {"with `model: contact` and sources",
+        is_contact(scene) && !scene.sources.empty(),
+        {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().sources; }}}},
+       {"with `model: contact` and outlets",
+        is_contact(scene) && !scene.outlets.empty(),
+        {{{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().outlets; }}}},
+       {"with `model: contact` and walls that move",
+        is_contact(scene) &&
+            std::any_of(scene.walls.begin(), scene.walls.end(),
+                        [](const scene::Wall& wall) { return wall.motion.has_value(); }),
+        {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().walls; }}}},
+       {"with a vessel in some stage",
+        has_vessel(scene),
+        {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
+          [](auto& row) { return row.record->exchanged().vessel; }},
+         {kVesselAngle,
+          [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}}};
 }
 
-std::vector<std::string> columns(const scene::Scene& scene) {
+/// Of each wall and outlet, KEY.NAME.
+std::vector<std::string> names_of_each(const scene::Scene& scene) {
   std::vector<std::string> names;
-  for (const Column& column : all_columns()) {
-    if (column.applies(scene)) {
-      names.emplace_back(column.quantity.key);
-    }
-  }
   for (const scene::Wall& wall : scene.walls) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
@@ -175,37 +139,9 @@ std::vector<std::uint64_t> indices(const Model& model) {
   return sites;
 }
 
-}  // namespace
-
-const std::vector<Quantity>& series_quantities() {
-  static const std::vector<Quantity> kQuantities = [] {
-    std::vector<Quantity> all = {
-        {"travel", "Travel of the wall", "sites", "from home"},
-        {"index", "Overlap of the wall", "sites", "in all contacts that began at it"}};
-    for (const Column& column : all_columns()) {
-      all.push_back(column.quantity);
-    }
-    return all;
-  }();
-  return kQuantities;
-}
-
-SeriesTable::SeriesTable(const scene::Scene& scene) : scene_(scene), table_(columns(scene)) {}
-
-bool SeriesTable::add(const std::string& stage, const Model& model, const Records& records,
-                      std::size_t moving, bool always) {
+std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& model) {
   const grains::State& state = model.state();
-  if ((!always && state.step % scene_.output.series->every != 0) || last_step_ == state.step) {
-    return false;
-  }
-  last_step_ = state.step;
-  const Moment now = {scene_, stage, model, records, moving, model.energy()};
   std::vector<store::Cell> cells;
-  for (const Column& column : all_columns()) {
-    if (column.applies(scene_)) {
-      cells.push_back(column.value(now));
-    }
-  }
   const std::vector<std::uint64_t> sites = indices(model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
@@ -215,14 +151,152 @@ bool SeriesTable::add(const std::string& stage, const Model& model, const Record
       cells.emplace_back(sites[wall]);
     }
   }
-  if (!discharge_names(scene_).empty()) {
-    const auto particles = measure::discharged_particles(state, scene_.species.size());
-    for (const std::uint64_t count : discharge_values(scene_, particles)) {
+  if (!discharge_names(scene).empty()) {
+    const auto particles = measure::discharged_particles(state, scene.species.size());
+    for (const std::uint64_t count : discharge_values(scene, particles)) {
       cells.emplace_back(count);
     }
   }
-  table_.add_row(std::move(cells));
-  return true;
+  return cells;
+}
+
+struct ProbeRow {
+  const StageView& now;
+  const scene::Probe& probe;
+  double filling;
+  std::uint64_t particles = 0;
+  std::optional<Eigen::Vector2d> velocity = {};
+  std::optional<double> fluctuation = {};
+  std::optional<double> flow = {};
+};
+
+TableOf<ProbeRow> probes_table(const scene::Scene& /*scene*/) {
+  return {{.name = "probes"},
+          {{kStep, [](auto& row) { return row.now.model.state().step; }},
+           {kStage, [](auto& row) { return row.now.stage.name; }},
+           {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
+           {{"filling", "Filling", "",
+             "share of its sites that particles cover, of those without wall"},
+            &ProbeRow::filling},
+           {{"particles", "Particles", "particles", "that the next three are over"},
+            &ProbeRow::particles},
+           {kVelocity, &ProbeRow::velocity},
+           {kFluctuation, &ProbeRow::fluctuation},
+           {{"flow", "Flow", "sites/step",
+             "since the last row, of the particles whose centre has passed the horizontal middle "
+             "line of the probe downwards, less those that have passed it upwards"},
+            &ProbeRow::flow}}};
+}
+
+/// Of the automaton, motion is over the steps since the last row, of the particles that were in the
+/// probe then; of the contact model, it is that at the row.
+class Probes {
+ public:
+  explicit Probes(const scene::Scene& scene) : table_(table_scope(scene), probes_table(scene)) {}
+
+  /// Adds a row for each probe.
+  void add(const StageView& now);
+  TableWriter<ProbeRow>& table() { return table_; }
+  /// At the last row.
+  std::optional<measure::Snapshot>& last() { return last_; }
+
+ private:
+  std::optional<measure::Snapshot> last_;
+  TableWriter<ProbeRow> table_;
+};
+
+void Probes::add(const StageView& now) {
+  const grains::State& state = now.model.state();
+  const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
+  const double speed = velocity_unit(now.scene);
+  std::vector<measure::Displacement> displacements;
+  if (is_contact(now.scene)) {
+    displacements = measure::displacements_in_step(state, now.model.velocities());
+  } else if (last_) {
+    displacements = last_->displacements(state);
+  }
+  const std::vector<scene::Probe>& probes = now.scene.probes;
+  std::vector<lattice::Rectangle> regions;
+  std::transform(probes.begin(), probes.end(), std::back_inserter(regions),
+                 [](const scene::Probe& probe) { return probe.region; });
+  const std::vector<double> fillings = measure::fillings(state, regions);
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    ProbeRow row = {now, probes[i], fillings[i]};
+    if (const auto motion =
+            measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
+      row.particles = motion->particles;
+      row.velocity = motion->velocity * speed;
+      row.fluctuation = motion->fluctuation * speed * speed;
+    }
+    if (last_) {
+      row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
+    }
+    table_.add(row);
+  }
+  last_.emplace(state);
+}
+
+/// Rows at the steps that are due and at the begin and end of stages, one for each step.
+class Series : public Observer {
+ public:
+  explicit Series(const scene::Scene& scene)
+      : table_(table_scope(scene), series_table(scene), names_of_each(scene)) {
+    if (!scene.probes.empty()) {
+      probes_.emplace(scene);
+    }
+  }
+
+  void begin_stage(const StageView& now) override { add_rows(now); }
+  void after_step(const StageView& now) override {
+    if (now.model.state().step % now.scene.output.series->every == 0) {
+      add_rows(now);
+    }
+  }
+  void end_stage(const StageView& now) override { add_rows(now); }
+  void save(reflection::Columns& columns) override {
+    reflection::encode(kPath, last_, columns);
+    if (probes_) {
+      reflection::encode(kProbesPath, probes_->last(), columns);
+    }
+  }
+  void load(const SavedColumns& saved, const StageView& now) override {
+    saved.read(kPath, last_, now.model.state());
+    if (probes_) {
+      saved.read(kProbesPath, probes_->last(), now.model.state());
+    }
+  }
+  std::vector<RunTable*> tables() override {
+    return probes_ ? std::vector<RunTable*>{&table_, &probes_->table()}
+                   : std::vector<RunTable*>{&table_};
+  }
+
+ private:
+  static constexpr const char* kPath = "outputs/series_step";
+  static constexpr const char* kProbesPath = "outputs/probes";
+
+  void add_rows(const StageView& now) {
+    if (last_ == now.model.state().step) {
+      return;
+    }
+    last_ = now.model.state().step;
+    table_.add({now, now.model.energy(), now.observers.find<EnergyRecord>()},
+               cells_of_each(now.scene, now.model));
+    if (probes_) {
+      probes_->add(now);
+    }
+  }
+
+  std::optional<std::uint64_t> last_;  // step that has a row
+  TableWriter<SeriesRow> table_;
+  std::optional<Probes> probes_;
+};
+
+}  // namespace
+
+ObserverKind series_observer() {
+  return observer_kind<Series>(
+      [](const scene::Scene& scene) { return scene.output.series.has_value(); },
+      {series_table, probes_table});
 }
 
 }  // namespace clca::run

@@ -8,11 +8,12 @@
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/walls.hpp"
+#include "run/contact_record.hpp"
+#include "run/cycle_record.hpp"
 #include "run/frame_painter.hpp"
 #include "run/model.hpp"
-#include "run/records.hpp"
+#include "run/quantities.hpp"
 #include "run/stage.hpp"
-#include "run/stage_measures.hpp"
 
 namespace clca::run {
 
@@ -24,6 +25,13 @@ scene::Scene checked(scene::Scene scene) {
   return scene;
 }
 
+/// Without what is only written to files.
+scene::Scene without_files(scene::Scene scene) {
+  scene.output.series.reset();
+  scene.output.trajectory.reset();
+  return scene;
+}
+
 }  // namespace
 
 class Simulation::Impl {
@@ -32,7 +40,8 @@ class Simulation::Impl {
       : scene_(checked(scene)),
         options_{.threads = parallel::start_team(threads)},
         model_(std::make_shared<Model>(scene_, first_state(scene_), options_)),
-        records_(scene_) {
+        observed_(without_files(scene_)),
+        observers_(observers_of(observed_, model_->state(), {.pictures = WantedPictures::none})) {
     begin_stage();
   }
 
@@ -48,12 +57,13 @@ class Simulation::Impl {
     }
     const grains::StepReport report = model_->grains().step();
     history_.add_step(report, model_->state());
-    records_.after_step(stage(), *model_, history_.steps);
-    history_.cycles = records_.cycles().cycles();
+    moving_ = report.moved;
+    observers_.after_step(view());
+    history_.cycles = observers_.find<CycleRecord>()->cycles();
     end_ = stage_end(stage(), model_->state(), history_);
     if (end_) {
       history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
-      records_.end_stage(*model_);
+      observers_.end_stage(view());
     }
     return report;
   }
@@ -76,8 +86,7 @@ class Simulation::Impl {
   }
 
   std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted) const {
-    return wanted ? stage_measures(*wanted, scene_, *model_, history_, records_)
-                  : stage_measures(scene_, *model_, history_, records_);
+    return wanted ? stage_measures(*wanted, view()) : stage_measures(view());
   }
 
   image::Image picture(const scene::Frames& frames) {
@@ -88,12 +97,12 @@ class Simulation::Impl {
     }
     std::optional<std::vector<contact::Force>> forces;
     if (pictures_show_forces(drawing_->scene)) {
-      forces = records_.contacts()->of_picture(*model_);
+      forces = observers_.find<ContactRecord>()->of_picture(*model_);
     }
     const CapturedFrame frame =
         drawing_->painter.capture({.state = model_->state(),
                                    .occupancy = model_->grains().occupancy(),
-                                   .cycles = &records_.cycles(),
+                                   .cycles = observers_.find<CycleRecord>(),
                                    .forces = forces ? &*forces : nullptr,
                                    .angle = model_->vessel().angle},
                                   pictures_);
@@ -112,6 +121,9 @@ class Simulation::Impl {
   };
 
   const scene::Stage& stage() const { return scene_.stages[stage_]; }
+  StageView view() const {
+    return {scene_, stage(), *model_, history_, observers_, moving_, nullptr, nullptr};
+  }
 
   void begin_stage() {
     if (model_.use_count() > 1) {  // somebody holds the state
@@ -121,7 +133,8 @@ class Simulation::Impl {
                           : StageHistory(scene_, grains_of(empty_state(scene_)));
     prepare_stage(*model_, scene_, stage());
     history_.begin(model_->state());
-    records_.begin_stage(stage(), *model_);
+    moving_ = 0;
+    observers_.begin_stage(view());
     run::begin_stage(pictures_, scene_, stage(), model_->state());
     pictures_.window.emplace(model_->state());
   }
@@ -129,8 +142,10 @@ class Simulation::Impl {
   scene::Scene scene_;
   grains::Options options_;
   std::shared_ptr<Model> model_;
-  Records records_;
+  scene::Scene observed_;
+  Observers observers_;
   StageHistory history_;
+  std::size_t moving_ = 0;  // particles, in the last step
   std::size_t stage_ = 0;
   std::optional<StageEnd> end_;
   PictureHistory pictures_;

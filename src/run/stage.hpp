@@ -7,7 +7,7 @@
 
 #include "clca/scene/scene.hpp"
 #include "run/model.hpp"
-#include "run/stage_measures.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 

@@ -1,14 +1,17 @@
-#include "run/stage_measures.hpp"
+// The measures that a scene asks for, taken at the end of a stage.
 
 #include <algorithm>
 
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
-#include "clca/store/table.hpp"
+#include "run/cycle_record.hpp"
 #include "run/quantities.hpp"
 
 namespace clca::run {
+
+std::vector<QuantityGroup> outflow_quantities();
+std::vector<QuantityGroup> force_quantities();
 
 namespace {
 
@@ -16,7 +19,6 @@ using Values = std::vector<store::MeasureValue>;
 
 constexpr std::string_view kFlank =
     "straight line through the surface between 15 % and 80 % of its height";
-constexpr std::string_view kFlanks = "mean of the flanks that are there";
 
 Values values_of(const measure::ReposeAngle& angle) {
   return {store::value_or_null(angle.mean()), store::value_or_null(angle.left),
@@ -69,7 +71,8 @@ Values segregation(const StageView& stage) {
   }
   const grains::State& state = stage.model.state();
   return {store::value_or_null(measure::segregation_index(state)),
-          store::value_or_null(measure::lacey_index(state, stage.records.cycles().cell()))};
+          store::value_or_null(
+              measure::lacey_index(state, stage.observers.find<CycleRecord>()->cell()))};
 }
 
 Values intruder(const StageView& stage) {
@@ -77,64 +80,19 @@ Values intruder(const StageView& stage) {
   return height ? Values{*height} : Values{};
 }
 
-Values convection(const StageView& stage) {
-  const measure::Convection* convection = stage.records.cycles().convection();
-  if (convection == nullptr) {
-    return {};
-  }
-  const auto rolls = convection->rolls();
-  return rolls ? Values{rolls->centre_minus_wall, rolls->circulation_left, rolls->circulation_right}
-               : Values(3);
-}
-
-Values mixing(const StageView& stage) {
-  const std::vector<measure::FallenPairs>& fallen = stage.records.mixing()->fallen();
-  const auto at = [&](std::size_t diameters, double (measure::FallenPairs::*value)() const) {
-    return diameters <= fallen.size() ? store::MeasureValue((fallen[diameters - 1].*value)())
-                                      : store::MeasureValue();
-  };
-  return {at(1, &measure::FallenPairs::kept_share), at(10, &measure::FallenPairs::kept_share),
-          at(5, &measure::FallenPairs::diffusion)};
-}
-
-Values fluctuations(const StageView& stage) {
-  if (!stage.records.fields()) {
-    return {};
-  }
-  const FieldRecord& fields = *stage.records.fields();
-  const measure::Fluctuations& fluctuations = fields.fluctuations();
-  const auto distance = [&](const std::vector<double>& shares) {
-    const auto reference = statistics::chi_square_shares(fluctuations.bins(), 2);
-    return fluctuations.samples() > 0
-               ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
-               : store::MeasureValue();
-  };
-  return {fields.fluctuation_energy(),           distance(fluctuations.shares()),
-          distance(fluctuations.local_shares()), static_cast<double>(fluctuations.samples()),
-          fluctuations.resting_share(),          fluctuations.sparse_share()};
-}
-
-Values energy_growth(const StageView& stage) {
-  const auto& energy = stage.records.energy();
-  const auto growth = energy ? energy->growth() : std::nullopt;
-  return growth ? Values{*growth} : Values{};
-}
-
 std::vector<QuantityGroup> made_groups() {
   using scene::Measure;
   std::vector<QuantityGroup> groups = {
       {Measure::repose,
        "",
-       {{"repose_angle_deg", "Slope", "degrees", kFlanks},
+       {kReposeAngle,
         {"repose_left_deg", "Slope, left flank", "degrees", kFlank},
         {"repose_right_deg", "Slope, right flank", "degrees", "the same on the other side"}},
        repose},
       {Measure::repose, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle},
       {Measure::repose,
        "with a [vessel](#vessel), not in a periodic box",
-       {{"repose_gravity_deg", "Slope against gravity", "degrees",
-         "mean of the flanks that are there, where gravity points down; all others are in the "
-         "frame of the vessel"},
+       {kReposeGravity,
         {"repose_gravity_left_deg", "Slope against gravity, left flank", "degrees", kFlank},
         {"repose_gravity_right_deg", "Slope against gravity, right flank", "degrees",
          "the same on the other side"}},
@@ -150,8 +108,7 @@ std::vector<QuantityGroup> made_groups() {
        "",
        {{"packing_fraction", "Packing fraction", "",
          "sites of particles over the sites that the bed could fill"},
-        {"height_mean", "Mean height", "spacings",
-         "of the surface, over the columns with particles"}},
+        kHeightMean},
        packing},
       {Measure::moved,
        "",
@@ -164,51 +121,11 @@ std::vector<QuantityGroup> made_groups() {
   };
   add(outflow_quantities());
   add(force_quantities());
-  add({{Measure::segregation,
-        "several species",
-        {{"segregation_index", "Segregation index", "",
-          "height of the large ones over the small ones, over half the bed"},
-         {"lacey_index", "Lacey’s index of mixing", "", "0 separated, 1 as random"}},
-        segregation},
-       {Measure::intruder,
-        "a single particle of a species",
-        {{"intruder_height_rel", "Height of the intruder", "",
-          "0 on the floor, 1 just buried at the top"}},
-        intruder},
-       {Measure::convection,
-        "a wall with a wave or shake",
-        {{"convection_centre_minus_wall", "Convection, centre less walls", "spacings/cycle",
-          "rise inside less that at the walls"},
-         {"convection_circulation_left", "Circulation, left half", "rad/cycle", "anticlockwise"},
-         {"convection_circulation_right", "Circulation, right half", "rad/cycle", "anticlockwise"}},
-        convection},
-       {Measure::mixing,
-        "",
-        {{"neighbours_kept_1", "Neighbours kept, 1 d", "",
-          "share still neighbours when they have fallen one mean diameter"},
-         {"neighbours_kept_10", "Neighbours kept, 10 d", "", "after ten"},
-         {"pair_diffusion_5", "Diffusion of pairs", "spacings",
-          "⟨(Δx₁ - Δx₂)²⟩ over 4 times the distance fallen, at five mean diameters"}},
-        mixing},
-       {{},
-        "`output.fields`",
-        {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
-          "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
-         {"fluctuation_hellinger", "Distance from chi-square", "",
-          "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
-         {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
-          "the same, over the mean of the cell"},
-         {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
-         {"fluctuation_resting_share", "Left out: resting", "",
-          "in cells that rest or move as one"},
-         {"fluctuation_sparse_share", "Left out: sparse", "",
-          "in cells of fewer than 5 particles"}},
-        fluctuations},
-       {{},
-        "model `contact`, without sources",
-        {{"energy_growth", "Growth of the energy", "",
-          "most that it has grown in the stage, as a share of that at its start"}},
-        energy_growth}});
+  add({{Measure::segregation, "several species", {kSegregationIndex, kLaceyIndex}, segregation},
+       {Measure::intruder, "a single particle of a species", {kIntruderHeight}, intruder}});
+  for (const ObserverKind& kind : observer_kinds()) {
+    add(kind.quantities);
+  }
   return groups;
 }
 
@@ -272,11 +189,9 @@ double StageHistory::discharged_share() const {
   return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
 }
 
-std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const Model& model,
-                                                const StageHistory& history,
-                                                const Records& records) {
-  const StageView stage = {scene, model, history, records};
-  std::vector<std::optional<scene::Measure>> wanted(scene.measures.begin(), scene.measures.end());
+std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {
+  std::vector<std::optional<scene::Measure>> wanted(stage.scene.measures.begin(),
+                                                    stage.scene.measures.end());
   wanted.emplace_back();  // those that no measure asks for
   std::vector<store::NamedMeasure> results;
   for (const auto& measure : wanted) {
@@ -285,11 +200,9 @@ std::vector<store::NamedMeasure> stage_measures(const scene::Scene& scene, const
   return results;
 }
 
-std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const scene::Scene& scene,
-                                                const Model& model, const StageHistory& history,
-                                                const Records& records) {
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage) {
   std::vector<store::NamedMeasure> results;
-  add(results, wanted, {scene, model, history, records});
+  add(results, wanted, stage);
   return results;
 }
 
@@ -300,8 +213,7 @@ std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& mod
       notes.push_back(name + " is null: the surface there has no single slope");
     }
   };
-  const auto& wanted = scene.measures;
-  if (std::find(wanted.begin(), wanted.end(), scene::Measure::repose) == wanted.end()) {
+  if (!requests(scene, scene::Measure::repose)) {
     return notes;
   }
   const auto angle = measure::repose_angle(measure::surface_profile(model.state()));
@@ -313,25 +225,6 @@ std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& mod
     add("repose_gravity_right_deg", in_gravity.right_uneven);
   }
   return notes;
-}
-
-std::string mixing_table(const measure::Mixing& mixing) {
-  store::Table table({"fallen_d", "fallen", "pairs", "kept", "pair_diffusion"});
-  for (std::size_t i = 0; i < mixing.fallen().size(); ++i) {
-    const measure::FallenPairs& row = mixing.fallen()[i];
-    table.add_row({static_cast<double>(i + 1), row.fallen / static_cast<double>(row.pairs),
-                   row.pairs, row.kept_share(), row.diffusion()});
-  }
-  return table.to_csv();
-}
-
-std::string profile_table(const std::vector<double>& start, const std::vector<double>& end) {
-  store::Table table({"x", "height_start", "height_end"});
-  for (std::size_t column = 0; column < end.size(); ++column) {
-    table.add_row(
-        {lattice::kColumnPitch * static_cast<double>(column), start[column], end[column]});
-  }
-  return table.to_csv();
 }
 
 }  // namespace clca::run

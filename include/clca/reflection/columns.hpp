@@ -359,7 +359,7 @@ class Decoder {
 }  // namespace detail
 
 /// Adds all fields of a value, whose paths begin with `path`.
-template <Listed T>
+template <class T>
 void encode(const std::string& path, const T& value, Columns& columns) {
   detail::Encoder(columns).add(path, std::vector<const T*>{&value});
 }
@@ -373,7 +373,7 @@ Columns encode(const T& value) {
 /// Sets all fields of a value from its columns; vectors are resized, so that what else their
 /// elements hold stays, and so it does in what is optional and there already. Allocates no more
 /// than `max_bytes`. Throws Mismatch; the value is then only partly set.
-template <Listed T>
+template <class T>
 void decode(const std::string& path, const Columns& columns, double max_bytes, T& value) {
   detail::Decoder(columns, max_bytes).read(path, std::vector<T*>{&value});
 }

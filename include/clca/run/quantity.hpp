@@ -18,8 +18,8 @@ struct Quantity {
   std::string_view meaning;  ///< may be empty
 };
 
-/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET; null if there is none of
-/// this key.
+/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a vector,
+/// KEYx; null if there is none of this key.
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
@@ -34,5 +34,8 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();
+/// The columns of a table of a run, such as `series`, of a gas `gas.series`, likewise. Throws
+/// text::InputError for one that there is not.
+std::string columns_table(std::string_view table);
 
 }  // namespace clca::run

@@ -274,36 +274,32 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
   Model model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record;
-  record.begin_stage(scene.stages.front(), model);
+  EnergyRecord record(scene);
+  record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
-  record.after_step(model, {.sources = 100 * start});
+  EXPECT_FALSE(record.add(model, {.sources = 100 * start}));
   EXPECT_EQ(record.growth().value(), 0);
-  record.after_step(model, {.outlets = 0.3 * start});
+  EXPECT_FALSE(record.add(model, {.outlets = 0.3 * start}));
   EXPECT_NEAR(record.growth().value(), 0.003, 1e-12);
-  EXPECT_FALSE(record.take_warning());
 }
 
 TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
   Model model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record;
-  record.begin_stage(scene.stages.front(), model);
+  EnergyRecord record(scene);
+  record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
-  record.after_step(model, {.outlets = 0.008 * start});
-  EXPECT_FALSE(record.take_warning());
-  record.after_step(model, {.outlets = 0.004 * start});
-  const auto growth = record.take_warning();
+  EXPECT_FALSE(record.add(model, {.outlets = 0.008 * start}));
+  const auto growth = record.add(model, {.outlets = 0.004 * start});
   ASSERT_TRUE(growth);
   EXPECT_DOUBLE_EQ(growth->scale, start);
   EXPECT_DOUBLE_EQ(growth->now, 1.012 * start);
   EXPECT_NEAR(record.growth().value(), 0.012, 1e-12);
-  record.after_step(model, {.outlets = start});
-  EXPECT_FALSE(record.take_warning());
-  record.begin_stage(scene.stages.back(), model);  // with a source
+  EXPECT_FALSE(record.add(model, {.outlets = start}));
+  record.begin(scene.stages.back(), model);  // with a source
   EXPECT_FALSE(record.growth());
 }
 

@@ -7,18 +7,48 @@
 #include <sstream>
 #include <string>
 
+#include "clca/text/input_error.hpp"
+
 namespace clca::run::quantity_test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
+std::string page(const char* name) {
+  const std::ifstream file(std::filesystem::path(CLCA_SOURCE_DIR) / "docs" / name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
 TEST(Quantity, TheTableOfTheDocumentationIsThatOfTheDeclarations) {
-  const std::ifstream file(std::filesystem::path(CLCA_SOURCE_DIR) / "docs" / "scene-format.md");
-  std::ostringstream page;
-  page << file.rdbuf();
-  EXPECT_THAT(page.str(), HasSubstr("<!-- quantities -->\n" + quantities_table() +
-                                    "<!-- end of quantities -->\n"))
+  EXPECT_THAT(page("scene-format.md"), HasSubstr("<!-- quantities -->\n" + quantities_table() +
+                                                 "<!-- end of quantities -->\n"))
       << "call scripts/update-format";
+}
+
+TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
+  const std::string documents = page("scene-format.md") + page("boltzmann.md");
+  for (const char* table : {"series", "probes", "lines", "fields", "fluctuation", "profile",
+                            "cycles", "mixing", "convection", "contacts", "forces", "loads",
+                            "walls", "stress", "gas.series", "gas.histogram", "gas.closure"}) {
+    EXPECT_THAT(documents, HasSubstr(std::string("<!-- columns: ") + table + " -->\n" +
+                                     columns_table(table) + "<!-- end of columns -->\n"))
+        << "call scripts/update-format";
+  }
+}
+
+TEST(Quantity, ATableThatThereIsNotIsRefusedWithTheNamesOfAll) {
+  EXPECT_THAT([] { columns_table("serie"); },
+              ::testing::ThrowsMessage<text::InputError>(AllOf(
+                  HasSubstr("no table 'serie'"), HasSubstr("series, "), HasSubstr("profile"))));
+}
+
+TEST(Quantity, OfAVectorOrAMeanHasTwoColumns) {
+  EXPECT_EQ(find_quantity("vx"), find_quantity("vy"));
+  EXPECT_EQ(find_quantity("flux_se")->unit, "sites/(step·spacing)");
+  EXPECT_THAT(columns_table("lines"), HasSubstr("| `flux` (`_se`) |"));
 }
 
 TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {

@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "run/observer.hpp"
+
+namespace clca::run {
+
+ObserverKind cycles_observer();
+ObserverKind fields_observer();
+ObserverKind lines_observer();
+ObserverKind mixing_observer();
+ObserverKind overlaps_observer();
+ObserverKind contacts_observer();
+ObserverKind energy_observer();
+ObserverKind pictures_observer();
+ObserverKind series_observer();
+ObserverKind trajectory_observer();
+ObserverKind profile_observer();
+ObserverKind force_tables_observer();
+
+const std::vector<ObserverKind>& observer_kinds() {
+  static const std::vector<ObserverKind> kAll = {
+      cycles_observer(),   fields_observer(),     lines_observer(),   mixing_observer(),
+      overlaps_observer(), contacts_observer(),   energy_observer(),  pictures_observer(),
+      series_observer(),   trajectory_observer(), profile_observer(), force_tables_observer()};
+  return kAll;
+}
+
+Observers observers_of(const scene::Scene& scene, const grains::State& state,
+                       const RunOptions& options) {
+  std::vector<std::unique_ptr<Observer>> all;
+  for (const ObserverKind& kind : observer_kinds()) {
+    if (auto observer = kind.make(scene, state, options)) {
+      all.push_back(std::move(observer));
+    }
+  }
+  return Observers(std::move(all));
+}
+
+bool requests(const scene::Scene& scene, scene::Measure measure) {
+  return std::find(scene.measures.begin(), scene.measures.end(), measure) != scene.measures.end();
+}
+
+Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::move(all)) {
+  for (const auto& observer : all_) {
+    const std::vector<RunTable*> tables = observer->tables();
+    tables_.insert(tables_.end(), tables.begin(), tables.end());
+  }
+}
+
+std::vector<PlannedFile> Observers::files() const {
+  std::vector<PlannedFile> files;
+  const auto add = [&files](const std::vector<PlannedFile>& more) {
+    files.insert(files.end(), more.begin(), more.end());
+  };
+  for (const RunTable* table : tables_) {
+    add(table->files());
+  }
+  for (const auto& observer : all_) {
+    add(observer->files());
+  }
+  return files;
+}
+
+void Observers::open(const store::RunFolder& folder, const grains::State& now) {
+  for (RunTable* table : tables_) {
+    table->open(folder.files());
+  }
+  call(&Observer::open, folder, now);
+}
+
+void Observers::write_rows(std::size_t least) {
+  for (RunTable* table : tables_) {
+    table->write_rows(least);
+  }
+}
+
+void Observers::after_step(const StageView& now) {
+  constexpr std::size_t kBlock = 1U << 16U;  // bytes of rows that are written at once
+  call(&Observer::after_step, now);
+  write_rows(kBlock);
+}
+
+void Observers::end_stage(const StageView& now) {
+  call(&Observer::end_stage, now);
+  write_rows(0);
+}
+
+namespace {
+
+std::string bytes_path(const RunTable& table) {
+  return "outputs/" + std::string(table.info().name) + "_bytes";
+}
+
+}  // namespace
+
+void Observers::save(reflection::Columns& columns) {
+  write_rows(0);
+  for (RunTable* table : tables_) {
+    if (table->info().kind == TableInfo::Kind::growing) {
+      reflection::encode(bytes_path(*table), table->bytes(), columns);
+    }
+  }
+  call(&Observer::save, columns);
+}
+
+void Observers::load(const SavedColumns& saved, const StageView& now) {
+  for (RunTable* table : tables_) {
+    if (table->info().kind == TableInfo::Kind::growing) {
+      saved.read(bytes_path(*table), table->bytes(), now.model.state());
+    }
+  }
+  call(&Observer::load, saved, now);
+}
+
+}  // namespace clca::run
