@@ -20,9 +20,10 @@ py::object value(const store::MeasureValue& value) {
 
 py::tuple quantity(const std::string& key, const Declared& declared) {
   const auto find = declared.of_gas ? run::find_gas_quantity : run::find_quantity;
-  const run::Quantity* found = find(key);
-  if (found == nullptr) {  // STAGE.MEASURE, as in tables of sweeps
-    found = find(key.substr(key.find('.') + 1));
+  // STAGE.MEASURE, as in tables of sweeps, or KEY.OUTLET.
+  const run::Quantity* found = find(key.substr(key.find('.') + 1));
+  if (found == nullptr) {
+    found = find(key);
   }
   return found != nullptr
              ? py::make_tuple(found->name, run::shown_unit(found->unit, declared.units),

@@ -96,7 +96,7 @@ class RunTest(ScratchTest):
         self.assertEqual(series["step"].tolist(), [float(line[0]) for line in lines[1:]])
         self.assertEqual(series["stage"][-1], "flow")
         self.assertEqual((series.units["mean_height"], series.units["step"]), ("spacings", ""))
-        self.assertEqual(series.descriptions["mean_height"], "Mean height of the particles: of their sites")
+        self.assertEqual(series.descriptions["mean_height"], "Mean height of the particles: of their centres, weighted by sites")
         self.assertEqual(series[series["stage"] == "flow"].units["mean_height"], "spacings")
         self.assertIs(type(series["step"]), numpy.ndarray)
         with self.assertRaisesRegex(clca.Error, "no-such.csv"):
