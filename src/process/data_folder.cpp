@@ -14,9 +14,9 @@ namespace {
 fs::path own_file() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  static const char in_it = 0;
+  static constexpr char kInIt = 0;
   Dl_info info = {};
-  const bool found = ::dladdr(&in_it, &info) != 0;
+  const bool found = ::dladdr(&kInIt, &info) != 0;
   const fs::path library = found ? fs::canonical(info.dli_fname, error) : fs::path();
   return library.extension() == ".so" ? library : program;
 }

@@ -174,5 +174,22 @@ TEST(Scenes, AreListedWithTheirTitles) {
               HasSubstr("\"title\": \"Flow down a rough slope\""));
 }
 
+TEST(Scenes, AreTakenFromTheNearestFolderThatOthersCannotWriteTo) {
+  const testing::ScratchFolder folder;
+  const fs::path prefix = folder.path() / "prefix";
+  fs::create_directories(prefix / "bin");
+  fs::create_directories(prefix / "share/clca/scenes");
+  const fs::path program = prefix / "bin/clca";
+  fs::copy_file(CLCA_PROGRAM, program);
+  fs::copy_file(kShell / "../scenes/maze.png", prefix / "share/clca/scenes/maze.png");
+  fs::copy_file(kShell / "../scenes/maze.yaml", prefix / "share/clca/scenes/planted.yaml");
+  const auto scenes = [&] {
+    return testing::run_program({"scenes"}, {.program = program.string()}).out;
+  };
+  EXPECT_EQ(scenes(), "planted  Through a maze\n");
+  fs::permissions(prefix, fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(scenes(), Not(HasSubstr("planted")));
+}
+
 }  // namespace
 }  // namespace clca::shell_test
