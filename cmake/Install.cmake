@@ -1,17 +1,33 @@
-# Installs the program, the scenes and the libraries; others use them by find_package(clca), with
-# COMPONENTS clca (all, the default), core or boltzmann.
+# Installs the program with its data, man pages and completion, the libraries, and the Python package where it is built. Others
+# use the libraries by find_package(clca), with COMPONENTS clca (all, the default), core or boltzmann, or by pkg-config.
+# Each component is a Debian package (Package.cmake).
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clca)
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS clca_program RUNTIME)
-if(CLCA_MPI)
-  install(TARGETS clca_mpi_program RUNTIME)
-endif()
-install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/scenes
-        FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json" PATTERN "*.png")
-install(DIRECTORY plots/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/plots
-        FILES_MATCHING PATTERN "*.gp" PATTERN "*.gpi")
+install(DIRECTORY scenes plots DESTINATION ${CMAKE_INSTALL_DATADIR}/clca)
+install(FILES shell/clca.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME clca)
+install(FILES shell/_clca DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES shell/clca.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(CODE "
+  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  file(MAKE_DIRECTORY \${folder})
+  execute_process(COMMAND $<TARGET_FILE:clca_program> __man \${folder} COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB pages \${folder}/clca*.1)
+  execute_process(COMMAND gzip -9nf \${pages} COMMAND_ERROR_IS_FATAL ANY)")
 
+if(CLCA_MPI)
+  install(TARGETS clca_mpi_program RUNTIME COMPONENT mpi)
+endif()
+
+if(CLCA_BUILD_PYTHON)
+  set(CLCA_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where to install the Python package, below the prefix")
+  install(TARGETS clca_python LIBRARY DESTINATION ${CLCA_PYTHON_DIR}/clca COMPONENT python)
+  install(DIRECTORY src/python/clca DESTINATION ${CLCA_PYTHON_DIR} COMPONENT python PATTERN __pycache__ EXCLUDE)
+endif()
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS clca clca_core clca_boltzmann EXPORT clcaTargets ARCHIVE)
 install(DIRECTORY include/ TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT clcaTargets NAMESPACE clca:: DESTINATION ${package_dir})
@@ -31,3 +47,7 @@ endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/clcaConfig.cmake ${PROJECT_BINARY_DIR}/clcaConfigVersion.cmake
               cmake/Dependencies.cmake
         DESTINATION ${package_dir})
+configure_file(cmake/clca.pc.in clca.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/clca.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+include(cmake/Package.cmake)

@@ -66,6 +66,7 @@ Option& Option::type(const std::string& name) {
 
 Option& Option::values(const OptionValues& values) {
   option_->transform(CLI::Validator(values.read, values.shown));
+  state_->values[option_] = values;
   return *this;
 }
 
@@ -97,18 +98,19 @@ Option& Option::delimiter(char sign) {
 Option Command::option(const std::string& name, const OptionTarget& target,
                        const std::string& what) {
   return Option(std::visit(
-      [&](const auto& to) {
-        if constexpr (std::is_pointer_v<std::decay_t<decltype(to)>>) {
-          return app_->add_option(name, *to, what);
-        } else {
-          return app_->add_option_function<std::string>(name, to, what);
-        }
-      },
-      target));
+                    [&](const auto& to) {
+                      if constexpr (std::is_pointer_v<std::decay_t<decltype(to)>>) {
+                        return app_->add_option(name, *to, what);
+                      } else {
+                        return app_->add_option_function<std::string>(name, to, what);
+                      }
+                    },
+                    target),
+                state_);
 }
 
 Option Command::flag(const std::string& name, bool* target, const std::string& what) {
-  return Option(app_->add_flag(name, *target, what));
+  return {app_->add_flag(name, *target, what), state_};
 }
 
 void Command::remove_option(const std::string& name) {
@@ -116,12 +118,12 @@ void Command::remove_option(const std::string& name) {
 }
 
 void Command::action(std::function<int()> run) {
-  app_->callback([run = std::move(run), code = code_] { *code = run(); });
+  app_->callback([run = std::move(run), state = state_] { state->code = run(); });
 }
 
 CommandLine::CommandLine(const std::string& description, const std::string& version,
                          const std::string& footer)
-    : app_(std::make_unique<CLI::App>(description, "clca")) {
+    : app_(std::make_unique<CLI::App>(description, "clca")), version_(version) {
   app_->set_version_flag("-V,--version", version);
   app_->require_subcommand(1);
   app_->footer(footer);
@@ -130,7 +132,7 @@ CommandLine::CommandLine(const std::string& description, const std::string& vers
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::command(const std::string& name, const std::string& what) {
-  return {app_->add_subcommand(name, what), &code_};
+  return {app_->add_subcommand(name, what), &state_};
 }
 
 int CommandLine::run(const std::vector<const char*>& arguments) {
@@ -146,7 +148,7 @@ int CommandLine::run(const std::vector<const char*>& arguments) {
     write_out(text.str());
     return static_cast<int>(ExitCode::done);
   }
-  return code_;
+  return state_.code;
 }
 
 }  // namespace clca::cli

@@ -1,11 +1,12 @@
 #pragma once
 // Commands and their options, by CLI11. Its header, which takes seconds to compile, is included in
-// command.cpp only.
+// command.cpp and shell.cpp only.
 
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,10 +24,16 @@ class Option;
 
 namespace clca::cli {
 
+/// What commands leave beside what CLI11 knows.
+struct CommandState {
+  int code = 0;  ///< exit code of the command that has run
+  std::map<const CLI::Option*, OptionValues> values;
+};
+
 /// Settings of an option or of an argument of a command.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, CommandState* state) : option_(option), state_(state) {}
 
   Option& required();
   Option& type(const std::string& name);  ///< in the help, such as FILE
@@ -39,6 +46,7 @@ class Option {
 
  private:
   CLI::Option* option_;
+  CommandState* state_;
 };
 
 /// Where the value of an option goes. It has to stay there until the command has run.
@@ -53,7 +61,7 @@ using Words = std::vector<std::pair<std::string, T>>;
 
 class Command {
  public:
-  Command(CLI::App* app, int* code) : app_(app), code_(code) {}
+  Command(CLI::App* app, CommandState* state) : app_(app), state_(state) {}
 
   /// An argument if the name does not begin with `-`.
   Option option(const std::string& name, const OptionTarget& target, const std::string& what);
@@ -80,7 +88,7 @@ class Command {
 
  private:
   CLI::App* app_;
-  int* code_;
+  CommandState* state_;
 };
 
 class CommandLine {
@@ -97,9 +105,18 @@ class CommandLine {
   /// Returns the exit code. Throws text::InputError.
   int run(const std::vector<const char*>& arguments);
 
+  /// What may follow on the command line: a line `files` if names of files may, too, else `words`;
+  /// then one line for each candidate, with a tab and what it means. The last of `words`, which
+  /// begin after the program, has been begun and may be empty.
+  std::string completions(const std::vector<std::string>& words) const;
+
+  /// Man pages of the program and of each command, by file name.
+  std::map<std::string, std::string> man_pages() const;
+
  private:
   std::unique_ptr<CLI::App> app_;
-  int code_ = 0;
+  std::string version_;
+  CommandState state_;
 };
 
 }  // namespace clca::cli

@@ -21,5 +21,6 @@ void add_export_command(CommandLine& command_line);
 void add_plot_command(CommandLine& command_line);
 void add_render_command(CommandLine& command_line);
 void add_report_command(CommandLine& command_line);
+void add_scenes_command(CommandLine& command_line);
 
 }  // namespace clca::cli

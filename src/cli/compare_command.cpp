@@ -56,8 +56,10 @@ void add_compare_command(CommandLine& command_line) {
   command.option("BOLTZMANN", &options->boltzmann, "Folder of a run with output.histograms")
       .required();
   command.option("-o,--output", &options->folder, "Folder to write to").show_default();
-  command.option("--stage", &options->choice.stage,
-                 "Stage of the automaton [the last with a fluctuation table]");
+  command
+      .option("--stage", &options->choice.stage,
+              "Stage of the automaton [the last with a fluctuation table]")
+      .type("NAME");
   command.option("--time", &options->choice.time, "Time of the histogram [the latest]")
       .values(finite_number());
   command

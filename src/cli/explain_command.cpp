@@ -69,10 +69,13 @@ void add_explain_command(CommandLine& command_line) {
   Command command =
       command_line.command("explain", "Explain the keys of a scene and the quantities of a run");
   auto options = std::make_shared<ExplainOptions>();
-  command.option(
-      "KEY", &options->keys,
-      "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
-      "quantities of run.json [the top]");
+  command
+      .option(
+          "KEY", &options->keys,
+          "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
+          "quantities of run.json [the top]")
+      .type("NAME")
+      .values(key_of_scene());
   command
       .option("--format", &options->format,
               "text, markdown (a table), schema (JSON Schema), quantities (a table of the "

@@ -13,6 +13,7 @@
 #include "clca/process/program.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/store/file.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
@@ -73,7 +74,19 @@ int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
   clca::cli::add_plot_command(command_line);
   clca::cli::add_render_command(command_line);
   clca::cli::add_report_command(command_line);
+  clca::cli::add_scenes_command(command_line);
   command_line.command("help", "Print the help of a command: clca help run");
+  const std::string_view name = argc > 1 ? argv[1] : "";
+  if (name == "__complete") {
+    clca::cli::write_out(command_line.completions({argv + 2, argv + argc}));
+    return static_cast<int>(ExitCode::done);
+  }
+  if (name == "__man" && argc == 3) {
+    for (const auto& [file, text] : command_line.man_pages()) {
+      clca::store::write_whole(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
+    }
+    return static_cast<int>(ExitCode::done);
+  }
   return command_line.run(arguments_of(argc, argv));
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "clca/scene/format.hpp"
 #include "clca/text/message.hpp"
 
 namespace clca::cli {
@@ -69,6 +70,46 @@ std::string expected(std::string_view what, const std::string& text) {
   return fmt::format("expected {}, found {}", what, text::shown(text));
 }
 
+std::string accept(std::string& /*text*/) {
+  return {};
+}
+
+std::vector<Candidate> candidates_of(const std::vector<std::string>& words,
+                                     const std::string& before = "") {
+  std::vector<Candidate> candidates;
+  for (const std::string& word : words) {
+    candidates.push_back({before + word});
+  }
+  return candidates;
+}
+
+std::string in_braces(const std::vector<std::string>& words) {
+  return fmt::format("{{{}}}", fmt::join(words, ","));
+}
+
+std::vector<Candidate> keys(const std::string& begun, const std::string& after_last) {
+  std::vector<Candidate> candidates;
+  for (const scene::KeyName& key : scene::keys_beginning(begun)) {
+    if (key.has_keys) {
+      candidates.push_back({key.path + ".", key.about});
+    }
+    if (!key.has_keys || !scene::words_of(key.path).empty()) {
+      candidates.push_back({key.path + after_last, key.about});
+    }
+  }
+  return candidates;
+}
+
+/// `KEY=`, and after it the words that the key may have; several are separated by commas.
+std::vector<Candidate> assignments(const std::string& begun) {
+  const std::size_t equals = begun.find('=');
+  if (equals == std::string::npos) {
+    return keys(begun, "=");
+  }
+  const std::size_t last = begun.find_last_of("=,");
+  return candidates_of(scene::words_of(begun.substr(0, equals)), begun.substr(0, last + 1));
+}
+
 }  // namespace
 
 OptionValues whole_number(std::uint64_t least, std::uint64_t most) {
@@ -106,12 +147,22 @@ OptionValues part_of_whole(std::uint64_t most) {
   return {check, ""};
 }
 
+OptionValues key_of_scene() {
+  return {accept, "", [](const std::string& begun) { return keys(begun, ""); }};
+}
+
+OptionValues value_of_key(const std::string& key) {
+  const std::vector<std::string> words = scene::words_of(key);
+  return {accept, words.empty() ? "" : in_braces(words),
+          [words](const std::string& /*begun*/) { return candidates_of(words); }};
+}
+
 OptionValues assignment(const std::string& form) {
   const auto check = [form](std::string& text) -> std::string {
     return text.find('=') == std::string::npos ? expected(form + ", as in rules.inertia=0.5", text)
                                                : std::string();
   };
-  return {check, ""};
+  return {check, "", assignments};
 }
 
 OptionValues time_span() {
@@ -144,7 +195,7 @@ OptionValues byte_size() {
 }
 
 OptionValues one_of(const std::vector<std::string>& words, LetterCase letter_case) {
-  const std::string shown = fmt::format("{{{}}}", fmt::join(words, ","));
+  const std::string shown = in_braces(words);
   const auto convert = [words, letter_case, shown](std::string& text) -> std::string {
     const auto word = std::find_if(words.begin(), words.end(), [&](const std::string& known) {
       return letter_case == LetterCase::matters ? known == text : lowered(known) == lowered(text);
@@ -155,7 +206,7 @@ OptionValues one_of(const std::vector<std::string>& words, LetterCase letter_cas
     text = *word;
     return {};
   };
-  return {convert, shown};
+  return {convert, shown, [words](const std::string& /*begun*/) { return candidates_of(words); }};
 }
 
 }  // namespace clca::cli

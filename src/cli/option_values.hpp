@@ -9,10 +9,18 @@
 
 namespace clca::cli {
 
+/// What may stand in place of a word that has been begun.
+struct Candidate {
+  std::string text;
+  std::string about = {};
+};
+
 struct OptionValues {
   /// What is wrong with the text, or nothing. May replace it by another that means the same.
   std::function<std::string(std::string& text)> read;
   std::string shown;  ///< in the help, after the type
+  /// For completion in a shell; none: file names, where the type is FILE, FOLDER or not said.
+  std::function<std::vector<Candidate>(const std::string& begun)> candidates = {};
 };
 
 /// Digits without sign or leading zeros.
@@ -23,6 +31,10 @@ OptionValues finite_number();
 /// `3/64`: the third of 64 parts.
 OptionValues part_of_whole(std::uint64_t most);
 
+/// Any text; the key of a scene is completed.
+OptionValues key_of_scene();
+/// Any text, since the scene checks it; the words of this key are shown and completed.
+OptionValues value_of_key(const std::string& key);
 /// A key, `=` and what `form` (`KEY=VALUE`) says.
 OptionValues assignment(const std::string& form);
 

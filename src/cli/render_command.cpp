@@ -171,15 +171,17 @@ void add_frames_option(Command& command, RenderOptions& options, const char* nam
             options.look.push_back(fmt::format("output.frames.{}={}", key, value));
           },
           what)
-      .type(type);
+      .type(type)
+      .values(value_of_key(fmt::format("output.frames.{}", key)));
 }
 
 void add_look_options(Command& command, RenderOptions& options) {
   add_frames_option(command, options, "--color-by", "color_by", "WHAT",
-                    "species, stage_layer, displacement, speed, id or force");
-  add_frames_option(command, options, "--overlay", "overlay", "WHAT", "none, forces or velocity");
+                    "What the colours of particles show");
+  add_frames_option(command, options, "--overlay", "overlay", "WHAT",
+                    "What is drawn over the particles");
   add_frames_option(command, options, "--style", "style", "STYLE",
-                    "screen, or print: without title, stage and step or time");
+                    "print is without title, stage and step or time");
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
   command
@@ -188,6 +190,7 @@ void add_look_options(Command& command, RenderOptions& options) {
               "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
               "repeated")
       .type("KEY=VALUE")
+      .values(assignment("KEY=VALUE"))
       .one_value();
 }
 

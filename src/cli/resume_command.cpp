@@ -49,9 +49,11 @@ void add_resume_command(CommandLine& command_line, tasks::Ranks* ranks) {
   auto options = std::make_shared<ResumeOptions>();
   options->run.ranks = ranks;
   command.option("DIR", &options->folder, "Folder of the run").required();
-  command.option("--until", &options->until,
-                 "Run to this end instead of the scene's: steps of the last stage, the time "
-                 "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
+  command
+      .option("--until", &options->until,
+              "Run to this end instead of the scene's: steps of the last stage, the time "
+              "of a gas, or as `until` of a scene: settled, '{cycles: 400}'")
+      .type("END");
   add_run_options(command, options->run);
   add_memory_limit(command, options->scene);
   command.action([options] { return resume_run(*options); });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "clca/process/data_folder.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 
@@ -61,6 +62,15 @@ double memory_limit(const SceneOptions& options) {
                               : run::default_memory_limit();
 }
 
+std::vector<Candidate> scenes_of_program() {
+  std::vector<Candidate> scenes;
+  for (const auto& [name, file] : process::data_files("scenes", ".yaml")) {
+    const auto title = [](const auto& scene) { return scene.title; };
+    scenes.push_back({name, std::visit(title, scene::parse_any_file(file))});
+  }
+  return scenes;
+}
+
 void add_scene_and_set(Command& command, SceneOptions& options) {
   command
       .option("SCENE", &options.file,
@@ -70,7 +80,7 @@ void add_scene_and_set(Command& command, SceneOptions& options) {
                  name = run::scene_file(name);
                  return std::string();
                },
-               ""});
+               "", [](const std::string& /*begun*/) { return scenes_of_program(); }});
   command
       .option("--set", &options.overrides,
               "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "

@@ -8,6 +8,7 @@
 
 #include "clca/run/load.hpp"
 #include "clca/scene/parse.hpp"
+#include "cli/option_values.hpp"
 
 namespace clca::cli {
 
@@ -25,6 +26,9 @@ struct SceneOptions {
   std::optional<std::uint64_t> frames_every;  ///< 0: no pictures, but their settings
   std::optional<std::uint64_t> memory_limit;  ///< bytes
 };
+
+/// Name and title of each scene that comes with the program. Throws scene::SceneError.
+std::vector<Candidate> scenes_of_program();
 
 void add_scene_options(Command& command, SceneOptions& options);
 

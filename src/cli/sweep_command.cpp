@@ -158,6 +158,7 @@ void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks) {
       .option(
           "--seeds", &options->seeds,
           "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
+      .type("SEEDS")
       .show_default();
   command
       .option("--vary", &options->variations,

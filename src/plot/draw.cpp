@@ -36,14 +36,11 @@ std::string identifier(std::string name) {
 
 fs::path template_folder() {
   std::error_code error;
-  const auto candidates = process::data_folders("plots");
-  for (const fs::path& folder : candidates) {
-    if (fs::exists(folder / kStyleFile, error)) {
-      return folder;
-    }
+  fs::path folder = process::data_folder("plots");
+  if (!fs::exists(folder / kStyleFile, error)) {
+    throw PlotError(fmt::format("no templates of figures in {}", folder.string()));
   }
-  throw PlotError(fmt::format("no templates of figures, neither in {} nor in {}",
-                              candidates[0].string(), candidates[1].string()));
+  return folder;
 }
 
 const char* ending(Format format) {

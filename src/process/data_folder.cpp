@@ -1,16 +1,57 @@
 #include "clca/process/data_folder.hpp"
 
+#include <dlfcn.h>
+
 #include <system_error>
 
 namespace clca::process {
 
 namespace fs = std::filesystem;
 
-std::array<fs::path, 2> data_folders(const fs::path& what) {
+namespace {
+
+/// This program, or the shared library that this code is in.
+fs::path own_file() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return {(program.parent_path() / CLCA_DATA_FROM_PROGRAM / what).lexically_normal(),
-          fs::path(CLCA_DATA_IN_SOURCE) / what};
+  static constexpr char kInIt = 0;
+  Dl_info info = {};
+  const bool found = ::dladdr(&kInIt, &info) != 0;
+  const fs::path library = found ? fs::canonical(info.dli_fname, error) : fs::path();
+  return library.extension() == ".so" ? library : program;
+}
+
+/// Others could put templates there, which gnuplot would run.
+bool is_writable_by_others(const fs::path& folder) {
+  std::error_code error;
+  return (fs::status(folder, error).permissions() & fs::perms::others_write) != fs::perms::none;
+}
+
+}  // namespace
+
+fs::path data_folder(const fs::path& what) {
+  const fs::path data = fs::path("share") / "clca" / what;
+  std::error_code error;
+  fs::path folder = own_file();
+  while (folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (!is_writable_by_others(folder) && fs::exists(folder / data, error)) {
+      return folder / data;
+    }
+  }
+  return fs::path(CLCA_DATA) / what;
+}
+
+std::map<std::string, fs::path> data_files(const fs::path& what, const std::string& extension) {
+  std::map<std::string, fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator it(data_folder(what), error), end; !error && it != end;
+       it.increment(error)) {
+    if (it->path().extension() == extension) {
+      files[it->path().stem().string()] = it->path();
+    }
+  }
+  return files;
 }
 
 }  // namespace clca::process

@@ -44,21 +44,14 @@ std::string scene_file(const std::string& name) {
   if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, error)) {
     return name;
   }
-  std::vector<std::string> known;
-  for (const std::filesystem::path& folder : process::data_folders("scenes")) {
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
-         it.increment(error)) {
-      if (it->path().extension() != ".yaml") {
-        continue;
-      }
-      known.push_back(it->path().stem().string());
-      if (known.back() == name) {
-        return it->path().string();
-      }
-    }
+  const auto scenes = process::data_files("scenes", ".yaml");
+  if (const auto scene = scenes.find(name); scene != scenes.end()) {
+    return scene->second.string();
   }
-  std::sort(known.begin(), known.end());
-  const std::vector<std::string_view> names(known.begin(), known.end());
+  std::vector<std::string_view> names;
+  for (const auto& scene : scenes) {
+    names.push_back(scene.first);
+  }
   if (text::nearest(name, names)) {
     throw scene::SceneError(
         fmt::format("{}:1:1: error: cannot read the file: No such file or directory{}",

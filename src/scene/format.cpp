@@ -123,6 +123,26 @@ std::string explained(const FoundKey& found) {
   return text;
 }
 
+/// Those that `words` does not have yet.
+void add_words(const Json& schema, std::vector<std::string>& words) {
+  Json values = schema.value("enum", Json::array());
+  if (schema.contains("const")) {
+    values.push_back(schema["const"]);
+  }
+  if (schema.value("type", Json()) == "boolean") {
+    values.insert(values.end(), {true, false});
+  }
+  for (const Json& value : values) {
+    const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+    if (std::find(words.begin(), words.end(), word) == words.end()) {
+      words.push_back(word);
+    }
+  }
+  for (const Json& part : schema.value("anyOf", Json::array())) {
+    add_words(part, words);
+  }
+}
+
 std::string cell(std::string text) {
   for (std::size_t bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) {
     text.insert(bar, "\\");
@@ -176,6 +196,40 @@ std::string explain(std::string_view path) {
                        text, explained(found.back()));
   }
   return text;
+}
+
+std::vector<KeyName> keys_beginning(std::string_view begun) {
+  const std::size_t length = begun.rfind('.') + 1;  // 0 without a dot
+  const std::vector<std::string> parents = path_keys(begun.substr(0, length));
+  std::vector<KeyName> names;
+  for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
+    const FoundKey found = find(top, parents);
+    const bool name_follows =
+        found.key != nullptr && found.key->is_collection && found.key->name == parents.back();
+    if (found.keys == nullptr || name_follows) {
+      continue;
+    }
+    for (const KeyDescription& key : *found.keys) {
+      const std::string path = std::string(begun.substr(0, length)) + key.name;
+      const bool is_known = std::any_of(names.begin(), names.end(),
+                                        [&](const KeyName& name) { return name.path == path; });
+      if (path.starts_with(begun) && !is_known) {
+        names.push_back({path, meaning(key), key.keys != nullptr});
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> words_of(std::string_view path) {
+  std::vector<std::string> words;
+  for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
+    const FoundKey found = find(top, path_keys(path));
+    if (found.key != nullptr) {
+      add_words(found.key->schema(), words);
+    }
+  }
+  return words;
 }
 
 std::string markdown_table(const std::vector<std::string>& paths) {

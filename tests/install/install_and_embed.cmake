@@ -8,10 +8,12 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-run(${prefix}/bin/clca check ${prefix}/share/clca/scenes/wall-removal.yaml)
-if(NOT EXISTS ${prefix}/share/clca/plots/style.gp)
-  message(FATAL_ERROR "the templates of figures are not installed")
-endif()
+run(${prefix}/bin/clca check wall-removal)
+foreach(file clca/plots/style.gp man/man1/clca-run.1.gz bash-completion/completions/clca)
+  if(NOT EXISTS ${prefix}/share/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 
 # What clca::core must not need is not to be found.
 set(disabled)

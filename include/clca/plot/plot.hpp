@@ -39,8 +39,7 @@ struct Appearance {
   int height = 600;
 };
 
-/// Folder of the templates: installed with the program, or in the source tree. Throws PlotError if
-/// there is none.
+/// Folder of the templates that come with the program. Throws PlotError if there is none.
 std::filesystem::path template_folder();
 
 /// The figures that the tables in `run` allow, by name; if `only` is not empty, those named there

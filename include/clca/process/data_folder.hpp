@@ -1,13 +1,19 @@
 #pragma once
 // Where the data of the program lie.
 
-#include <array>
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace clca::process {
 
-/// Folders that may hold the data named `what` (plots, scenes): that installed with this program,
-/// then that in the source tree it was built from.
-std::array<std::filesystem::path, 2> data_folders(const std::filesystem::path& what);
+/// The folder with the data named `what` (plots, scenes): share/clca/WHAT in the nearest folder
+/// above this program, or above the shared library that has this function; where there is none, the
+/// one of the prefix that was built for.
+std::filesystem::path data_folder(const std::filesystem::path& what);
+
+/// The files of that folder with this extension, by their names without it; none if it is missing.
+std::map<std::string, std::filesystem::path> data_files(const std::filesystem::path& what,
+                                                        const std::string& extension);
 
 }  // namespace clca::process
