@@ -95,7 +95,8 @@ class Run : public RunBase {
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   StageView view() {
-    return {scene_, stage(), model_, history_, observers_, course_.moving, &folder().files(), &log()};
+    return {scene_,         stage(),           model_, history_, observers_,
+            course_.moving, &folder().files(), &log()};
   }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }

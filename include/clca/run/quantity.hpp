@@ -18,8 +18,8 @@ struct Quantity {
   std::string_view meaning;  ///< may be empty
 };
 
-/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a vector,
-/// KEYx; null if there is none of this key.
+/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a
+/// vector, KEYx; null if there is none of this key.
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
