@@ -97,16 +97,16 @@ Option& Option::delimiter(char sign) {
 
 Option Command::option(const std::string& name, const OptionTarget& target,
                        const std::string& what) {
-  return Option(std::visit(
-                    [&](const auto& to) {
-                      if constexpr (std::is_pointer_v<std::decay_t<decltype(to)>>) {
-                        return app_->add_option(name, *to, what);
-                      } else {
-                        return app_->add_option_function<std::string>(name, to, what);
-                      }
-                    },
-                    target),
-                state_);
+  return {std::visit(
+              [&](const auto& to) {
+                if constexpr (std::is_pointer_v<std::decay_t<decltype(to)>>) {
+                  return app_->add_option(name, *to, what);
+                } else {
+                  return app_->add_option_function<std::string>(name, to, what);
+                }
+              },
+              target),
+          state_};
 }
 
 Option Command::flag(const std::string& name, bool* target, const std::string& what) {

@@ -34,11 +34,11 @@ TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
 }
 
 struct EnergyBin {
-  double lower;
-  std::optional<double> upper;
-  double share;
-  double share_local;
-  double reference;
+  double lower = 0;
+  std::optional<double> upper = {};
+  double share = 0;
+  double share_local = 0;
+  double reference = 0;
 };
 
 TableOf<EnergyBin> fluctuation_table(const scene::Scene& /*scene*/) {

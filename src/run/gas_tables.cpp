@@ -132,9 +132,9 @@ TableOf<GasBin> gas_histogram_table(const GasScene& scene) {
 }
 
 struct GasClosure {
-  double restitution;
-  double time;
-  double translational;
+  double restitution = 0;
+  double time = 0;
+  double translational = 0;
   double rotational = 0;
   double p_xx = 0;
   double p_yy = 0;
@@ -234,8 +234,8 @@ TableScope table_scope(const GasScene& scene) {
 }
 
 const std::vector<TableInfo>& gas_tables() {
-  static const std::vector<TableInfo> kAll = {gas_series_table({}), gas_histogram_table({}),
-                                              gas_closure_table({})};
+  static const std::vector<TableInfo> kAll = {
+      gas_series_table({}).info(), gas_histogram_table({}).info(), gas_closure_table({}).info()};
   return kAll;
 }
 

@@ -29,8 +29,8 @@ double mean_height(const grains::State& state) {
 /// What a row is made of.
 struct SeriesRow {
   const StageView& now;
-  std::optional<contact::Energy> energy;  ///< of the contact model
-  const EnergyRecord* record;             ///< likewise
+  std::optional<contact::Energy> energy = {};  ///< of the contact model
+  const EnergyRecord* record = nullptr;        ///< likewise
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -163,7 +163,7 @@ std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& m
 struct ProbeRow {
   const StageView& now;
   const scene::Probe& probe;
-  double filling;
+  double filling = 0;
   std::uint64_t particles = 0;
   std::optional<Eigen::Vector2d> velocity = {};
   std::optional<double> fluctuation = {};

@@ -97,13 +97,15 @@ struct TableInfo {
   /// Of each wall or outlet, KEY.NAME: the quantity, and what NAME is.
   std::vector<std::pair<Quantity, std::string_view>> of_each = {};
   std::vector<ColumnInfo> columns = {};
+
+  const TableInfo& info() const { return *this; }
 };
 
 /// Columns that are there for some scenes.
 template <class Row>
 struct ColumnGroup {
   std::string_view where;  ///< Markdown, as `with ...`; empty: all
-  bool is_there;           ///< for this scene
+  bool is_there = false;   ///< for this scene
   std::vector<Column<Row>> columns;
 };
 
@@ -176,7 +178,7 @@ class TableWriter : public RunTable {
   /// `more`: names of the columns of_each.
   TableWriter(TableScope scope_of_run, const TableOf<Row>& table,
               const std::vector<std::string>& more = {})
-      : RunTable(table, std::move(scope_of_run)) {
+      : RunTable(table.info(), std::move(scope_of_run)) {
     std::vector<std::string> names;
     for (const ColumnGroup<Row>& group : table.groups) {
       if (!group.is_there) {

@@ -96,7 +96,7 @@ void disturb(State& state) {
 
 bool grains_rest(const State& state, std::int32_t slow) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
-  constexpr std::int64_t kFarthest = 3 * kSpacing;
+  constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
   return state.quiet_steps >= kQuietSteps ||
          (slow > 0 && state.unmoved_steps >= static_cast<std::uint64_t>(kFarthest / slow));
 }
