@@ -21,8 +21,9 @@ namespace {
 
 // With its number in the list of those awake, which doubles: at the beginning all are.
 constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 8;
-// What a step notes of a particle that it looks at, in lists that double.
-constexpr double kAwakeBytes = 150;
+// What a step notes of a particle that it looks at, in lists that double: where it wants to go, and
+// its number in two lists.
+constexpr double kAwakeBytes = 110;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
 // waits for it. All are looked at once, though.
 constexpr double kAwakeOfDeposited = 1.0 / 8;

@@ -9,44 +9,29 @@
 
 namespace clca::automaton {
 
-/// A set of ids. Those inserted are listed; those marked are not, as their proposals are known.
-/// Going through it and clearing it costs time by how many are in it, not by how many could be.
+/// A set of ids. Going through it and clearing it costs time by how many are in it, not by how many
+/// could be.
 class AwakeSet {
  public:
   /// Ids have to be below `bound`.
   void resize(std::size_t bound) { words_.resize((bound + kBits - 1) / kBits, 0); }
 
-  /// Lists an id, unless it is in the set.
+  /// Adds an id, unless it is in the set.
   void insert(std::uint32_t id) {
     std::uint64_t& word = words_[id / kBits];
     listed_.add_if((word & bit(id)) == 0, id);
     word |= bit(id);
   }
-  /// For an id that is not in the set.
-  void mark(std::uint32_t id) {
-    words_[id / kBits] |= bit(id);
-    marked_.add(id);
-  }
-  /// Lists the marked ones, too.
-  void list_marked() {
-    for (const std::uint32_t id : marked_) {
-      listed_.add(id);
-    }
-    marked_.clear();
-  }
-
   bool contains(std::uint32_t id) const { return (words_[id / kBits] & bit(id)) != 0; }
 
   /// In the order in which they came.
   std::span<const std::uint32_t> listed() const { return {listed_.begin(), listed_.end()}; }
 
   void clear() {
-    for (ReusableBuffer<std::uint32_t>* ids : {&listed_, &marked_}) {
-      for (const std::uint32_t id : *ids) {
-        words_[id / kBits] = 0;
-      }
-      ids->clear();
+    for (const std::uint32_t id : listed_) {
+      words_[id / kBits] = 0;
     }
+    listed_.clear();
   }
 
  private:
@@ -56,7 +41,6 @@ class AwakeSet {
 
   std::vector<std::uint64_t> words_;
   ReusableBuffer<std::uint32_t> listed_;
-  ReusableBuffer<std::uint32_t> marked_;
 };
 
 }  // namespace clca::automaton

@@ -77,20 +77,6 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
 
 }  // namespace
 
-void Engine::mark_found_by_others(StripWorker& worker) {
-  for (const StripWorker& finder : busy()) {
-    if (&finder == &worker) {
-      continue;
-    }
-    const Proposals& proposals = finder.proposals[worker.strip];
-    for (const auto* list : {&proposals.falling, &proposals.sloping}) {
-      for (const MoveProposal& proposal : *list) {
-        worker.waking.mark(proposal.id);
-      }
-    }
-  }
-}
-
 void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling,
                     [&](MoveProposal& proposal) { commit_unless_contested(worker, proposal); });
@@ -111,6 +97,7 @@ void Engine::commit(StripWorker& worker) {
 // A provisional target was free when the step began, and vacated sites are nobody's target. So a
 // mover whose lead sites nobody else wants moves, whatever its place in the order.
 void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal) {
+  worker.waking.insert(proposal.id);  // moved or not: it is examined again
   if (proposal.contested > 0 || proposal.outcome == ConflictOutcome::overlapping) {
     worker.turns.push_back({decisions_.key(proposal.id, proposal.move), &proposal});
   } else {

@@ -22,7 +22,6 @@ void Engine::reserve(StripWorker& worker) {
     each.awake.clear();  // all are examined
     each.next_awake = 0;
   }
-  mark_found_by_others(worker);
   for_each_proposal(worker, &Proposals::sloping, [&](const MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
       reservations_.reserve(at, sites, proposal.access);

@@ -9,13 +9,6 @@ namespace {
 /// Steps with fewer awake particles run on one thread.
 constexpr std::size_t kParallelFrom = 4096;
 
-void clear(std::vector<Proposals>& all) {
-  for (Proposals& proposals : all) {
-    proposals.falling.clear();
-    proposals.sloping.clear();
-  }
-}
-
 }  // namespace
 
 Engine::Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile)
@@ -35,7 +28,6 @@ Engine::Engine(grains::State initial, const Rules& rules, const Options& options
     StripWorker& worker = workers_[strip];
     worker.strip = strip;
     worker.proposals.resize(workers_.size());
-    worker.proposals_before.resize(workers_.size());
     worker.work = strips_.empty_histogram();
   }
 }
@@ -129,22 +121,16 @@ void Engine::begin_step() {
   pushed_.clear();
   quiet_ = true;
   overlaps_ = !world_.state.pushes.empty();
-  const bool proposals_hold = !had_overlaps_ && !overlaps_ && !world_.changes.by_others;
-  had_overlaps_ = overlaps_;
-  const std::size_t busy_now = busy().size();
-  for (StripWorker& worker : std::span(workers_).first(std::max(busy_before_, busy_now))) {
-    std::swap(worker.proposals, worker.proposals_before);
+  for (StripWorker& worker : workers_) {
     std::swap(worker.awake, worker.waking);
-    clear(worker.proposals);
+    for (Proposals& proposals : worker.proposals) {
+      proposals.falling.clear();
+      proposals.sloping.clear();
+    }
     worker.turns.clear();
     worker.deferred.clear();
     worker.examined = 0;
-    if (!proposals_hold) {
-      clear(worker.proposals_before);
-      worker.awake.list_marked();
-    }
   }
-  busy_before_ = busy_now;
 }
 
 void Engine::wake_changed() {

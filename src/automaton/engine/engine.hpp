@@ -54,7 +54,6 @@ class Engine final : public Steps {
   void append_moved(std::vector<std::uint32_t>& ids) const override;
 
   // Before the phases.
-  /// Keeps only the proposals of the last step, if they still tell where their particles are.
   void begin_step();
   /// Wakes particles by what walls, sources, outlets and overlaps have changed.
   void wake_changed();
@@ -73,7 +72,6 @@ class Engine final : public Steps {
   bool awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id, lattice::Site at) const;
   void examine(StripWorker& worker, const AwakeParticle& particle);
   grains::Move provisional_by_windows(const AwakeParticle& particle) const;
-  AwakeParticle particle_after(const MoveProposal& before) const;
 
   // Particles that overlap, see overlap_step.cpp.
   void move_overlapping();
@@ -101,7 +99,6 @@ class Engine final : public Steps {
   void commit_unless_contested(StripWorker& worker, MoveProposal& proposal);
   void apply_move(StripWorker& worker, const MoveProposal& proposal);
   void apply_or_rest(StripWorker& worker, const MoveProposal& proposal);
-  void mark_found_by_others(StripWorker& worker);
   void wake_neighbours(StripWorker& worker);
   void finish(StripWorker& worker);
 
@@ -125,9 +122,7 @@ class Engine final : public Steps {
   bool records_work_ = false;  // for Strips
   bool quiet_ = true;
   // The last step:
-  std::size_t busy_before_ = 1;  // workers that took part
-  bool had_overlaps_ = true;     // at its beginning; true before the first step
-  bool nothing_moved_ = false;   // and no overlapping particle in the step before that
+  bool nothing_moved_ = false;  // and no overlapping particle in the step before that
 };
 
 template <class Visit>

@@ -21,7 +21,6 @@ void Engine::move_overlapping() {
   for (MoveProposal& proposal : freed_) {
     proposal.outcome = ConflictOutcome::overlapping;
     proposals.sloping.add(proposal);
-    worker.waking.insert(proposal.id);
   }
 }
 
@@ -89,6 +88,7 @@ void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
     grains::Particle& particle = state.particles[proposal.id];
     if (!world_.is_free(particle, static_cast<lattice::Direction>(proposal.move))) {
       particle.previous = grains::kRest;
+      workers_.front().waking.insert(proposal.id);  // it may have another way
       return true;
     }
     return false;

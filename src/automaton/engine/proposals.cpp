@@ -12,6 +12,9 @@ namespace {
 /// Particles that a thread takes at a time.
 constexpr std::size_t kBatch = 512;
 
+/// How many particles before its turn a particle is fetched from memory.
+constexpr std::size_t kAhead = 16;
+
 /// Work of a move that is not along gravity, where one along it is 1.
 constexpr std::uint32_t kSlopingWork = 4;
 
@@ -26,51 +29,28 @@ void Engine::propose(StripWorker& worker) {
 }
 
 void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
-  // All that are awake there have numbers, list after list; threads take them in batches.
-  std::size_t list_begin = 0;
-  const auto take_batches = [&](std::size_t size, auto examine_at) {
-    std::atomic_ref next_awake(owner.next_awake);
-    const std::size_t list_end = list_begin + size;
-    std::size_t first = next_awake.load(std::memory_order_relaxed);
-    while (first < list_end) {
-      const std::size_t end = std::min(first + kBatch, list_end);
-      if (next_awake.compare_exchange_weak(first, end, std::memory_order_relaxed)) {
-        for (std::size_t i = first - list_begin; i < end - list_begin; ++i) {
-          examine_at(i);
-        }
-        first = end;
+  const std::span<const std::uint32_t> listed = owner.awake.listed();
+  std::atomic_ref next_awake(owner.next_awake);
+  while (true) {
+    const std::size_t first = next_awake.fetch_add(kBatch, std::memory_order_relaxed);
+    if (first >= listed.size()) {
+      return;
+    }
+    const std::size_t end = std::min(first + kBatch, listed.size());
+    for (std::size_t i = first; i < end; ++i) {
+      __builtin_prefetch(&world_.state.particles[listed[std::min(i + kAhead, end - 1)]]);
+      const std::uint32_t id = listed[i];
+      const grains::Particle& particle = world_.state.particles[id];
+      // The strip that examines it may be writing `previous`: only that one reads it.
+      if (particle.present && !(overlaps_ && world_.pushes.overlapping(id)) &&
+          (owner.strip == 0 || !awake_in_earlier_strip(owner, id, site_of(particle)))) {
+        examine(worker, {.site = site_of(particle),
+                         .id = id,
+                         .kind = particle.kind,
+                         .previous = particle.previous});
       }
     }
-    list_begin = list_end;
-  };
-  const auto is_first = [&](std::uint32_t id, lattice::Site at) {
-    return owner.strip == 0 || !awake_in_earlier_strip(owner, id, at);
-  };
-  for (const StripWorker& finder : workers_) {
-    const Proposals& proposals = finder.proposals_before[owner.strip];
-    for (const auto* list : {&proposals.falling, &proposals.sloping}) {
-      take_batches(list->size(), [&](std::size_t i) {
-        const AwakeParticle awake = particle_after(list->begin()[i]);
-        if (is_first(awake.id, awake.site)) {
-          examine(worker, awake);
-        }
-      });
-    }
   }
-  const grains::State& state = world_.state;
-  const std::span<const std::uint32_t> listed = owner.awake.listed();
-  take_batches(listed.size(), [&](std::size_t i) {
-    const std::uint32_t id = listed[i];
-    const grains::Particle& particle = state.particles[id];
-    // The strip that examines it may be writing `previous`: only that one reads it.
-    if (particle.present && !(overlaps_ && world_.pushes.overlapping(id)) &&
-        is_first(id, site_of(particle))) {
-      examine(worker, {.site = site_of(particle),
-                       .id = id,
-                       .kind = particle.kind,
-                       .previous = particle.previous});
-    }
-  });
 }
 
 // Several strips may have woken the same particle, but not far from their borders.
@@ -80,17 +60,6 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
       std::span(workers_).first(worker.inner_before.contains(at) ? 0 : worker.strip);
   return std::any_of(others.begin(), others.end(),
                      [&](const StripWorker& other) { return other.awake.contains(id); });
-}
-
-/// The particle of a proposal of the last step.
-[[gnu::always_inline]] inline AwakeParticle Engine::particle_after(
-    const MoveProposal& before) const {
-  const lattice::Site step = step_of(before.site, before.move);
-  return {.site = {world_.state.lattice.wrapped(before.site.column + step.column),
-                   before.site.row + step.row},
-          .id = before.id,
-          .kind = before.kind,
-          .previous = before.move};
 }
 
 grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
@@ -134,9 +103,6 @@ grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const
   const bool falls = move == static_cast<grains::Move>(world_.rules.gravity);
   if (records_work_) {
     worker.work.add(particle.site, falls ? 1 : kSlopingWork);
-  }
-  if (strip == worker.strip) {
-    worker.waking.mark(particle.id);
   }
   const bool alone = !wraps && workers_[strip].inner.contains(particle.site);
   Proposals& proposals = worker.proposals[strip];

@@ -95,10 +95,9 @@ struct alignas(kCacheLine) StripWorker {
   std::size_t strip = 0;
   Interval inner;         ///< of the strip: no other thread changes anything there in this step
   Interval inner_before;  ///< the same in the last step
-  std::vector<Proposals> proposals;         ///< found by this worker, by strip
-  std::vector<Proposals> proposals_before;  ///< of the last step: these particles are awake
-  AwakeSet awake;   ///< by the last step's moves here; those with proposals there are marked
-  AwakeSet waking;  ///< the same for the next step
+  std::vector<Proposals> proposals;  ///< found by this worker, by strip
+  AwakeSet awake;                    ///< by what was here in the last step
+  AwakeSet waking;                   ///< the same for the next step
   ReusableBuffer<WakeWindow> to_wake;
   std::vector<QueuedMove> turns;     ///< contested moves in this strip
   std::vector<QueuedMove> deferred;  ///< those of them that depend on other strips

@@ -27,21 +27,5 @@ TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
   EXPECT_FALSE(set.contains(63));
 }
 
-TEST(AwakeSet, HasThoseMarkedWithoutListingThem) {
-  AwakeSet set;
-  set.resize(100);
-  set.mark(7);
-  set.insert(7);
-  set.insert(8);
-  EXPECT_TRUE(set.contains(7));
-  EXPECT_EQ(listed(set), std::vector<std::uint32_t>{8});
-  set.list_marked();
-  EXPECT_EQ(listed(set), (std::vector<std::uint32_t>{8, 7}));
-  set.mark(9);
-  set.clear();
-  EXPECT_TRUE(set.listed().empty());
-  EXPECT_FALSE(set.contains(7) || set.contains(8) || set.contains(9));
-}
-
 }  // namespace
 }  // namespace clca::automaton::awake_set_test

@@ -170,7 +170,7 @@ TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
   EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
                                "1009}}"))
                 .bytes,
-            least + 1000.0 * 140);
+            least + 1000.0 * 130);
   EXPECT_GE(
       size_of(scene_with("output: {frames: {width: 1000, height: 500, supersampling: 3}}")).bytes,
       least + 500'000.0 * 9 * 8);
