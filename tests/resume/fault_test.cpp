@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "support/program.hpp"
 #include "support/run_folders.hpp"
@@ -244,6 +245,48 @@ TEST_F(Faults, WhatACheckpointOrADoneRunRefersToIsOnTheDiskBefore) {
     ASSERT_EQ(at_summaries.size(), 2);
     EXPECT_THAT(at_summaries.front(), ::testing::Not(::testing::IsEmpty())) << "not yet done";
     EXPECT_THAT(at_summaries.back(), ::testing::IsEmpty());
+  }
+}
+
+/// The files that got their names before they were on the disk, and how many got theirs.
+std::pair<std::set<std::string>, int> named_too_early(const std::string& log) {
+  std::set<std::string> too_early;
+  int named = 0;
+  std::set<std::string> not_flushed;
+  std::ifstream lines(log);
+  for (std::string what, from, to; lines >> what >> from;) {
+    if (what == "write") {
+      not_flushed.insert(from);
+    } else if (what == "flush") {
+      not_flushed.erase(from);
+    } else if (lines >> to) {
+      ++named;
+      if (not_flushed.contains(from)) {
+        too_early.insert(to);
+      }
+    }
+  }
+  return {too_early, named};
+}
+
+TEST_F(Faults, WhatACommandWritesIsOnTheDiskBeforeItReplacesWhatWasThere) {
+  const std::string log = path("log");
+  const std::vector<std::vector<std::string>> commands = {
+      {"export", path("unbroken"), "--format", "xyz", "-o", path("grains.xyz")},
+      {"render", path("unbroken"), "-o", path("pictures")},
+      {"plot", path("unbroken"), "-o", path("figures")},
+      {"report", path("unbroken")},
+  };
+  for (const std::vector<std::string>& command : commands) {
+    SCOPED_TRACE(command.front());
+    fs::remove(log);
+    const auto result = testing::run_program(
+        command,
+        {.environment = {{"LD_PRELOAD", CLCA_FAULT_INJECTION}, {"CLCA_FAULT_LOG", log}}});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto [too_early, named] = named_too_early(log);
+    EXPECT_GE(named, 1);
+    EXPECT_THAT(too_early, ::testing::IsEmpty());
   }
 }
 
