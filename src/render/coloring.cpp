@@ -183,16 +183,8 @@ Coloring color_by_force(const ColorBarEnds& range) {
   return result;
 }
 
-Coloring color_by_load(std::vector<double> loads, const ColorBarEnds& range) {
-  return by_map(ByLoad{std::move(loads), range}, "load (grain weights)", range);
-}
-
-Coloring color_by_speed() {
-  constexpr Rgb kMoving = {213, 94, 0};
-  constexpr Rgb kResting = {176, 196, 214};
-  Coloring result = {.rule = BySpeed{}, .palette = {kMoving, kResting}, .legend = {}};
-  result.legend.patches = {{"moving", kMoving}, {"at rest", kResting}};
-  return result;
+Coloring color_by_value(std::vector<double> values, std::string label, const ColorBarEnds& range) {
+  return by_map(ByValue{std::move(values), range}, std::move(label), range);
 }
 
 Coloring color_by_id() {

@@ -21,16 +21,13 @@ struct Shading {
   std::size_t shade(const BySpecies& /*rule*/, std::size_t id) const {
     return state.kinds[state.particles[id].kind].species;
   }
-  std::size_t shade(const BySpeed& /*rule*/, std::size_t id) const {
-    return state.particles[id].previous == grains::kRest ? 1 : 0;
-  }
   static std::size_t shade(const ById& /*rule*/, std::size_t id) { return id % kIdShades; }
   /// No colour of the map for no sites.
   std::size_t shade(const ByForce& rule, std::size_t id) const {
     const double sites = value(rule, id);
     return sites > 0 ? 1 + map_shade(rule.range, sites) : 0;
   }
-  static std::size_t shade(const ByLoad& rule, std::size_t id) {
+  static std::size_t shade(const ByValue& rule, std::size_t id) {
     return map_shade(rule.range, value(rule, id));
   }
   std::size_t shade(const ByDisplacement& rule, std::size_t id) const {
@@ -54,7 +51,7 @@ struct Shading {
     }
     return shared;
   }
-  static double value(const ByLoad& rule, std::size_t id) { return rule.loads[id]; }
+  static double value(const ByValue& rule, std::size_t id) { return rule.values[id]; }
   double value(const ByDisplacement& /*rule*/, std::size_t id) const {
     return lattice::position(state.particles[id].site() - state.origins[id]).norm();
   }

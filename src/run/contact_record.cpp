@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace clca::run {
@@ -77,7 +78,7 @@ ContactRecord::ContactRecord(const scene::Scene& scene)
     : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
       most_((sampling_.window + sampling_.every - 1) / sampling_.every),
       has_tables_(requests(scene, scene::Measure::force)),
-      pictures_{.every = pictures_show_forces(scene) ? scene.output.frames->every : 0},
+      pictures_{.every = scene::pictures_show_forces(scene) ? scene.output.frames->every : 0},
       frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
                            ? scene.output.trajectory->every
                            : 0} {}
@@ -139,11 +140,22 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
                                                      const Model& model) const {
   std::vector<contact::Force> forces =
       recurring.due && !recurring.window.is_empty() ? recurring.window.means() : at_end(model);
-  const std::vector<grains::Particle>& grains = model.state().particles;
-  std::erase_if(forces, [&](const contact::Force& force) {
-    return !grains[force.upper].present || (grains::is_particle(force.other) &&
-                                            !grains[static_cast<std::size_t>(force.other)].present);
-  });
+  const auto bodies = [](const contact::Force& force) {
+    return std::minmax({static_cast<grains::Owner>(force.upper), force.other});
+  };
+  std::set<std::pair<grains::Owner, grains::Owner>> there;
+  const auto is_present = [&](grains::Owner body) {
+    return !grains::is_particle(body) ||
+           model.state().particles[static_cast<std::size_t>(body)].present;
+  };
+  const std::vector<contact::Force> now = *model.forces();
+  for (const contact::Force& force : now) {
+    if (is_present(static_cast<grains::Owner>(force.upper)) && is_present(force.other)) {
+      there.insert(bodies(force));
+    }
+  }
+  std::erase_if(forces,
+                [&](const contact::Force& force) { return !there.contains(bodies(force)); });
   return forces;
 }
 
@@ -151,10 +163,19 @@ ObserverKind contacts_observer() {
   return observer_kind<ContactRecord>(is_contact);
 }
 
-bool pictures_show_forces(const scene::Scene& scene) {
-  return is_contact(scene) && scene.output.frames &&
-         (scene.output.frames->overlay == scene::Overlay::forces ||
-          scene.output.frames->color_by == scene::ColorBy::force);
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const Model& model,
+                                                 const Observers& observers) {
+  if (!is_contact(scene)) {
+    return std::nullopt;
+  }
+  store::ContactFrame shown;
+  if (scene::pictures_show_forces(scene)) {
+    shown.forces = observers.find<ContactRecord>()->of_picture(model);
+  }
+  if (scene.output.frames->color_by == scene::ColorBy::speed) {
+    shown.velocities = model.velocities();
+  }
+  return shown;
 }
 
 }  // namespace clca::run

@@ -1,10 +1,12 @@
 #pragma once
 // Mean forces of the contact model over the last steps.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/contact/force.hpp"
+#include "clca/store/trajectory.hpp"
 #include "run/observer.hpp"
 
 namespace clca::run {
@@ -43,7 +45,8 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
   std::vector<contact::Force> at_end(const Model& model) const;
-  /// Means before a picture that is due now; else as at_end(). Without grains that have left.
+  /// Means before a picture that is due now; else as at_end(). Of contacts that are
+  /// there now.
   std::vector<contact::Force> of_picture(const Model& model) const;
   /// The same for a trajectory frame: those of a picture with forces if one is drawn, or of the end
   /// of the stage.
@@ -88,7 +91,8 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   Recurring frames_;
 };
 
-/// Whether the pictures of a contact scene show forces.
-bool pictures_show_forces(const scene::Scene& scene);
+/// What a picture shows of the contact model; none for other models.
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const Model& model,
+                                                 const Observers& observers);
 
 }  // namespace clca::run

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
+#include "clca/contact/force.hpp"
+#include "clca/measure/coordination.hpp"
 #include "clca/run/run.hpp"
 #include "run/overlay.hpp"
 
@@ -15,6 +18,8 @@ namespace {
 // Fixed, so that pictures of a sequence are comparable.
 constexpr int kMaxForceIndex = 8;  // overlapped sites
 constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
+constexpr double kFastest = 2;     // in longest arrows
+constexpr double kNeighbours = 6;  // of discs of one size
 
 render::Drawing drawing_of(scene::Drawing drawing) {
   switch (drawing) {
@@ -62,6 +67,34 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
   return colors;
 }
 
+/// By id, `step_velocity` for a lattice spacing per step. Without velocities of the model: of the
+/// mean velocity since the window began, 0 for particles that have come since.
+std::vector<double> speeds(const View& view, const PictureHistory& history, double step_velocity) {
+  std::vector<double> result(view.state.particles.size(), 0);
+  if (view.contact) {
+    std::transform(
+        view.contact->velocities.begin(), view.contact->velocities.end(), result.begin(),
+        [&](const Eigen::Vector2d& velocity) { return step_velocity * velocity.norm(); });
+  } else if (history.window->step() < view.state.step) {
+    const auto velocities = history.window->velocities(view.state);
+    std::transform(velocities.begin(), velocities.end(), result.begin(), [&](const auto& velocity) {
+      return velocity ? step_velocity * velocity->norm() : 0;
+    });
+  }
+  return result;
+}
+
+/// By id, grain weights per lattice spacing: the normal forces over the circumference of a disc of
+/// the grain's area.
+std::vector<double> pressures(const View& view) {
+  const grains::State& state = view.state;
+  std::vector<double> result = contact::loads(state.particles.size(), view.contact->forces);
+  for (std::size_t id = 0; id < result.size(); ++id) {
+    result[id] /= std::numbers::pi * state.shape(state.particles[id]).diameter();
+  }
+  return result;
+}
+
 /// Left and upper edge, width and height, in pixels.
 std::string box_text(const render::PixelBox& box) {
   return fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
@@ -89,7 +122,7 @@ void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene
 }
 
 void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state) {
-  if (shows_velocities(scene)) {
+  if (scene::pictures_compare_places(scene)) {
     history.window.emplace(state);
   }
 }
@@ -171,14 +204,24 @@ render::Coloring FramePainter::plain_coloring(const View& view,
     case scene::ColorBy::displacement:
       return render::color_by_displacement(range(history.displacement_scale));
     case scene::ColorBy::speed:
-      return render::color_by_speed();
+      return render::color_by_value(speeds(view, history, scales_.step_velocity),
+                                    fmt::format("speed ({})", scales_.velocity_unit.several),
+                                    range(kFastest * scales_.highest_velocity));
+    case scene::ColorBy::coordination: {
+      const std::vector<int> touched = measure::coordination(state, view.occupancy);
+      return render::color_by_value({touched.begin(), touched.end()}, "grains and walls touched",
+                                    range(kNeighbours));
+    }
     case scene::ColorBy::id:
       return render::color_by_id();
     case scene::ColorBy::force:
-      return view.forces != nullptr
-                 ? render::color_by_load(contact::loads(state.particles.size(), *view.forces),
-                                         range(kLoad * scales_.strongest_force))
-                 : render::color_by_force(range(kMaxForceIndex));
+      return view.contact ? render::color_by_value(
+                                contact::loads(state.particles.size(), view.contact->forces),
+                                "load (grain weights)", range(kLoad * scales_.strongest_force))
+                          : render::color_by_force(range(kMaxForceIndex));
+    case scene::ColorBy::pressure:
+      return render::color_by_value(pressures(view), "pressure (grain weights/spacing)",
+                                    range(scales_.highest_pressure));
     case scene::ColorBy::species:
       break;
   }

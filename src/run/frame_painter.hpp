@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "clca/contact/force.hpp"
 #include "clca/contact/vessel.hpp"
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
@@ -18,6 +17,7 @@
 #include "clca/render/painter.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
+#include "clca/store/trajectory.hpp"
 #include "run/cycle_record.hpp"
 #include "run/overlay_scales.hpp"
 
@@ -27,9 +27,9 @@ namespace clca::run {
 struct View {
   const grains::State& state;
   grains::Occupancy occupancy;
-  const CycleRecord* cycles = nullptr;  ///< none where the run is over: then no arrows
-  const std::vector<contact::Force>* forces = nullptr;  ///< of the contact model
-  contact::Angle angle = 0;                             ///< of the vessel
+  const CycleRecord* cycles = nullptr;              ///< none where the run is over: then no arrows
+  std::optional<store::ContactFrame> contact = {};  ///< of the contact model: what is shown
+  contact::Angle angle = 0;                         ///< of the vessel
 };
 
 /// What later pictures need to know of earlier ones; part of a checkpoint.
@@ -38,7 +38,7 @@ struct PictureHistory {
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
   render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
-  /// At the last picture or the start of the stage; with Overlay::velocity only.
+  /// At the last picture or the start of the stage, if scene::pictures_compare_places().
   std::optional<measure::Snapshot> window = {};
 
   static constexpr auto fields() {

@@ -63,7 +63,7 @@ Eigen::Vector2d to_place(const grains::State& state, const grains::Particle& fir
 /// Lines from centre to centre, or to the wall.
 DrawnOverlay contact_forces(const View& view, double strongest) {
   std::vector<render::ForceLine> lines;
-  for (const contact::Force& force : *view.forces) {
+  for (const contact::Force& force : view.contact->forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
     const Eigen::Vector2d along =
         grains::is_particle(force.other)
@@ -169,7 +169,7 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
                         const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return view.forces != nullptr ? contact_forces(view, scales.strongest_force) : overlaps(view);
+      return view.contact ? contact_forces(view, scales.strongest_force) : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:

@@ -58,6 +58,7 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
       .strongest_force = strongest_force(scene, frames),
       .velocity_cell = velocity_cell(scene, frames),
       .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
+  scales.highest_pressure = scales.strongest_force / mean_diameter(scene);
   if (const auto conversion = scene::conversion(scene)) {
     scales.step_velocity = conversion->velocity(1);
     scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
@@ -65,10 +66,6 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   scales.highest_velocity =
       frames.velocity_scale.value_or(rounded_down(scales.step_velocity * default_velocity(scene)));
   return scales;
-}
-
-bool shows_velocities(const scene::Scene& scene) {
-  return scene.output.frames && scene.output.frames->overlay == scene::Overlay::velocity;
 }
 
 }  // namespace clca::run

@@ -9,6 +9,8 @@ namespace clca::run {
 struct OverlayScales {
   /// Contact model: drawn as the widest line, in grain weights.
   double strongest_force = 1;
+  /// Contact model: end of the colours by pressure, grain weights per lattice spacing.
+  double highest_pressure = 1;
   /// Side of the cells of velocities, lattice spacings.
   double velocity_cell = 1;
   /// Drawn as the longest arrow, in `velocity_unit`.
@@ -21,12 +23,10 @@ struct OverlayScales {
 /// From the keys of `output.frames`. Their defaults:
 /// - the strongest force is twice the weight of a column of grains as high as the fall height,
 ///   rounded to 1, 2 or 5 times a power of ten; few forces exceed it;
+/// - the highest pressure is that force over the mean diameter;
 /// - a cell is 3 mean diameters of the species wide, and at least a 30th of the view;
 /// - the highest velocity is half a spacing per step, or with the contact model half of that after
 ///   a fall from the fall height, rounded down in the same way.
 OverlayScales overlay_scales(const scene::Scene& scene);
-
-/// Whether the pictures show velocities.
-bool shows_velocities(const scene::Scene& scene);
 
 }  // namespace clca::run

@@ -62,7 +62,7 @@ class Pictures : public Observer {
 
 void Pictures::load(const SavedColumns& saved, const StageView& now) {
   saved.read(kPath, history_, now.model.state());
-  if (shows_velocities(scene_) != history_.window.has_value() ||
+  if (scene::pictures_compare_places(scene_) != history_.window.has_value() ||
       (history_.window && !history_.window->precedes(now.model.state()))) {
     throw reflection::Mismatch("its velocities are of another run");
   }
@@ -77,16 +77,13 @@ void Pictures::draw(const StageView& now) {
     return;
   }
   history_.last_step = state.step;
-  std::optional<std::vector<contact::Force>> forces;
-  if (pictures_show_forces(scene_)) {
-    forces = now.observers.find<ContactRecord>()->of_picture(now.model);
-  }
-  CapturedFrame frame = painter_.capture({.state = state,
-                                          .occupancy = now.model.grains().occupancy(),
-                                          .cycles = now.observers.find<CycleRecord>(),
-                                          .forces = forces ? &*forces : nullptr,
-                                          .angle = now.model.vessel().angle},
-                                         history_);
+  CapturedFrame frame =
+      painter_.capture({.state = state,
+                        .occupancy = now.model.grains().occupancy(),
+                        .cycles = now.observers.find<CycleRecord>(),
+                        .contact = shown_contact(scene_, now.model, now.observers),
+                        .angle = now.model.vessel().angle},
+                       history_);
   begin_window(history_, scene_, state);
   writer_.write(now.files->subfolder(store::kFramesFolder),
                 store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),

@@ -41,7 +41,7 @@ const scene::Scene& drawable(const RunToDraw& run) {
         scene.output.frames->location));
   }
   const auto& trajectory = scene.output.trajectory;
-  if (pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
+  if (scene::pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
     const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
     throw RedrawError(fmt::format(
         "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
@@ -158,6 +158,8 @@ std::vector<Frame> RunDrawing::latest_frames() const {
 }
 
 void RunDrawing::add_to(SpaceTime& space_time, std::size_t number) {
+  begin_stage(trajectory_.frames()[chosen_[number]].stage);
+  begin_window(chosen_[number]);
   look_at(latest(chosen_[number]),
           [&](const View& view) { space_time.add(view, history_, number); });
 }
@@ -171,12 +173,15 @@ void RunDrawing::look_at(std::size_t place, Show show) {
   begin_stage(trajectory_.frames()[place].stage);
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
-  const bool has_forces = pictures_show_forces(scene_);
-  const std::vector<contact::Force> forces =
-      has_forces ? trajectory_.contact_frame(place).forces : std::vector<contact::Force>();
+  std::optional<store::ContactFrame> contact;
+  if (scene::pictures_show_forces(scene_) ||
+      (scene_.model == scene::Model::contact &&
+       scene_.output.frames->color_by == scene::ColorBy::speed)) {
+    contact = trajectory_.contact_frame(place);
+  }
   show({.state = state,
         .occupancy = occupancy,
-        .forces = has_forces ? &forces : nullptr,
+        .contact = std::move(contact),
         .angle = angle_after(vessels_[*stage_], state.step - stage_start_)});
 }
 
@@ -206,7 +211,7 @@ void RunDrawing::begin_stage(std::size_t stage) {
 }
 
 void RunDrawing::begin_window(std::size_t place) {
-  if (!shows_velocities(scene_)) {
+  if (!scene::pictures_compare_places(scene_)) {
     return;
   }
   std::size_t before = first_frame(trajectory_.frames()[place].stage);

@@ -95,15 +95,11 @@ class Simulation::Impl {
       drawn.output.frames = frames;
       drawing_.emplace(std::move(drawn), model_->state());
     }
-    std::optional<std::vector<contact::Force>> forces;
-    if (pictures_show_forces(drawing_->scene)) {
-      forces = observers_.find<ContactRecord>()->of_picture(*model_);
-    }
     const CapturedFrame frame =
         drawing_->painter.capture({.state = model_->state(),
                                    .occupancy = model_->grains().occupancy(),
                                    .cycles = observers_.find<CycleRecord>(),
-                                   .forces = forces ? &*forces : nullptr,
+                                   .contact = shown_contact(drawing_->scene, *model_, observers_),
                                    .angle = model_->vessel().angle},
                                   pictures_);
     pictures_.window.emplace(model_->state());

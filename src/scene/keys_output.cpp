@@ -38,11 +38,16 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
     require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
   }
-  if (frames.range && frames.color_by != ColorBy::force &&
-      frames.color_by != ColorBy::displacement) {
+  if (frames.color_by == ColorBy::pressure && scene.model != Model::contact) {
+    fail(fields.at("color_by").location,
+         fmt::format("{}: pressure goes with model: contact", fields.path("color_by")));
+  }
+  constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id};
+  if (frames.range &&
+      std::find(kWithoutBar.begin(), kWithoutBar.end(), frames.color_by) != kWithoutBar.end()) {
     fail(fields.at("range").location,
-         fmt::format("{}: only color_by force and displacement have a colour bar",
-                     fields.path("range")));
+         fmt::format("{}: there is no colour bar with color_by {}", fields.path("range"),
+                     name_of(kColorByNames, frames.color_by)));
   }
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
@@ -71,9 +76,8 @@ Type<Frames> frames_type() {
             key("color_by", &Frames::color_by, choice(kColorByNames),
                 "what the colour of a particle means"),
             key("range", &Frames::range, color_bar_ends(),
-                "values at the ends of the colour bar of `displacement` (lattice spacings) or "
-                "`force` (overlapped sites, or with `model: contact` grain weights); a mark at an "
-                "end says that there are values outside the range")
+                "values at the ends of the colour bar, in its unit; a mark at an end says that "
+                "there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
             key("layers", &Frames::layers, integer(1, kMaxLayers),
                 "number of layers for `stage_layer`"),
@@ -93,15 +97,16 @@ Type<Frames> frames_type() {
                 "go out of the picture")
                 .of(Model::contact),
             key("force_scale", &Frames::force_scale, above_zero(kMaxForceScale),
-                "the force drawn as the widest line, in grain weights; the colours by force end "
-                "at twice it")
+                "the force drawn as the widest line, in grain weights; the colours of `force` end "
+                "at twice it, those of `pressure` at it over the mean diameter")
                 .of(Model::contact)
                 .defaults_to("from the fall height"),
             key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
-                "the speed drawn as the longest arrow, 0.9 cells: spacings per step, or "
+                "the speed drawn as the longest arrow, 0.9 cells; the colours of `speed` end at "
+                "twice it: spacings per step, or "
                 "with `model: contact` m/s (√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),

@@ -61,13 +61,15 @@ inline constexpr std::array<Named<Measure>, 11> kMeasureNames = {
      {"intruder", Measure::intruder},
      {"convection", Measure::convection},
      {"mixing", Measure::mixing}}};
-inline constexpr std::array<Named<ColorBy>, 6> kColorByNames = {
+inline constexpr std::array<Named<ColorBy>, 8> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},
      {"displacement", ColorBy::displacement},
      {"speed", ColorBy::speed},
+     {"coordination", ColorBy::coordination},
      {"id", ColorBy::id},
-     {"force", ColorBy::force}}};
+     {"force", ColorBy::force},
+     {"pressure", ColorBy::pressure}}};
 inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
     {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
 inline constexpr std::array<Named<Overlay>, 4> kOverlayNames = {{{"none", Overlay::none},

@@ -26,4 +26,17 @@ bool vessel_has_cycles(const Stage& stage) {
   return stage.vessel && !std::holds_alternative<Tilt>(*stage.vessel);
 }
 
+bool pictures_show_forces(const Scene& scene) {
+  const auto& frames = scene.output.frames;
+  return scene.model == Model::contact && frames &&
+         (frames->overlay == Overlay::forces || frames->color_by == ColorBy::force ||
+          frames->color_by == ColorBy::pressure);
+}
+
+bool pictures_compare_places(const Scene& scene) {
+  const auto& frames = scene.output.frames;
+  return frames && (frames->overlay == Overlay::velocity ||
+                    (frames->color_by == ColorBy::speed && scene.model != Model::contact));
+}
+
 }  // namespace clca::scene

@@ -212,8 +212,7 @@ bool measures(const Scene& scene, Measure measure) {
 double force_windows(const Scene& scene) {
   const Output& output = scene.output;
   const bool in_tables = measures(scene, Measure::force);
-  const bool in_pictures = output.frames && (output.frames->overlay == Overlay::forces ||
-                                             output.frames->color_by == ColorBy::force);
+  const bool in_pictures = pictures_show_forces(scene);
   const bool in_frames = output.trajectory && output.trajectory->contacts;
   const bool at_end = in_tables || in_pictures || in_frames;
   return (at_end ? 1 : 0) + (in_pictures ? 1 : 0) + (in_frames ? 1 : 0);
@@ -279,7 +278,7 @@ Size size_of(const Scene& scene) {
   if (measures(scene, Measure::mixing)) {
     bytes += kMixingBytes * particles;
   }
-  if (scene.output.frames && scene.output.frames->overlay == Overlay::velocity) {
+  if (pictures_compare_places(scene)) {
     bytes += kVelocityBytes * particles;
   }
   for (const Wall& wall : scene.walls) {

@@ -145,15 +145,15 @@ void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places&
   scales.strongest_force = 1;
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
     const grains::State state = trajectory.state(frame);
-    const auto forces = trajectory.contact_frame(frame).forces;
-    const run::View view = {.state = state,
-                            .occupancy = grains::Occupancy(state),
-                            .forces = contact ? &forces : nullptr};
+    run::View view = {.state = state, .occupancy = grains::Occupancy(state)};
+    if (contact) {
+      view.contact = trajectory.contact_frame(frame);
+    }
     const run::DrawnOverlay drawn = run::overlay_of(scene::Overlay::forces, view, {}, scales);
     for (const render::Stroke& stroke : drawn.overlay.strokes) {
       places.require(stroke.from.x(), stroke.from.y(), "the beginning of a line");
       places.require(stroke.to.x(), stroke.to.y(), "the end of a line");
-      // Not across the picture: the grains of a contact that is gone may have moved apart.
+      // Not across the picture.
       RC_ASSERT(std::abs(stroke.to.x() - stroke.from.x()) < state.lattice.size().x() / 2 + 1e-9);
     }
   }

@@ -49,13 +49,12 @@ struct ColorBarEnds {
 
 // Rules that choose the shade of a particle.
 struct BySpecies {};
-struct BySpeed {};
 struct ById {};
 struct ByForce {  ///< overlapped sites
   ColorBarEnds range;
 };
-struct ByLoad {
-  std::vector<double> loads;  ///< by id, grain weights
+struct ByValue {
+  std::vector<double> values;  ///< by id
   ColorBarEnds range;
 };
 struct ByDisplacement {  ///< lattice spacings
@@ -66,7 +65,7 @@ struct ByLayer {
   LayerRange range;
   std::vector<double> centroids;  ///< heights above the reference site by kind, lattice spacings
 };
-using ShadeRule = std::variant<BySpecies, BySpeed, ById, ByForce, ByLoad, ByDisplacement, ByLayer>;
+using ShadeRule = std::variant<BySpecies, ById, ByForce, ByValue, ByDisplacement, ByLayer>;
 
 /// A particle has one of a few colours (its shade), which depends on the particle and its sites
 /// only. So a picture needs only the shades of the particles it shows.
@@ -95,10 +94,8 @@ Coloring color_by_displacement(const ColorBarEnds& range);
 /// By the number of sites shared with other particles and walls. Particles that share none are
 /// pale.
 Coloring color_by_force(const ColorBarEnds& range);
-/// By the sum of normal forces on a particle, by id, in grain weights.
-Coloring color_by_load(std::vector<double> loads, const ColorBarEnds& range);
-/// By whether the particle moved in the last step.
-Coloring color_by_speed();
+/// By a number of each particle, by id. `label`: what it is, with its unit.
+Coloring color_by_value(std::vector<double> values, std::string label, const ColorBarEnds& range);
 /// By id; neighbouring ids have distinct colours.
 Coloring color_by_id();
 

@@ -37,7 +37,16 @@ enum class Measure : std::uint8_t {
   mixing
 };
 
-enum class ColorBy : std::uint8_t { species, stage_layer, displacement, speed, id, force };
+enum class ColorBy : std::uint8_t {
+  species,
+  stage_layer,
+  displacement,
+  speed,
+  coordination,
+  id,
+  force,
+  pressure
+};
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 /// `velocity`: mean since the last picture.
 enum class Overlay : std::uint8_t { none, forces, arrows, velocity };

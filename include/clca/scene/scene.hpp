@@ -286,4 +286,10 @@ struct Scene {
 /// stage without a number of steps counts where its `max_steps` is above the default.
 int step_digits(const Scene& scene);
 
+/// Whether its pictures show forces of the contact model.
+bool pictures_show_forces(const Scene& scene);
+/// Whether its pictures show velocities that follow from the places of particles at the picture
+/// before.
+bool pictures_compare_places(const Scene& scene);
+
 }  // namespace clca::scene

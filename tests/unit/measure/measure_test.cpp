@@ -80,6 +80,21 @@ TEST(Repose, AFlatTopAndAThinToeDoNotSpoilTheAngle) {
   EXPECT_NEAR(repose_angle(profile).right.value(), 45, 0.01);
 }
 
+TEST(Repose, TheFlankIsFrom15To80PercentOfTheHeight) {
+  // 100 high, of 45 degrees between two heights and flatter outside.
+  const auto angle = [](double low, double high) {
+    std::vector<double> profile(3, 100.0);
+    while (profile.back() > 0) {
+      const bool is_flank = profile.back() < high && profile.back() > low;
+      profile.push_back(profile.back() - (is_flank ? 1 : 0.3) * kColumnPitch);
+    }
+    return repose_angle(profile).right.value();
+  };
+  EXPECT_NEAR(angle(15, 80), 45, 1e-9);
+  EXPECT_LT(angle(17, 80), 44.9);
+  EXPECT_LT(angle(15, 78), 44.9);
+}
+
 TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
   std::vector<double> heap;
   for (int column = -60; column <= 60; ++column) {
@@ -202,6 +217,16 @@ TEST(Outflow, IsTheRateOfTheSteadyPart) {
   }
   EXPECT_NEAR(outflow.sites_per_step(), 12, 0.1);
   EXPECT_EQ(outflow.during_stage().sites, sites);
+}
+
+TEST(Outflow, TheSteadyPartIsFrom20To70PercentOfWhatLeaves) {
+  Outflow outflow;
+  std::uint64_t sites = 0;
+  while (sites < 1000) {
+    sites += sites >= 200 && sites < 700 ? 10 : 1;
+    outflow.add({.particles = sites / 5, .sites = sites});
+  }
+  EXPECT_EQ(outflow.sites_per_step(), 10);
 }
 
 TEST(Outflow, OnlyPrecedesAStateFromWhichAsMuchHasLeft) {

@@ -154,7 +154,7 @@ TEST(Coloring, MarksTheEndsOfTheBarBeyondWhichValuesLie) {
   EXPECT_EQ(marks({1, 13}), std::pair(true, false));
   state.particles[2].present = false;
   EXPECT_EQ(marks({0, 12}), std::pair(false, false));
-  Coloring without_bar = color_by_speed();
+  Coloring without_bar = color_by_id();
   mark_beyond(without_bar, state, grains::Occupancy(state));
   EXPECT_TRUE(without_bar.legend.bars.empty());
 }
@@ -241,12 +241,14 @@ TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
   EXPECT_THROW(color_by_force({0, 0}), std::invalid_argument);
 }
 
-TEST(Coloring, BySpeedTellsMovingFromResting) {
-  grains::State state = tower(2);
-  state.particles[1].previous = 3;
-  const Coloring coloring = color_by_speed();
-  EXPECT_EQ(colors_of(coloring, state)[1], coloring.legend.patches[0].color);
-  EXPECT_EQ(colors_of(coloring, state)[0], coloring.legend.patches[1].color);
+TEST(Coloring, ByValueHasTheColoursOfItsBar) {
+  const grains::State state = tower(3);
+  const Coloring coloring = color_by_value({-1, 5, 10}, "speed (m/s)", {0, 10});
+  const std::vector<Rgb> colors = colors_of(coloring, state);
+  EXPECT_EQ(colors[0], map_color(0));
+  EXPECT_EQ(colors[1], map_color(0.5));
+  EXPECT_EQ(colors[2], map_color(1));
+  EXPECT_EQ(coloring.legend.bars[0].label, "speed (m/s)");
 }
 
 TEST(Coloring, ByIdKeepsNeighbouringIdsApartEvenWhereColorsBeginAgain) {

@@ -148,8 +148,12 @@ TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
 TEST(SiteLookup, TellsShadesByEveryRule) {
   grains::State state = packed(60, 40, true).state();
   const Projection projection = shown(state, 150, 100, 1, {});
+  std::vector<double> values;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    values.push_back(0.37 * static_cast<double>(id % 3));
+  }
   const std::vector<ShadeRule> rules = {
-      BySpecies{}, BySpeed{}, ByForce{}, ByDisplacement{{0, 15}},
+      BySpecies{}, ByValue{values, {0, 1}}, ByForce{}, ByDisplacement{{0, 15}},
       ByLayer{7, {2, 30}, std::vector<double>(state.kinds.size(), 0.25)}};
   for (const ShadeRule& rule : rules) {
     expect_as_defined(state, distinct(rule), projection);

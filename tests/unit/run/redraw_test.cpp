@@ -99,7 +99,8 @@ class RedrawTest : public ::testing::Test {
 };
 
 TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesForEveryColouring) {
-  for (const char* color : {"species", "stage_layer", "displacement", "speed", "id"}) {
+  for (const char* color :
+       {"species", "stage_layer", "displacement", "speed", "coordination", "id"}) {
     expect_same_pictures(kDrained, {std::string("output.frames.color_by=") + color});
   }
 }
@@ -147,7 +148,8 @@ output:
 )";
 
 TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
-  for (const char* key : {"color_by=force", "overlay=forces", "overlay=velocity"}) {
+  for (const char* key : {"color_by=force", "color_by=pressure", "color_by=speed", "overlay=forces",
+                          "overlay=velocity"}) {
     const testing::ScratchFolder scratch;
     const fs::path folder = scratch.path() / "run";
     const fs::path again = scratch.path() / "again";

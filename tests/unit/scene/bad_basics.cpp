@@ -201,7 +201,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "1000000000000, found '0'"},
     {"a misspelt colouring", "output: {frames: {color_by: specis}}",
      "scene.yaml:12:29: error: output.frames.color_by: expected one of species, stage_layer, "
-     "displacement, speed, id, force, found 'specis'; did you mean 'species'?"},
+     "displacement, speed, coordination, id, force, pressure, found 'specis'; did you mean "
+     "'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
      "width, height, color_by, range, layers, view, drawing, supersampling, caption, style, "
@@ -238,8 +239,10 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "[20, 10]",
      Judge::parser},
     {"a colour bar of colours without one", "output: {frames: {range: [0, 10]}}",
-     "scene.yaml:12:26: error: output.frames.range: only color_by force and displacement have a "
-     "colour bar",
+     "scene.yaml:12:26: error: output.frames.range: there is no colour bar with color_by species",
+     Judge::parser},
+    {"the pressure of the automaton", "output: {frames: {color_by: pressure}}",
+     "scene.yaml:12:29: error: output.frames.color_by: pressure goes with model: contact",
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, "
