@@ -46,6 +46,23 @@ struct RenderOptions {
   bool quiet = false;
 };
 
+/// The length of the movie, if one is wanted.
+void set_duration(RenderOptions& options) {
+  const std::optional<double>& duration = options.redraw.duration;
+  if (!duration) {
+    return;
+  }
+  constexpr double kMostSeconds = 86'400;
+  if (options.redraw.movie.empty()) {
+    throw run::RedrawError("--duration needs --movie FILE");
+  }
+  if (!(*duration >= 0.1 && *duration <= kMostSeconds)) {
+    throw run::RedrawError(fmt::format("--duration: expected 0.1 to {:g} seconds, found {:g}",
+                                       kMostSeconds, *duration));
+  }
+  options.look.insert(options.look.begin(), "output.frames.every=1");
+}
+
 /// The scene of the run with the picture options applied.
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   std::vector<scene::Override> overrides = options.look;
@@ -143,7 +160,10 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
-  as_input([&] { set_space_time(options); });
+  as_input([&] {
+    set_space_time(options);
+    set_duration(options);
+  });
   std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
   set_folders(runs, options);
   const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(runs, redraw); });
@@ -235,8 +255,15 @@ void add_target_options(Command& command, RenderOptions& options) {
       .type("FORMAT");
   command
       .option("--movie", &options.redraw.movie,
-              "Write a movie, with ffmpeg: FILE.mp4, FILE.webm or FILE.png (animated)")
+              "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or FILE.png "
+              "(animated)")
       .type("FILE");
+  command
+      .option("--duration", &options.redraw.duration,
+              "Length of the movie: with more pictures some are chosen evenly, with less they "
+              "last longer; --every is 1 unless given")
+      .type("SECONDS")
+      .values(finite_number());
   command.option("--fps", &options.redraw.frames_per_second, "Pictures per second of the movie")
       .values(whole_number(1, 240))
       .show_default();

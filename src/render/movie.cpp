@@ -52,12 +52,21 @@ Arguments format_arguments(MovieFormat format) {
     case MovieFormat::apng:
       arguments = {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"};
       break;
+    case MovieFormat::webp:
+      arguments = {"-c:v", "libwebp_anim", "-quality", "85", "-loop", "0", "-f", "webp"};
+      break;
+    case MovieFormat::gif:
+      // A palette for each picture: one for all would hold all pictures in memory.
+      arguments = {"-vf",   "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
+                   "-loop", "0",
+                   "-f",    "gif"};
+      break;
   }
   return arguments;
 }
 
 Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format, int width,
-                           int height, int frames_per_second) {
+                           int height, double frames_per_second) {
   Arguments arguments = {find_ffmpeg().string(),
                          "-nostdin",
                          "-xerror",  // a disk that is full at the end is an error, too
@@ -102,6 +111,12 @@ std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
   }
   if (ending == ".webm") {
     return MovieFormat::webm;
+  }
+  if (ending == ".webp") {
+    return MovieFormat::webp;
+  }
+  if (ending == ".gif") {
+    return MovieFormat::gif;
   }
   return ending == ".png" ? std::optional(MovieFormat::apng) : std::nullopt;
 }
@@ -150,7 +165,7 @@ class Movie::Impl {
 };
 
 Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-             int frames_per_second, const std::atomic<int>* stop) {
+             double frames_per_second, const std::atomic<int>* stop) {
   try {
     impl_ = std::make_unique<Impl>(ffmpeg_arguments(file, format, width, height, frames_per_second),
                                    width, height, stop);

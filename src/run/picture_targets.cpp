@@ -30,7 +30,8 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
     return *format;
   }
   throw RedrawError(fmt::format(
-      "{}: no ending of a movie; there are .mp4, .webm and .png (animated)", movie.string()));
+      "{}: is not a movie; expected the ending .mp4, .webm, .webp, .gif or .png (animated)",
+      movie.string()));
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ void FilesTarget::add(FramePainter& painter, const CapturedFrame& frame, const P
 }
 
 MovieTarget::MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
-                         int frames_per_second, const std::atomic<int>* stop)
+                         double frames_per_second, const std::atomic<int>* stop)
     : path_(file),
       file_(store::named_file(file).create()),
       movie_(file_.temporary_path(), format_of(file), size.width, size.height, frames_per_second,
@@ -110,6 +111,17 @@ void SheetTarget::add(const Picture& picture, const std::string& label) {
   tiles_.push_back(render::tile(picture.image, picture.parts, cell_width(columns_), label));
 }
 
+void SheetTarget::end_moment() {
+  const auto runs = static_cast<std::ptrdiff_t>(drawings_.size());
+  const auto same = [](const render::Tile& one, const render::Tile& before) {
+    return one.view == before.view;
+  };
+  if (tiles_.size() >= 2 * drawings_.size() &&
+      std::equal(tiles_.end() - runs, tiles_.end(), tiles_.end() - 2 * runs, same)) {
+    tiles_.resize(tiles_.size() - drawings_.size());
+  }
+}
+
 void SheetTarget::finish() {
   if (legend_) {
     const render::Image legend = drawings_.front()->painter().legend(*legend_);
@@ -125,7 +137,7 @@ void SheetTarget::finish() {
 
 PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
                                const std::vector<std::optional<store::OutputFolder>>& folders,
-                               const RedrawOptions& options, std::size_t moments)
+                               const RedrawOptions& options, std::size_t moments, double rate)
     : drawings_(drawings), pictures_(drawings.size()), files_(drawings.size()) {
   if (!options.movie.empty()) {
     render::PixelBox size;
@@ -133,7 +145,7 @@ PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& d
       size.width += drawing->painter().width();
       size.height = std::max(size.height, drawing->painter().height());
     }
-    movie_.emplace(size, options.movie, options.frames_per_second, options.stop);
+    movie_.emplace(size, options.movie, rate, options.stop);
   }
   if (!options.sheet.empty()) {
     sheet_.emplace(drawings, options.sheet, options.columns, moments);
@@ -175,6 +187,7 @@ void PictureTargets::end_moment(std::size_t number) {
                                       ? fmt::format("{}: {}", drawings_[run]->name(), moment)
                                       : moment);
     }
+    sheet_->end_moment();
   }
 }
 

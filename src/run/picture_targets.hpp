@@ -43,7 +43,7 @@ class MovieTarget {
   /// store::StoreError.
   /// All pictures are `size` large.
   MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
-              int frames_per_second, const std::atomic<int>* stop);
+              double frames_per_second, const std::atomic<int>* stop);
   void add(const render::Image& image);
   void finish();
 
@@ -64,7 +64,10 @@ class SheetTarget {
               int columns, std::size_t moments);
   /// Whether this moment (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const;
+  /// A picture of the next moment: one of each run, then end_moment().
   void add(const Picture& picture, const std::string& label);
+  /// Leaves the pictures out if they look like those before.
+  void end_moment();
   void finish();
 
  private:
@@ -78,11 +81,11 @@ class SheetTarget {
 
 class PictureTargets {
  public:
-  /// `folders`: by run, for its pictures one by one. `moments`: their number. Throws as the
-  /// targets.
+  /// `folders`: by run, for its pictures one by one. `moments`: their number. `rate`: pictures per
+  /// second of a movie. Throws as the targets.
   PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
                  const std::vector<std::optional<store::OutputFolder>>& folders,
-                 const RedrawOptions& options, std::size_t moments);
+                 const RedrawOptions& options, std::size_t moments, double rate);
 
   /// Whether any target uses this moment (numbered from 0).
   bool want(std::size_t number) const;

@@ -9,6 +9,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "run/frame_choice.hpp"
 #include "run/meter.hpp"
 #include "run/picture_targets.hpp"
 #include "run/run_drawing.hpp"
@@ -84,6 +85,26 @@ std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
   return all;
 }
 
+/// How many pictures per second a movie has that is `moments` long: as wanted, or less if they have
+/// to last longer.
+double picture_rate(const RedrawOptions& options, std::size_t moments) {
+  const auto most = static_cast<double>(options.frames_per_second);
+  return options.duration ? std::min(most, static_cast<double>(moments) / *options.duration) : most;
+}
+
+/// Those that a movie as long as wanted shows.
+void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
+  if (!options.duration) {
+    return;
+  }
+  const auto most = static_cast<std::size_t>(std::max(
+      2.0, std::floor(*options.duration * static_cast<double>(options.frames_per_second))));
+  std::size_t number = 0;
+  std::erase_if(moments, [&, count = moments.size()](double /*moment*/) {
+    return !is_among(number++, count, most);
+  });
+}
+
 /// The one of `times` nearest to `moment`.
 std::size_t picture_at(const std::vector<double>& times, double moment) {
   const auto nearest = std::min_element(times.begin(), times.end(), [&](double one, double other) {
@@ -130,6 +151,10 @@ scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Overri
 image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes) {
   run.scene.output.frames->every = 1;  // each frame of the trajectory has one
   RunDrawing drawing(run, {.from = step, .to = step}, max_bytes);
+  if (drawing.step(0) != step) {
+    throw RedrawError(fmt::format("{}: no frame of step {} in the trajectory; the nearest is of {}",
+                                  run.folder.string(), step, drawing.step(0)));
+  }
   drawing.prepare();
   return drawing.painter().rasterize(drawing.capture(0)).image;
 }
@@ -176,6 +201,7 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   }
   times_ = times_of(drawings_);
   moments_ = moments_of(times_);
+  choose_evenly(moments_, options_);
   shown_.resize(runs.size());
   if (options.space_time) {
     RunDrawing& drawing = *drawings_.front();
@@ -191,7 +217,15 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (events.warning && captions && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
-  targets_.emplace(drawings_, folders_, options_, moments_.size());
+  if (events.warning) {
+    for (const auto& drawing : drawings_) {
+      if (!drawing->note().empty()) {
+        events.warning(drawing->note());
+      }
+    }
+  }
+  targets_.emplace(drawings_, folders_, options_, moments_.size(),
+                   picture_rate(options_, moments_.size()));
   if (space_time_) {
     space_time_->require_writable();
   }

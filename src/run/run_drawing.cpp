@@ -52,23 +52,35 @@ const scene::Scene& drawable(const RunToDraw& run) {
   return scene;
 }
 
-/// Those of the pictures of the run that the options select.
+/// The frame nearest to a range of steps.
+std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions& options) {
+  const auto distance = [&](const Frame& frame) {
+    return frame.step < options.from ? options.from - frame.step
+                                     : frame.step - std::min(frame.step, options.to);
+  };
+  const auto nearest = std::min_element(
+      frames.begin(), frames.end(),
+      [&](const Frame& one, const Frame& other) { return distance(one) < distance(other); });
+  return static_cast<std::size_t>(nearest - frames.begin());
+}
+
+/// Those of the pictures of the run that the options select, or the nearest frame.
 std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
                                 const std::vector<Frame>& frames,
                                 const std::vector<std::size_t>& run_pictures) {
   if (frames.empty()) {
     throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.folder.string()));
   }
+  if (options.from > options.to) {
+    throw RedrawError(fmt::format("{}: expected a first step up to the last one, found {} and {}",
+                                  run.folder.string(), options.from, options.to));
+  }
   std::vector<std::size_t> result = run_pictures;
   std::erase_if(result, [&](std::size_t i) {
     return frames[i].step < options.from || frames[i].step > options.to;
   });
   if (result.empty()) {
-    throw RedrawError(fmt::format(
-        "{}: no picture in that range; the {} frames of the trajectory go from "
-        "step {} to {}, and pictures are output.frames.every = {} steps apart (--every)",
-        run.folder.string(), frames.size(), frames.front().step, frames.back().step,
-        run.scene.output.frames->every));
+    result.push_back(nearest_frame(frames, options));
   }
   return result;
 }
@@ -103,7 +115,13 @@ RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, doubl
       trajectory_(run.folder, scene_, initial_, max_bytes),
       run_pictures_(frame_choice(trajectory_.frames(), scene_.output.frames->every)),
       chosen_(chosen(run, options, trajectory_.frames(), run_pictures_)),
-      vessels_(vessels(scene_, trajectory_.frames())) {}
+      vessels_(vessels(scene_, trajectory_.frames())) {
+  const std::uint64_t first = step(0);
+  if (first < options.from || first > options.to) {
+    note_ = fmt::format("{}: no picture of the steps {} to {}; step {} of the trajectory is drawn",
+                        run.folder.string(), options.from, options.to, first);
+  }
+}
 
 RunDrawing::Scale RunDrawing::scale() const {
   Scale scale;

@@ -41,6 +41,8 @@ class RunDrawing {
   /// Adds that frame of a picture.
   void add_to(SpaceTime& space_time, std::size_t number);
 
+  /// What the user should know of the choice of the frames; empty if nothing.
+  const std::string& note() const { return note_; }
   const scene::Scene& scene() const { return scene_; }
   FramePainter& painter() { return *painter_; }
   std::size_t pictures() const { return chosen_.size(); }
@@ -64,6 +66,7 @@ class RunDrawing {
   std::vector<std::size_t> run_pictures_;  // frames, with `every` of the scene
   std::vector<std::size_t> chosen_;        // frames, among these
   std::vector<contact::Vessel> vessels_;   // by stage, at its start
+  std::string note_;
   std::optional<FramePainter> painter_;
   std::optional<std::size_t> stage_;
   std::uint64_t stage_start_ = 0;  // step

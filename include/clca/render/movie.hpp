@@ -17,10 +17,11 @@ class MovieError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `mp4`: H.264 for any player; `webm`: VP9; `apng`: an animated PNG, without loss, for ever again.
-enum class MovieFormat : std::uint8_t { mp4, webm, apng };
+/// `mp4`: H.264 for any player; `webm`: VP9. For ever again: `apng`, an animated PNG, without loss;
+/// `webp`; `gif`, of 256 colours a picture.
+enum class MovieFormat : std::uint8_t { mp4, webm, apng, webp, gif };
 
-/// The format for a file ending: .mp4, .webm or .png; none for others.
+/// The format for a file ending: .mp4, .webm, .png, .webp or .gif; none for others.
 std::optional<MovieFormat> movie_format(const std::filesystem::path& file);
 
 /// Encodes pictures one by one, so that memory does not grow with their number. The same pictures
@@ -31,7 +32,7 @@ class Movie {
   /// white. Throws MovieError.
   /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-        int frames_per_second, const std::atomic<int>* stop = nullptr);
+        double frames_per_second, const std::atomic<int>* stop = nullptr);
   /// An unfinished movie remains incomplete.
   ~Movie();
   Movie(const Movie&) = delete;

@@ -53,13 +53,17 @@ struct SpaceTimeOptions {
 };
 
 struct RedrawOptions {
-  bool pdf = false;                                 ///< pictures one by one, else PNG
-  std::filesystem::path movie = {};                 ///< see render::movie_format; empty: none
-  int frames_per_second = 25;                       ///< of the movie
+  bool pdf = false;                  ///< pictures one by one, else PNG
+  std::filesystem::path movie = {};  ///< see render::movie_format; empty: none
+  int frames_per_second = 25;        ///< of the movie
+  /// Of the movie, seconds: of more pictures than it needs it has some, evenly chosen; if there are
+  /// less, it shows less per second. None: it has all.
+  std::optional<double> duration = {};
   std::filesystem::path sheet = {};                 ///< a PNG file; empty: none
   int columns = 4;                                  ///< of the sheet of one run
   std::optional<SpaceTimeOptions> space_time = {};  ///< of one run only
-  std::uint64_t from = 0;                           ///< first step
+  /// First step. If no picture is in the range, the nearest frame of the trajectory is drawn.
+  std::uint64_t from = 0;
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step
   double max_bytes = std::numeric_limits<double>::infinity();  ///< of memory, for all trajectories
   /// Checked before each picture: if not zero, drawing ends and the files are completed with what

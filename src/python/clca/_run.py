@@ -96,11 +96,14 @@ class Run:
         """
         return _clca.picture(self.folder, step, overrides(frames)).view(Picture)
 
-    def movie(self, file: str | os.PathLike[str], fps: int = 25, **frames: Any) -> None:
-        """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm or .png (animated), by
-        ffmpeg. `frames` are as for `picture`; `every` chooses the steps. Throws Error.
+    def movie(self, file: str | os.PathLike[str], fps: int = 25, duration: float | None = None, **frames: Any) -> None:
+        """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm, .webp, .gif or .png
+        (animated), by ffmpeg. `frames` are as for `picture`; `every` chooses the steps. `duration`, seconds: shows
+        frames of the trajectory evenly chosen, at most `fps` per second. Throws Error.
         """
-        _clca.movie(self.folder, Path(file), fps, overrides(frames))
+        if duration is not None:
+            frames = {"every": 1, **frames}
+        _clca.movie(self.folder, Path(file), fps, duration, overrides(frames))
 
 
 def open(folder: str | os.PathLike[str]) -> Run:

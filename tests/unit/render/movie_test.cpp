@@ -147,6 +147,8 @@ TEST(MovieFormatTest, FollowsTheEnding) {
   EXPECT_EQ(movie_format("x/a.mp4"), MovieFormat::mp4);
   EXPECT_EQ(movie_format("a.b.webm"), MovieFormat::webm);
   EXPECT_EQ(movie_format("a.png"), MovieFormat::apng);
+  EXPECT_EQ(movie_format("a.webp"), MovieFormat::webp);
+  EXPECT_EQ(movie_format("a.gif"), MovieFormat::gif);
   for (const char* name : {"a.avi", "mp4", ".mp4", "a.mp4/", ""}) {
     EXPECT_EQ(movie_format(name), std::nullopt) << name;
   }

@@ -180,7 +180,7 @@ TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
   }
 }
 
-TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
+TEST_F(RedrawTest, DrawsStepsOfARangeOnlyOrTheNearestOneAndSaysSo) {
   const scene::Scene scene = parse(kDrained);
   testing::run_and_store(scene, folder_.path() / "run", 10);
   const std::vector<RunToDraw> runs = {
@@ -188,14 +188,54 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyAndSaysWhereNothingIs) {
   RedrawOptions options = {.from = 10, .to = 20};
   Redraw(runs, options).draw();
   EXPECT_THAT(names(folder_.path() / "some"), ElementsAre("tried-000010.png", "tried-000020.png"));
-  options.from = 11;
+  options.from = 16;
   options.to = 19;
-  try {
-    const Redraw nothing(runs, options);
-    FAIL() << "no error";
-  } catch (const RedrawError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no picture in that range; the "));
-  }
+  std::string warning;
+  Redraw(runs, options).draw({.warning = [&](const std::string& text) { warning = text; }});
+  EXPECT_THAT(warning,
+              HasSubstr("no picture of the steps 16 to 19; step 20 of the trajectory is drawn"));
+  EXPECT_THROW(picture(runs.front(), 16, 1e9), RedrawError);
+  EXPECT_GT(picture(runs.front(), 20, 1e9).width, 0);
+  options.from = 20;
+  EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range that ends before it begins";
+}
+
+/// A column of grains that falls, and lies on the floor from some step on.
+const std::string kFalling = R"(clca: 1
+box: {width: 20, height: 60}
+species: {grain: {shape: {hexagon: 1}, color: "#102030"}}
+walls: {table: {box: [0, 8, 20, 9]}}
+stages:
+  - {name: fall, fill: {region: [5, 40, 14, 60], counts: {grain: 6}}, until: {steps: 60}}
+  - {name: again, remove: [table], until: {steps: 40}}
+output: {frames: {width: 100, height: 60, caption: false}, trajectory: {every: 7}}
+)";
+
+TEST_F(RedrawTest, AMovieOfAGivenLengthHasPicturesEvenlyChosen) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
+  testing::run_and_store(scene, folder_.path() / "run", 1);
+  const std::vector<RunToDraw> runs = {{scene, folder_.path() / "run"}};
+  RedrawOptions options = {.movie = folder_.path() / "a.png", .frames_per_second = 10};
+  const std::size_t all = Redraw(runs, options).moments();
+  ASSERT_GT(all, 24U);
+  options.duration = 1.2;
+  EXPECT_EQ(Redraw(runs, options).moments(), 12U);
+  options.duration = 1e3;
+  EXPECT_EQ(Redraw(runs, options).moments(), all);
+}
+
+TEST_F(RedrawTest, AContactSheetLeavesOutPicturesThatLookLikeTheOneBefore) {
+  const fs::path run = folder_.path() / "run";
+  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
+  run::run(scene, {.folder = run});
+  const auto height_of_sheet = [&](std::uint64_t from, std::uint64_t to) {
+    const fs::path sheet = folder_.path() / "sheet.png";
+    Redraw({{scene, run}}, {.sheet = sheet, .columns = 1, .from = from, .to = to}).draw();
+    return image::decode_png(testing::bytes_of(sheet)).image.height;
+  };
+  // They lie on the table from step 49 on.
+  EXPECT_EQ(height_of_sheet(49, 60), height_of_sheet(49, 49));
+  EXPECT_GT(height_of_sheet(14, 28), height_of_sheet(14, 21));
 }
 
 TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
@@ -212,17 +252,6 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
             6 * (672 + 100) + 200);  // a view is at most 1.4 times as high as wide
   EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
 }
-
-/// A column of grains that falls, and lies on the floor from some step on.
-const std::string kFalling = R"(clca: 1
-box: {width: 20, height: 60}
-species: {grain: {shape: {hexagon: 1}, color: "#102030"}}
-walls: {table: {box: [0, 8, 20, 9]}}
-stages:
-  - {name: fall, fill: {region: [5, 40, 14, 60], counts: {grain: 6}}, until: {steps: 60}}
-  - {name: again, remove: [table], until: {steps: 40}}
-output: {frames: {width: 100, height: 60, caption: false}, trajectory: {every: 7}}
-)";
 
 TEST_F(RedrawTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
