@@ -83,19 +83,12 @@ void solve_impact(std::span<ImpactContact> contacts, const grains::State& grains
   for (int i = 0; i < kMostSweeps && change > kSmallChange; ++i) {
     change = 0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      auto& [at, contact, bounce] = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
-      Velocity<std::int32_t>& upper = velocity_of(static_cast<grains::Owner>(contact.upper));
-      Velocity<std::int32_t>& other = velocity_of(contact.other);
-      ContactState<std::int32_t> touching = {
-          .upper = upper,
-          .other = other,
-          .normal_x = contact.normal.x,
-          .normal_y = contact.normal.y,
-          .pair = rule.bodies.pair(grains, contact.upper, contact.other)};
+      ImpactContact& one = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
+      Contact& contact = one.contact;
       const Impulse<std::int32_t> before = contact.impact;
-      solve(contact.impact, touching, bounce, rule.friction_with(contact.other), rule.law);
-      upper = touching.upper;
-      other = touching.other;
+      at_contact(contact, grains, rule, velocity_of, [&](ContactState<std::int32_t>& touching) {
+        solve(contact.impact, touching, one.bounce, rule.friction_with(contact.other), rule.law);
+      });
       change = std::max({change, std::abs(contact.impact.normal - before.normal),
                          std::abs(contact.impact.shear - before.shear),
                          std::abs(contact.impact.rolling - before.rolling)});

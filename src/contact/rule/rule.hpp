@@ -34,6 +34,23 @@ struct Rule {
 /// Velocity of a grain, wall or side. Only those of grains are changed.
 using VelocityOf = std::function<Velocity<std::int32_t>&(grains::Owner)>;
 
+/// Calls `visit` with a contact as it is now, whose velocities it may change.
+template <class Visit>
+void at_contact(const Contact& contact, const grains::State& grains, const Rule& rule,
+                const VelocityOf& velocity_of, Visit visit) {
+  Velocity<std::int32_t>& upper = velocity_of(static_cast<grains::Owner>(contact.upper));
+  Velocity<std::int32_t>& other = velocity_of(contact.other);
+  ContactState<std::int32_t> touching = {
+      .upper = upper,
+      .other = other,
+      .normal_x = contact.normal.x,
+      .normal_y = contact.normal.y,
+      .pair = rule.bodies.pair(grains, contact.upper, contact.other)};
+  visit(touching);
+  upper = touching.upper;
+  other = touching.other;
+}
+
 /// Throws std::invalid_argument if a parameter is out of range. `gravity` in lattice spacings per
 /// step squared.
 Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity);

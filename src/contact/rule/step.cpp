@@ -1,6 +1,7 @@
 #include "contact/rule/step.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -20,29 +21,12 @@ namespace clca::contact {
 
 namespace {
 
-/// Calls `visit` with a contact and its bodies, whose velocities it may change.
-class Contacts {
+/// Velocities of bodies in a step. No impulse changes those of walls and sides.
+class Velocities {
  public:
-  Contacts(State& state, const Rule& rule)
-      : state_(state), rule_(rule), walls_(wall_velocities(state)) {}
+  explicit Velocities(State& state) : state_(state), walls_(wall_velocities(state)) {}
 
-  template <class Visit>
-  void at(const Touch& touch, Visit visit) {
-    const Contact& contact = touch.contact;
-    Velocity<std::int32_t>& upper_velocity = state_.velocities[contact.upper];
-    Velocity<std::int32_t>& other_velocity = velocity(contact.other);
-    ContactState<std::int32_t> touching = {
-        .upper = upper_velocity,
-        .other = other_velocity,
-        .normal_x = contact.normal.x,
-        .normal_y = contact.normal.y,
-        .pair = rule_.bodies.pair(state_.grains, contact.upper, contact.other)};
-    visit(touching);
-    upper_velocity = touching.upper;
-    other_velocity = touching.other;
-  }
-
-  Velocity<std::int32_t>& velocity(grains::Owner body) {
+  Velocity<std::int32_t>& operator()(grains::Owner body) {
     if (grains::is_particle(body)) {
       return state_.velocities[static_cast<std::size_t>(body)];
     }
@@ -51,20 +35,18 @@ class Contacts {
 
  private:
   State& state_;
-  const Rule& rule_;
-  // No impulse changes these.
   WallVelocities walls_;
   Velocity<std::int32_t> side_;
 };
 
 /// Target separation velocities of contacts: only new contacts bounce.
-std::vector<std::int32_t> bounces(Contacts& all, const std::vector<Touch>& contacts,
-                                  std::int32_t restitution) {
+std::vector<std::int32_t> bounces(const std::vector<Touch>& contacts, const grains::State& grains,
+                                  const Rule& rule, const VelocityOf& velocity_of) {
   std::vector<std::int32_t> result(contacts.size(), 0);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].is_new) {
-      all.at(contacts[i], [&](const ContactState<std::int32_t>& touching) {
-        result[i] = bounce(-separation_velocity(touching), restitution);
+      at_contact(contacts[i].contact, grains, rule, velocity_of, [&](const auto& touching) {
+        result[i] = bounce(-separation_velocity(touching), rule.restitution);
       });
     }
   }
@@ -72,15 +54,14 @@ std::vector<std::int32_t> bounces(Contacts& all, const std::vector<Touch>& conta
 }
 
 /// Solves the impacts among few grains. Their contacts do not bounce once more.
-void collide(Contacts& all, const State& state, std::vector<Touch>& contacts,
-             std::vector<std::int32_t>& bounces, const Rule& rule) {
+void collide(std::vector<Touch>& contacts, std::vector<std::int32_t>& bounces,
+             const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
   for (Touch& touch : contacts) {
     touch.contact.impact = {};
   }
   for (std::vector<ImpactContact>& impact :
-       isolated_impacts(contacts, bounces, state.grains.particles.size())) {
-    solve_impact(impact, state.grains, rule,
-                 [&](grains::Owner body) -> Velocity<std::int32_t>& { return all.velocity(body); });
+       isolated_impacts(contacts, bounces, grains.particles.size())) {
+    solve_impact(impact, grains, rule, velocity_of);
     for (const ImpactContact& one : impact) {
       contacts[one.at].contact.impact = one.contact.impact;
       bounces[one.at] = 0;
@@ -88,15 +69,23 @@ void collide(Contacts& all, const State& state, std::vector<Touch>& contacts,
   }
 }
 
+void apply_all(const std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
+               const VelocityOf& velocity_of) {
+  for (const Touch& touch : contacts) {
+    at_contact(touch.contact, grains, rule, velocity_of,
+               [&](auto& touching) { apply(touching, touch.contact.impulse, rule.law.turns); });
+  }
+}
+
 /// Sweeps alternate forwards and backwards.
-void sweep(Contacts& all, std::vector<Touch>& contacts, const std::vector<std::int32_t>& bounce,
-           const Rule& rule) {
+void sweep(std::vector<Touch>& contacts, const std::vector<std::int32_t>& bounces,
+           const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
       Contact& contact = contacts[at].contact;
-      all.at(contacts[at], [&](ContactState<std::int32_t>& touching) {
-        solve(contact.impulse, touching, bounce[at], rule.friction_with(contact.other), rule.law);
+      at_contact(contact, grains, rule, velocity_of, [&](auto& touching) {
+        solve(contact.impulse, touching, bounces[at], rule.friction_with(contact.other), rule.law);
       });
     }
   }
@@ -108,14 +97,6 @@ void accelerate_all(State& state, const Rule& rule) {
     if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
       accelerate(state.velocities[id], grain.site(), by);
     }
-  }
-}
-
-void apply_all(Contacts& all, const std::vector<Touch>& contacts, const Rule& rule) {
-  for (const Touch& touch : contacts) {
-    all.at(touch, [&](ContactState<std::int32_t>& touching) {
-      apply(touching, touch.contact.impulse, rule.law.turns);
-    });
   }
 }
 
@@ -242,20 +223,21 @@ std::size_t Reference::move_grains() {
   std::vector<Touch> contacts =
       next_contacts(state_.grains, state_.contacts, now, down, sorts_contacts(state_));
   state_.changed = false;
-  Contacts all(state_, rule_);
+  Velocities velocities(state_);
+  const VelocityOf velocity_of = std::ref(velocities);
 
   // 2. New contacts bounce: impacts among few grains at once, others in the sweeps.
-  std::vector<std::int32_t> bounce = bounces(all, contacts, rule_.restitution);
-  collide(all, state_, contacts, bounce, rule_);
+  std::vector<std::int32_t> bounce = bounces(contacts, state_.grains, rule_, velocity_of);
+  collide(contacts, bounce, state_.grains, rule_, velocity_of);
 
   // 3. Gravity and the vessel.
   accelerate_all(state_, rule_);
 
   // 4. The impulses of the last step, once more.
-  apply_all(all, contacts, rule_);
+  apply_all(contacts, state_.grains, rule_, velocity_of);
 
   // 5. Sweeps over the contacts change the impulses and the velocities.
-  sweep(all, contacts, bounce, rule_);
+  sweep(contacts, bounce, state_.grains, rule_, velocity_of);
   state_.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state_.contacts),
                  [](const Touch& touch) { return touch.contact; });
@@ -272,8 +254,7 @@ std::size_t Reference::move_grains() {
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(state_.remainders.size());
   std::iota(ids.begin(), ids.end(), 0U);
-  cut_remainders(state_, moves, rule_, ids,
-                 [&](grains::Owner body) -> Velocity<std::int32_t>& { return all.velocity(body); });
+  cut_remainders(state_, moves, rule_, ids, velocity_of);
 
   // 10. Walls and vessel end the step.
   end_step(state_, walls, moved_.empty(), at_rest);
