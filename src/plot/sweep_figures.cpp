@@ -91,17 +91,6 @@ std::string setting_of(const Points& points) {
          number_array_text("of_lines", points.lines);
 }
 
-/// `Run-out of 99 % (spacings)`; the key itself where it is unknown.
-std::string axis_label(const std::string& measure) {
-  const run::Quantity* known = run::find_quantity(measure);
-  if (known == nullptr) {
-    return measure;
-  }
-  const std::string of = measure.substr(known->key.size());  // `.OUTLET`, or nothing
-  return fmt::format("{}{}{}", known->name, of.empty() ? "" : ", " + of.substr(1),
-                     known->unit.empty() ? "" : fmt::format(" ({})", known->unit));
-}
-
 }  // namespace
 
 std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
@@ -125,6 +114,7 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
   const Cells& values = table.cells.front();
   const Cells words = distinct(values);
   const bool has_words = !std::all_of(words.begin(), words.end(), is_number);
+  const run::KnownQuantities known = run::known_quantities(tables.summary());
   const Cells labels = curve_labels(table, keys);
   const Cells lines = distinct(labels);
   std::vector<std::pair<std::size_t, Points>> found;  // by first row, in the order of the table
@@ -159,7 +149,7 @@ std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
              fmt::format("known_columns = '|'; time_column = 'step'; varied = {}; has_words = {};"
                          "stage = {}; measure = {}; measure_label = {};",
                          literal(table.names.front()), has_words ? 1 : 0, literal((*stages)[row]),
-                         literal((*measures)[row]), literal(axis_label((*measures)[row]))) +
+                         literal((*measures)[row]), literal(known.label((*measures)[row]))) +
              array_text("words", shortened(words)) + array_text("lines", lines) +
              setting_of(points)});
   }

@@ -157,14 +157,13 @@ std::vector<std::string> distinct(const std::vector<std::string>& texts) {
 class StageTable {
  public:
   StageTable(const store::ReadTable& table, std::vector<std::string> columns,
-             const std::vector<std::string>& column_of_row,
-             const std::optional<scene::Conversion>& units)
+             const std::vector<std::string>& column_of_row, run::KnownQuantities known)
       : table_(table),
         columns_(std::move(columns)),
         column_of_row_(column_of_row),
         means_(table.numbers("mean")),
         errors_(table.numbers("standard_error")),
-        units_(units) {}
+        known_(std::move(known)) {}
 
   std::string html(const std::string& stage) const {
     const std::vector<std::string>& stages = *table_.find("stage");
@@ -206,7 +205,7 @@ class StageTable {
         errors[place] = errors_[row];
       }
     }
-    const run::Quantity* known = run::find_quantity(measure);
+    const auto known = known_.find(measure);
     std::string html = "<tr>" + measure_heading(measure, known);
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -216,7 +215,7 @@ class StageTable {
     return html + fmt::format(
                       R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                      escaped(measure_unit(known, units_)), escaped(measure));
+                      escaped(known ? known->unit : ""), escaped(measure));
   }
 
   const store::ReadTable& table_;
@@ -224,10 +223,10 @@ class StageTable {
   const std::vector<std::string>& column_of_row_;
   std::vector<double> means_;
   std::vector<double> errors_;
-  const std::optional<scene::Conversion>& units_;
+  run::KnownQuantities known_;
 };
 
-std::string measures_html(const Sweep& sweep, const std::optional<scene::Conversion>& units,
+std::string measures_html(const Sweep& sweep, const run::KnownQuantities& known,
                           Warnings& warnings) {
   try {
     const store::ReadTable table = store::read_table(sweep.folder / "measures.csv", kMaxBytes);
@@ -244,7 +243,7 @@ std::string measures_html(const Sweep& sweep, const std::optional<scene::Convers
     for (const std::size_t number : evenly(all.size(), kMaxColumns)) {
       columns.push_back(all[number]);
     }
-    const StageTable tables(table, columns, column_of_row, units);
+    const StageTable tables(table, columns, column_of_row, known);
     std::string html =
         "<p>Means over the seeds; ± is one standard error. All combinations are in "
         "<code>measures.csv</code>.</p>\n";
@@ -311,13 +310,15 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
                     {"Runs", whole(sweep.runs)},
                     {"Done", whole(done)},
                     {"Failed", whole(failed)}},
-          .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
-                       {"figures", "Figures", figures_html(folder, warnings)},
-                       {"measures", "Measures",
-                        measures_html(sweep, summary ? summary->units : std::nullopt, warnings)},
-                       {"runs", "Runs", runs_html(sweep)},
-                       {"repeat", "How to repeat it", command_html(sweep)},
-                       {"files", "Tables", files_html(folder)}}};
+          .sections = {
+              {"pictures", "Pictures", overview_html(sweep, warnings)},
+              {"figures", "Figures", figures_html(folder, warnings)},
+              {"measures", "Measures",
+               measures_html(sweep, run::known_quantities(summary.value_or(store::RunSummary())),
+                             warnings)},
+              {"runs", "Runs", runs_html(sweep)},
+              {"repeat", "How to repeat it", command_html(sweep)},
+              {"files", "Tables", files_html(folder)}}};
 }
 
 }  // namespace clca::report

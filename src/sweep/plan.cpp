@@ -116,6 +116,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
                             "boltzmann.ensemble and lists of boltzmann.restitution of its own");
   }
   auto scene = std::get<scene::Scene>(std::move(any));
+  run::check_derived(scene);
   scene.seed = request.seeds.front();
   return {std::move(values), std::move(scene)};
 }

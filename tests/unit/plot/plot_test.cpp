@@ -248,6 +248,21 @@ TEST_F(SweepFiguresTest, AxisAndTitleSayWhatIsDrawn) {
   EXPECT_THAT(all[2].setting, HasSubstr("measure_label = \"own\";"));
 }
 
+TEST_F(SweepFiguresTest, NamesAndUnitsAreThoseOfTheRuns) {
+  store::RunSummary one;
+  one.scene = "one";
+  one.units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
+  one.derived = {{.name = "own", .value = "=steps", .unit = "time", .about = "Duration", .location = {}}};
+  std::filesystem::create_directories(run() / "runs/a");
+  write("runs/a/run.json", store::to_json(one));
+  write("runs.csv", "a,status,folder\n0,failed,\n0,done,runs/a\n");
+  write("measures.csv", std::string("a,") + kSweepColumns + "0,flow,own,1,0,,4,1,1,,\n" +
+                            "0,flow,outflow_sites_per_time,1,0,,4,1,1,,\n");
+  EXPECT_THAT(found().front().setting, HasSubstr("measure_label = \"Duration (s)\";"));
+  EXPECT_THAT(found().back().setting,
+              HasSubstr("measure_label = \"Outflow over time (sites/s)\";"));
+}
+
 TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
   write("measures.csv", std::string("model,a,b,") + kSweepColumns +
                             "automaton,1,x,flow,slope,40,1,1,4,39,41,39,41\n"
