@@ -68,6 +68,9 @@ store::RunSummary summary_of(const fs::path& folder) {
     summary.title = sweep_title(folder / "sweep.json");
     summary.units = one.units;
     summary.derived = one.derived;
+    for (scene::DerivedMeasure& derived : summary.derived) {
+      derived.value.clear();  // whose numbers may vary
+    }
     return summary;
   }
   return store::read_summary(folder / "run.json");

@@ -8,8 +8,9 @@
 
 namespace clca::plot {
 
-/// One for each stage and measure with a mean in measures.csv, if a key is varied; in the order of
-/// the table. Throws StoreError.
-std::vector<Figure> sweep_figures(RunTables& tables, const Template& one);
+/// One for each stage and measure with a mean other than 0 in measures.csv, if a key is varied; in
+/// the order of the table. Throws StoreError, and text::InputError for a choice of what is not
+/// there.
+std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice);
 
 }  // namespace clca::plot

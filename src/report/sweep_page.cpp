@@ -31,6 +31,7 @@ constexpr std::size_t kMaxRuns = 500;
 struct Sweep {
   fs::path folder;
   std::string scene;                   ///< its file
+  std::string title = {};              ///< of the scene; empty if it varies
   std::vector<std::string> keys = {};  ///< that vary
   std::string command;                 ///< that runs it
   std::uint64_t runs = 0;
@@ -44,6 +45,7 @@ Sweep read_sweep(const fs::path& folder) {
     const Json json = Json::parse(bytes.begin(), bytes.end());
     Sweep sweep = {.folder = folder,
                    .scene = json.at("scene"),
+                   .title = json.value("title", ""),
                    .command = "clca sweep " + text::shell_word(json.at("scene").get<std::string>()),
                    .runs = json.at("runs"),
                    .table = store::read_table(folder / "runs.csv", kMaxBytes)};
@@ -297,10 +299,14 @@ std::string command_html(const Sweep& sweep) {
 Page sweep_page(const fs::path& folder, Warnings& warnings) {
   const Sweep sweep = read_sweep(folder);
   const std::optional<store::RunSummary> summary = some_summary(sweep);
+  run::KnownQuantities known = run::known_quantities(summary.value_or(store::RunSummary()));
+  for (scene::DerivedMeasure& derived : known.derived) {
+    derived.value.clear();  // whose numbers may vary
+  }
   const std::size_t done = count(sweep, "done");
   const std::size_t failed = count(sweep, "failed");
   const std::string scene = summary ? summary->scene : fs::path(sweep.scene).stem().string();
-  return {.title = summary && !summary->title.empty() ? summary->title : scene,
+  return {.title = sweep.title.empty() ? scene : sweep.title,
           .kind = "Sweep: runs with varied values and seeds",
           .status = done == sweep.runs ? "done" : "incomplete",
           .scene = scene,
@@ -310,15 +316,12 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
                     {"Runs", whole(sweep.runs)},
                     {"Done", whole(done)},
                     {"Failed", whole(failed)}},
-          .sections = {
-              {"pictures", "Pictures", overview_html(sweep, warnings)},
-              {"figures", "Figures", figures_html(folder, warnings)},
-              {"measures", "Measures",
-               measures_html(sweep, run::known_quantities(summary.value_or(store::RunSummary())),
-                             warnings)},
-              {"runs", "Runs", runs_html(sweep)},
-              {"repeat", "How to repeat it", command_html(sweep)},
-              {"files", "Tables", files_html(folder)}}};
+          .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
+                       {"figures", "Figures", figures_html(folder, warnings)},
+                       {"measures", "Measures", measures_html(sweep, known, warnings)},
+                       {"runs", "Runs", runs_html(sweep)},
+                       {"repeat", "How to repeat it", command_html(sweep)},
+                       {"files", "Tables", files_html(folder)}}};
 }
 
 }  // namespace clca::report

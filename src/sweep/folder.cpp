@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "clca/run/run.hpp"
@@ -19,14 +18,6 @@ constexpr const char* kRuns = "runs.csv";
 constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
-/// Empty where it varies.
-std::string title_of(const Plan& plan) {
-  const std::string& title = plan.variants.front().scene.title;
-  const bool is_same = std::all_of(plan.variants.begin(), plan.variants.end(),
-                                   [&](const Variant& one) { return one.scene.title == title; });
-  return is_same ? title : "";
-}
-
 std::string to_json(const Plan& plan) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
@@ -34,7 +25,7 @@ std::string to_json(const Plan& plan) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
   const Json object = {{"clca", run::version()},        {"scene", plan.request.scene.string()},
-                       {"title", title_of(plan)},       {"set", plan.request.overrides},
+                       {"title", plan.title()},         {"set", plan.request.overrides},
                        {"vary", std::move(variations)}, {"seeds", to_text(plan.request.seeds)},
                        {"runs", plan.run_count()}};
   constexpr int kIndent = 2;

@@ -208,6 +208,13 @@ std::vector<std::string> Plan::keys() const {
   return keys;
 }
 
+std::string Plan::title() const {
+  const std::string& title = variants.front().scene.title;
+  const bool is_same =
+      std::ranges::all_of(variants, [&](const Variant& one) { return one.scene.title == title; });
+  return is_same ? title : "";
+}
+
 scene::Scene Plan::scene(std::size_t run) const {
   scene::Scene result = variant(run).scene;
   result.seed = seed(run);

@@ -327,9 +327,8 @@ void Sweep::write_overview() {
   if (!image) {
     return;
   }
-  const std::string title = plan_.variants.front().scene.title;
   folder_.write_overview(image::encode_png(
-      *image, {{"Title", title}, {"Software", fmt::format("clca {}", run::version())}}));
+      *image, {{"Title", plan_.title()}, {"Software", fmt::format("clca {}", run::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
