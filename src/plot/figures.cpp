@@ -323,6 +323,9 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one, const Cho
   if (one.division == Division::by_measure) {
     return sweep_figures(tables, one, choice);
   }
+  if (one.division == Division::by_mean) {
+    return is_sweep && choice.x.empty() ? mean_figures(tables, one, choice) : std::vector<Figure>();
+  }
   if (one.division == Division::by_column) {
     return is_chosen && !is_sweep ? column_figures(tables, one, choice) : std::vector<Figure>();
   }

@@ -53,23 +53,6 @@ bool vary_together(const Cells& first, const Cells& second) {
   return pairs.size() == distinct(first).size() && pairs.size() == distinct(second).size();
 }
 
-/// KEY=VALUE, KEY=VALUE of these keys for each row. Words of a single key that was chosen speak for
-/// themselves.
-Cells labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
-                bool is_chosen) {
-  Cells labels(table.rows());
-  for (const std::size_t key : keys) {
-    const Cells& cells = table.cells[key];
-    const bool is_alone =
-        is_chosen && keys.size() == 1 && std::none_of(cells.begin(), cells.end(), is_number);
-    for (std::size_t row = 0; row < labels.size(); ++row) {
-      labels[row] += (labels[row].empty() ? "" : ", ") +
-                     (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
-    }
-  }
-  return labels;
-}
-
 /// So that they stand side by side under an axis.
 Cells shortened(const Cells& words) {
   constexpr std::size_t kAxis = 72;  // characters
@@ -138,6 +121,13 @@ std::string setting_of(std::vector<Point> points) {
          all("lows", [](const Point& point) { return point.y.low; }) +
          all("highs", [](const Point& point) { return point.y.high; }) +
          all("of_lines", [](const Point& point) { return point.line; });
+}
+
+/// Whether it is a column of a table that is averaged over the seeds.
+bool has_mean(RunTables& tables, const std::string& name) {
+  return std::ranges::any_of(tables.files("mean-*.csv"), [&](const TableFile& file) {
+    return tables.read(file.name).find(name + "_se") != nullptr;
+  });
 }
 
 /// measures.csv, and what is drawn of it.
@@ -221,7 +211,9 @@ SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const C
     require(choice.x, true, true);
   }
   for (const std::string& y : choice.y) {
-    require(y, false, true);
+    if (!has_mean(tables, y)) {
+      require(y, false, true);
+    }
   }
   for (const std::string& name : choice.over) {
     require(name, true, false);
@@ -386,6 +378,21 @@ std::vector<Figure> SweepTable::figures(const Template& one) const {
 }
 
 }  // namespace
+
+Cells labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
+                bool is_chosen) {
+  Cells labels(table.rows());
+  for (const std::size_t key : keys) {
+    const Cells& cells = table.cells[key];
+    const bool is_alone =
+        is_chosen && keys.size() == 1 && std::none_of(cells.begin(), cells.end(), is_number);
+    for (std::size_t row = 0; row < labels.size(); ++row) {
+      labels[row] += (labels[row].empty() ? "" : ", ") +
+                     (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
+    }
+  }
+  return labels;
+}
 
 std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice) {
   const std::vector<TableFile> files = tables.files(one.needs.front());

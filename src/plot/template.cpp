@@ -52,18 +52,19 @@ TableRequirement to_need(const std::string& text) {
 }
 
 Division to_division(const std::string& text) {
-  constexpr std::array<std::pair<const char*, Division>, 4> kDivisions = {
+  constexpr std::array<std::pair<const char*, Division>, 5> kDivisions = {
       {{"group", Division::by_group},
        {"file", Division::by_file},
        {"measure", Division::by_measure},
-       {"column", Division::by_column}}};
+       {"column", Division::by_column},
+       {"mean", Division::by_mean}}};
   for (const auto& [word, division] : kDivisions) {
     if (text == word) {
       return division;
     }
   }
   throw PlotError(
-      fmt::format("one figure for each: group, file, measure or column, not '{}'", text));
+      fmt::format("one figure for each: group, file, measure, column or mean, not '{}'", text));
 }
 
 double to_rank(const std::string& text) {
@@ -113,7 +114,8 @@ Template read_template(const fs::path& file) {
   }
   const bool needs_columns = !result.needs.empty() && !(result.needs.front().columns.empty() &&
                                                         result.needs.front().changing.empty());
-  if (result.division != Division::by_column && !needs_columns) {
+  if (result.division != Division::by_column && result.division != Division::by_mean &&
+      !needs_columns) {
     throw PlotError("it does not say which columns it needs");
   }
   return result;

@@ -7,7 +7,7 @@
 //   # may use: TABLE
 //   # groups: COLUMN                            whose values the template tells apart
 //   # one figure for each: group                or `file` of the first table; `measure` of a sweep;
-//                                               `column` that is chosen
+//                                               `column` that is chosen; `mean` over seeds
 //   # rank: NUMBER                              those with the highest come first in a report; 0
 //   # measure: NAME                             of run.json
 //
@@ -29,13 +29,13 @@ struct TableRequirement {
   std::vector<std::pair<std::string, std::string>> rows;  ///< only those with this text in a column
 };
 
-enum class Division : std::uint8_t { none, by_group, by_file, by_measure, by_column };
+enum class Division : std::uint8_t { none, by_group, by_file, by_measure, by_column, by_mean };
 
 struct Template {
   std::filesystem::path file;
   std::string name;
   std::string description;
-  std::vector<TableRequirement> needs;  ///< at least one, but of chosen columns
+  std::vector<TableRequirement> needs;  ///< at least one, but of chosen columns and means
   std::vector<std::string> may_use;
   std::string groups;
   Division division = Division::none;

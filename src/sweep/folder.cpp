@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "clca/run/run.hpp"
@@ -54,6 +55,22 @@ void SweepFolder::begin(const Plan& plan) const {
 void SweepFolder::write_tables(const std::string& runs, const std::string& measures) const {
   files_.write(kRuns, runs);
   files_.write(kMeasures, measures);
+}
+
+void SweepFolder::write_means(const std::vector<NamedTable>& means) const {
+  std::error_code error;
+  std::vector<std::string> old;
+  for (fs::directory_iterator it(files_.path(), error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("mean-") && std::ranges::count(means, name, &NamedTable::name) == 0) {
+      old.push_back(name);
+    }
+  }
+  std::ranges::for_each(old, [this](const std::string& name) { files_.remove(name); });
+  for (const NamedTable& table : means) {
+    files_.write(table.name, table.csv);
+  }
 }
 
 void SweepFolder::write_overview(const std::vector<std::uint8_t>& png) const {

@@ -173,6 +173,9 @@ Progress Sweep::execute() {
   }
   if (!options_.part) {
     write_tables();
+    folder_.write_means(mean_tables(
+        plan_, results_, [this](std::size_t run) { return folder_.run(plan_.name(run)); },
+        [this](const std::string& line) { tell(events_.warning, line); }));
     write_overview();
   }
   return progress_;

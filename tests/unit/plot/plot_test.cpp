@@ -393,6 +393,26 @@ TEST_F(SweepFiguresTest, EachHasACaptionOfItsOwnAndThoseThatDifferMostComeFirst)
                           "a, at the end of stage flow. A sweep."));
 }
 
+TEST_F(SweepFiguresTest, MeansOverTheSeedsHaveACurveForEachCombination) {
+  write_template("means", "# Means.\n#\n# one figure for each: mean\n");
+  write("measures.csv", std::string("a,model,b,") + kSweepColumns + kTwoKeys);
+  write("mean-series.csv",
+        "a,model,b,stage,step,runs,h,h_se,zero,zero_se\n"
+        "1,automaton,0,flow,0,2,1,0.5,0,0\n1,automaton,0,flow,2,2,2,,0,0\n"
+        "1,automaton,0,end,0,2,1,0.5,0,0\n1,contact,0,flow,0,2,4,1,0,0\n");
+  const auto names = chosen({.y = {"h"}});
+  EXPECT_THAT(names, ElementsAre("mean-series-end-h", "mean-series-flow-h"));
+  const Figure flow = found({"mean-series-flow-h"}).at(0);
+  EXPECT_EQ(flow.description, "h, against Step: flow. Means.");
+  EXPECT_THAT(flow.setting, HasSubstr("array firsts[2] = [0, 3]; array lasts[2] = [1, 3];"));
+  EXPECT_THAT(flow.setting, HasSubstr("x_low = 0; x_high = 2; y_low = 0.5; y_high = 5;"));
+  EXPECT_THAT(flow.setting,
+              HasSubstr("array lines[2] = [\"a=1, model=automaton, b=0\", \"a=1, model=contact, "
+                        "b=0\"];"));
+  EXPECT_THAT(found({}, {.y = {"h"}, .over = {"model"}}).back().setting,
+              HasSubstr("array lines[2] = [\"automaton\", \"contact\"];"));
+}
+
 TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {
   write("measures.csv", std::string(kSweepColumns) + "flow,slope,40,1,0.5,4,39,41,39.5,40.5\n");
   EXPECT_THAT([&] { names(); }, ThrowsMessage<text::InputError>(HasSubstr("no tables")));
