@@ -4,5 +4,5 @@
 # groups: restitution
 quantity = 'collisions'
 @set_time_axis
-set ylabel 'collisions per particle'
+set ylabel label_of(quantity) noenhanced
 plot @curves, @error_bars

@@ -3,6 +3,7 @@
 #
 # needs: contacts-*.csv: x, y
 # needs: loads-*.csv: x, y
+# rank: 5
 # one figure for each: file
 strength = has('contacts-*.csv:normal_force') ? 'normal_force' : 'sites'
 loads = 'loads-' . labels[1] . '.csv'

@@ -2,6 +2,7 @@
 # longer than 1.3 times it, so that the fast ones at the surface do not hide the others.
 #
 # needs: convection-*.csv: x, y, dx, dy
+# rank: 7
 # one figure for each: file
 cell = 0
 before = NaN

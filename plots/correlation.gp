@@ -4,5 +4,5 @@
 # groups: restitution
 quantity = 'correlation'
 @set_time_axis
-set ylabel 'correlation'
+set ylabel label_of(quantity) noenhanced
 plot @curves, @error_bars

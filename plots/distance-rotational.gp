@@ -2,6 +2,7 @@
 # Figs. 3 (case 1) and 6 (case 2) of Ogawa & Kato 1982.
 #
 # needs: series.csv: time, dh_rot
+# rank: 6
 # measure: hellinger_floor
 # groups: restitution
 quantity = 'dh_rot'

@@ -1,6 +1,7 @@
 # How far the distribution of translational energy is from chi-square.
 #
 # needs: series.csv: time, dh_tr
+# rank: 6
 # measure: hellinger_floor
 # groups: restitution
 quantity = 'dh_tr'

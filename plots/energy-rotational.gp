@@ -2,6 +2,7 @@
 # of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.
 #
 # needs: histogram-*.csv: energy=rotational, lower, upper, share
+# rank: 5
 # groups: restitution
 # one figure for each: group
 energy = 'rotational'

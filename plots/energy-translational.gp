@@ -2,6 +2,7 @@
 # of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.
 #
 # needs: histogram-*.csv: energy=translational, lower, upper, share
+# rank: 5
 # groups: restitution
 # one figure for each: group
 energy = 'translational'

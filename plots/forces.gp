@@ -1,6 +1,7 @@
 # Distribution of the index of force over the contacts, at the end of a stage or averaged over it.
 #
 # needs: forces-*.csv: low, high, count, density
+# rank: 6
 # Of f in units of its mean: the bins have all one width, and the density integrates to 1 in them.
 array means[|files|]
 do for [i = 1:|files|] {

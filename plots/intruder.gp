@@ -1,9 +1,10 @@
 # Height of the intruder by cycle of shaking.
 #
 # needs: cycles.csv: cycle, intruder_height_rel
+# rank: 8
 # groups: stage
 quantity = 'intruder_height_rel'
 across = 'cycle'
-set xlabel 'cycle'
-set ylabel 'height of the intruder (0 at the bottom, 1 on top)'
+set xlabel label_of('cycle') noenhanced
+set ylabel label_of(quantity) noenhanced
 plot @stages

@@ -1,9 +1,10 @@
 # Kinetic energy of all grains.
 #
 # needs: series.csv: step, kinetic_energy
+# rank: 6
 # groups: stage
 quantity = 'kinetic_energy'
 set xlabel time_title noenhanced
-set ylabel 'energy, site weights × spacings'
+set ylabel label_of(quantity) noenhanced
 set yrange [0:*]
 plot @stages

@@ -1,6 +1,7 @@
 # Mean velocity across and along each line of the scene over a stage, with bands of one standard error.
 #
 # needs: lines-*.csv: x, y, position, v_across
+# rank: 7
 # groups: line
 # one figure for each: file
 load templates . '/lines.gpi'

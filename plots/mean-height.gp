@@ -1,9 +1,10 @@
 # Mean height of all particles.
 #
 # needs: series.csv: step, mean_height
+# rank: 4
 # groups: stage
 quantity = 'mean_height'
 set xlabel time_title noenhanced
-set ylabel 'mean height, lattice spacings'
+set ylabel label_of(quantity) noenhanced
 set yrange [0:*]
 plot @stages

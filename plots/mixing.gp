@@ -1,9 +1,10 @@
 # Mixing by cycle of shaking, Lacey’s index: 0 separated, 1 as mixed as by chance.
 #
 # needs: cycles.csv: cycle, lacey_index
+# rank: 8
 # groups: stage
 quantity = 'lacey_index'
 across = 'cycle'
-set xlabel 'cycle'
-set ylabel 'index of mixing'
+set xlabel label_of('cycle') noenhanced
+set ylabel label_of(quantity) noenhanced
 plot @stages

@@ -1,9 +1,10 @@
 # Share of the particles that move.
 #
 # needs: series.csv: step, moving_share
+# rank: 5
 # groups: stage
 quantity = 'moving_share'
 set xlabel time_title noenhanced
-set ylabel 'share that moves'
+set ylabel label_of(quantity) noenhanced
 set yrange [0:1]
 plot @stages

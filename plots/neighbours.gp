@@ -1,6 +1,7 @@
 # Neighbours kept, and diffusion of pairs, against the distance that they have fallen.
 #
 # needs: mixing-*.csv: fallen_d, kept
+# rank: 7
 # one figure for each: file
 enough(x) = column('pairs') >= 100 ? x : NaN
 set title titled(labels[1])

@@ -1,7 +1,8 @@
 # What has left through each outlet, and of each species.
 #
 # needs: series.csv: step, discharged.*
+# rank: 7
 set xlabel time_title noenhanced
-set ylabel 'discharged, particles'
+set ylabel label_of('discharged') noenhanced
 set yrange [0:*]
 plot @walls

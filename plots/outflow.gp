@@ -1,9 +1,10 @@
 # What has left through outlets; the slope is the outflow.
 #
 # needs: series.csv: step, discharged_sites
+# rank: 8
 # groups: stage
 quantity = 'discharged_sites'
 set xlabel time_title noenhanced
-set ylabel 'discharged, sites'
+set ylabel label_of(quantity) noenhanced
 set yrange [0:*]
 plot @stages

@@ -1,8 +1,9 @@
 # Flow through each probe, downwards.
 #
 # needs: probes.csv: step, flow
+# rank: 6
 # groups: probe
 quantity = 'flow'
 set xlabel time_title noenhanced
-set ylabel 'flow, sites per step'
+set ylabel label_of(quantity) noenhanced
 plot @stages

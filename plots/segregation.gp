@@ -1,9 +1,10 @@
 # Segregation by cycle of shaking: 0 mixed, 1 all large ones above all small ones.
 #
 # needs: cycles.csv: cycle, segregation_index
+# rank: 8
 # groups: stage
 quantity = 'segregation_index'
 across = 'cycle'
-set xlabel 'cycle'
-set ylabel 'segregation index'
+set xlabel label_of('cycle') noenhanced
+set ylabel label_of(quantity) noenhanced
 plot @stages

@@ -1,6 +1,7 @@
 # Pressure tensor of a sheared gas, and the theory of its steady state where a table has it.
 #
 # needs: series.csv: time, p_xx, p_yy, p_xy
+# rank: 8
 # may use: closure.csv
 # groups: restitution
 # one figure for each: group

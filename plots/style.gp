@@ -1,20 +1,26 @@
 # What all figures share; run before each template. Set before it is what docs/plots.md lists. For
 # gnuplot 5.4 and later.
 set encoding utf8
-scale = (width + 1.6 * height) / 1920.0
+scale = dots == 0 ? (width + 1.6 * height) / 1920.0 : format eq 'pdf' ? 0.8 : dots / 96.0 * 8 / 13
+thin = dots > 0 ? 0.7 : 1  # lines on paper
+# Height of letters in pixels; on paper 8 points.
+letter = dots > 0 ? 8 * dots / 72.0 : format eq 'svg' ? 13 : (format eq 'pdf' ? 10 : 13) * scale * 96 / 72.0
+# Again after a change of `height`, which a template may make where `height_is_free`.
 if (format eq 'svg') {
   # Scales with the page that shows it. After a click it shows the coordinates under the pointer.
-  set terminal svg size width, height dynamic mouse standalone name name \
-      font 'DejaVu Sans,Helvetica,sans-serif,13' fontscale 1 linewidth 1 background '#ffffff'
+  set_terminal = "set terminal svg size width, height dynamic mouse standalone name name \
+      font sprintf('DejaVu Sans,Helvetica,sans-serif,%.2f', letter) fontscale 1 \
+      linewidth thin background '#ffffff'"
 } else { if (format eq 'pdf') {
-  set terminal pdfcairo size width / 96.0, height / 96.0 font 'DejaVu Sans,10' fontscale scale \
-      linewidth scale background '#ffffff'
+  set_terminal = "set terminal pdfcairo size width / 96.0, height / 96.0 font 'DejaVu Sans,10' \
+      fontscale scale linewidth scale * thin background '#ffffff'"
 } else { if (strstrt(GPVAL_TERMINALS, ' pngcairo ') > 0) {
-  set terminal pngcairo size width, height font 'DejaVu Sans,13' fontscale scale \
-      linewidth scale background '#ffffff'
+  set_terminal = "set terminal pngcairo size width, height font 'DejaVu Sans,13' fontscale scale \
+      linewidth scale * thin pointscale scale background '#ffffff'"
 } else {
-  set terminal png size width, height background '#ffffff'
+  set_terminal = "set terminal png size width, height background '#ffffff'"
 }}}
+@set_terminal
 set output
 
 set datafile separator ','
@@ -26,11 +32,15 @@ set tics out nomirror
 set grid linetype 1 linecolor '#dcdcdc' linewidth 1
 set autoscale xfix
 set key outside right top vertical Left reverse noenhanced samplen 2.5 spacing 1.25 width 1
-if (format eq 'svg') {
-  set key outside top left horizontal maxcols 3  # narrow pages
+if (dots > 0 || format eq 'svg' || longest_label > line_length / 4) {
+  # As many side by side as fit.
+  key_columns = floor(line_length / (longest_label + 6.0))
+  set key outside top left horizontal samplen 2
+  set key maxcols (key_columns > 1 ? key_columns : 1)
 }
-# A title above a label, either of which may be empty.
-titled(label) = title eq '' || label eq '' ? title . label : title . ', ' . label
+# A title and what is behind or, where that does not fit, under it; either may be empty.
+titled(label) = title eq '' || label eq '' ? title . label : \
+    strlen(title) + strlen(label) + 2 > line_length ? title . "\n" . label : title . ', ' . label
 set title titled('') noenhanced offset 0, -0.3
 
 # Okabe & Ito 2008: told apart by colour-blind people too. Where there are more curves, they have
@@ -43,6 +53,16 @@ between(a, b, t) = mixed(a, b, t, 65536) + mixed(a, b, t, 256) + mixed(a, b, t, 
 step_at(x) = between(step_colors[int(x) + 1], step_colors[int(x) + 2], x - int(x))
 color(i, count) = count <= 7 ? palette_colors[i] : step_at(3.9999 * (i - 1) / (count - 1.0))
 theory_color = '#404040'
+
+# The label of an axis for a column: name and unit.
+position = 0
+noted(i) = (position = i, 0)
+label_of(q) = (position = 0, sum [i = 1:|quantity_keys|] (quantity_keys[i] eq q ? noted(i) : 0), \
+    position > 0 ? quantity_labels[position] : q)
+
+# Makes the picture as high as it takes to show `tall` over `wide` at equal scales.
+fitted_height(tall, wide) = (room = (width - 11 * letter) * tall / wide + (dots > 0 ? 11 : 8) * letter, \
+    room < 0.3 * width ? 0.3 * width : room > width ? width : room)
 
 # Distance of tics that leaves few of them, for a short axis.
 decade(x) = 10 ** floor(log10(x))

@@ -4,7 +4,7 @@
 # groups: stage
 quantity = 'height_mean'
 across = 'cycle'
-set xlabel 'cycle'
-set ylabel 'mean height of the surface, lattice spacings'
+set xlabel label_of('cycle') noenhanced
+set ylabel label_of(quantity) noenhanced
 set yrange [0:*]
 plot @stages

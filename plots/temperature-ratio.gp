@@ -2,12 +2,15 @@
 # form of it.
 #
 # needs: series.csv: time, t_tr, t_rot
+# rank: 7
 # may use: closure.csv
 # groups: restitution
 ratio(x) = column('t_rot') / column('t_tr')
 @set_time_axis
 set ylabel 'T_{rot} / T_{tr},  relative to time 0'
-set logscale y
+stats files[1] using (ratio(0)) nooutput
+axis = 'y'; low_end = STATS_min; high_end = STATS_max
+load templates . '/log_axis.gpi'
 theories = has('closure.csv:t_rot') ? |groups| : 0
 plot for [g = 1:|groups|] 'series.csv' using (of_group(g, column('time'))):(ratio(0)) \
          with lines linewidth 2 linecolor rgb color(g, |groups|) title restitution_title(g), \

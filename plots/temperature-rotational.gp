@@ -1,11 +1,12 @@
 # Temperature of the rotational motion, and its closed form.
 #
 # needs: series.csv: time, t_rot
+# rank: 8
 # may use: closure.csv
 # groups: restitution
 quantity = 't_rot'
 @set_time_axis
-set ylabel 'rotational temperature / initial one'
+set ylabel label_of(quantity) noenhanced
 # Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
 if (!has('series.csv:p_xy')) {
   is_logarithmic = 1

@@ -1,11 +1,12 @@
 # Temperature of the translational motion, and its closed form.
 #
 # needs: series.csv: time, t_tr
+# rank: 9
 # may use: closure.csv
 # groups: restitution
 quantity = 't_tr'
 @set_time_axis
-set ylabel 'translational temperature / initial one'
+set ylabel label_of(quantity) noenhanced
 # Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
 if (!has('series.csv:p_xy')) {
   is_logarithmic = 1

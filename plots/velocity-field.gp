@@ -1,6 +1,7 @@
 # Packing and mean velocity in the cells of a grid, over a stage.
 #
 # needs: fields.csv: x, y, packing
+# rank: 7
 # groups: stage
 # one figure for each: group
 load templates . '/cells.gpi'

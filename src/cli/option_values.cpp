@@ -124,6 +124,19 @@ OptionValues whole_number(std::uint64_t least, std::uint64_t most) {
   return {check, is_any ? std::string() : fmt::format("in [{} - {}]", least, most)};
 }
 
+OptionValues length_of_figure() {
+  const auto check = [](std::string& text) -> std::string {
+    const auto found = quantity<std::uint64_t>(text);
+    const bool is_mm = found && found->unit == "mm";
+    const bool is_length = found && (is_mm || found->unit.empty()) && text.front() != '0' &&
+                           found->number >= (is_mm ? 20 : 100) &&
+                           found->number <= (is_mm ? 1000 : 10'000);
+    return is_length ? std::string()
+                     : expected("pixels from 100 to 10000, or 20mm to 1000mm", text);
+  };
+  return {check, "in [100 - 10000] or [20mm - 1000mm]"};
+}
+
 OptionValues finite_number() {
   const auto check = [](std::string& text) -> std::string {
     const bool is_negative = text.starts_with('-');

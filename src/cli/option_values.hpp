@@ -26,6 +26,8 @@ struct OptionValues {
 /// Digits without sign or leading zeros.
 OptionValues whole_number(std::uint64_t least = 0,
                           std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+/// Pixels or, as `89mm`, a length on paper.
+OptionValues length_of_figure();
 OptionValues finite_number();
 
 /// `3/64`: the third of 64 parts.

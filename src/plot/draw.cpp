@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -32,6 +34,48 @@ std::string identifier(std::string name) {
   return name;
 }
 
+/// The canvas in pixels, which in a PDF are 1/96 inch.
+struct Canvas {
+  double width;
+  double height;
+  double letter;  ///< mean width of a letter
+  int dots;       ///< in an inch; 0: letters scale with the picture
+};
+
+Canvas canvas_of(const Appearance& appearance) {
+  const double aspect = appearance.in_mm ? 0.75 : 0.625;
+  constexpr double kInch = 25.4;
+  constexpr double kLetter = 0.56;  // of the height of the font
+  const int dots = appearance.format == Format::png ? 300 : 96;
+  const double pixel = appearance.in_mm ? dots / kInch : 1;
+  const double width = std::round(appearance.width * pixel);
+  const double height = std::round(appearance.height.value_or(aspect * appearance.width) * pixel);
+  if (appearance.in_mm) {
+    return {width, height, kLetter * 8 / 72 * dots, dots};
+  }
+  const double scale = appearance.format == Format::svg   ? 1
+                       : appearance.format == Format::pdf ? (width + 1.6 * height) / 1920
+                                                          : (width + 1.6 * height) / 1920 * 4 / 3;
+  return {width, height, kLetter * 13 * scale, 0};
+}
+
+/// As lines that fit, joined in the language of gnuplot.
+std::string lines_of(const std::string& title, std::size_t most) {
+  std::string text;
+  std::string line;
+  std::istringstream words(title);
+  const auto add = [&] { text += (text.empty() ? "" : R"( . "\n" . )") + literal(line); };
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > most) {
+      add();
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  add();
+  return text;
+}
+
 }  // namespace
 
 fs::path template_folder() {
@@ -50,10 +94,14 @@ const char* ending(Format format) {
 
 std::vector<std::uint8_t> draw(const Figure& figure, const Appearance& appearance,
                                const std::atomic<int>* stop) {
-  const std::string commands =
-      fmt::format("{} title = {}; name = {}; format = '{}'; width = {}; height = {}",
-                  figure.setting, literal(figure.title), literal(identifier(figure.name)),
-                  ending(appearance.format), appearance.width, appearance.height);
+  const Canvas canvas = canvas_of(appearance);
+  const auto line = static_cast<std::size_t>(0.9 * canvas.width / canvas.letter);
+  const std::string commands = fmt::format(
+      "{} title = {}; line_length = {}; name = {}; format = '{}'; width = {}; height = {}; "
+      "height_is_free = {}; dots = {}",
+      figure.setting, lines_of(figure.title, line), line, literal(identifier(figure.name)),
+      ending(appearance.format), canvas.width, canvas.height, appearance.height ? 0 : 1,
+      canvas.dots);
   const fs::path program = find_gnuplot();
   try {
     std::vector<std::uint8_t> bytes =

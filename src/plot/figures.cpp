@@ -1,12 +1,16 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <set>
 
 #include "clca/plot/plot.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/store/file.hpp"
 #include "clca/text/input_error.hpp"
+#include "clca/text/message.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/run_tables.hpp"
 #include "plot/sweep_figures.hpp"
@@ -82,6 +86,19 @@ std::string measure_text(const store::RunSummary& summary, const std::string& na
   return fmt::format("{} = {};", name, value);
 }
 
+/// Of what may stand in a legend; in characters.
+std::size_t longest_of(const std::vector<std::string>& groups,
+                       const std::vector<std::string>& labels) {
+  constexpr std::size_t kWords = 10;  // beside them
+  std::size_t longest = 0;
+  for (const auto* texts : {&groups, &labels}) {
+    for (const std::string& text : *texts) {
+      longest = std::max(longest, text.size());
+    }
+  }
+  return longest + kWords;
+}
+
 /// Columns that a pattern of the first table stands for, and what its `*` does.
 std::string pattern_text(RunTables& tables, const Template& one, const Content& content) {
   const TableRequirement& need = one.needs.front();
@@ -99,6 +116,22 @@ std::string pattern_text(RunTables& tables, const Template& one, const Content& 
                          : array_text("columns", columns) + array_text("column_labels", labels);
 }
 
+/// The labels of axes for all columns of these files.
+std::string quantities_text(RunTables& tables, const std::vector<TableFile>& files) {
+  const run::KnownQuantities known = run::known_quantities(tables.summary());
+  std::vector<std::string> keys = {""};  // an array has at least one value
+  std::vector<std::string> names = {""};
+  for (const TableFile& file : files) {
+    for (const std::string& column : tables.read(file.name).names) {
+      if (std::ranges::count(keys, column) == 0) {
+        keys.push_back(column);
+        names.push_back(known.label(column));
+      }
+    }
+  }
+  return array_text("quantity_keys", keys) + array_text("quantity_labels", names);
+}
+
 std::string setting_text(RunTables& tables, const Template& one, const Content& content) {
   std::vector<std::string> files;
   std::vector<std::string> labels;
@@ -110,11 +143,14 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
                      array_text("groups", content.groups);
   text += fmt::format("group_column = {};", literal(one.groups));
   text += fmt::format("known_columns = {};", literal(known_columns(tables, one)));
+  text += quantities_text(tables, content.files);
+  text += fmt::format("longest_label = {};", longest_of(content.groups, labels));
   text += pattern_text(tables, one, content);
   text += fmt::format("templates = {};", literal(fs::absolute(one.file).parent_path().string()));
   const auto& units = tables.summary().units;
   text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
-  text += fmt::format("time_title = {};", literal(units ? "time, " + units->time_unit : "step"));
+  text += fmt::format("time_title = {};",
+                      literal(units ? fmt::format("Time ({})", units->time_unit) : "Step"));
   text +=
       fmt::format("velocity_unit = {};", literal(units ? units->velocity_unit : "spacings/step"));
   const auto& box = tables.summary().box;
@@ -164,6 +200,20 @@ std::string figure_name(const Template& one, const Content& part) {
   return label.empty() ? one.name : one.name + "-" + label;
 }
 
+/// What the template says, and of which part of the tables this is.
+std::string description(const RunTables& tables, const Template& one, const Content& part) {
+  if (one.division == Division::by_group && !part.groups.front().empty()) {
+    return fmt::format("{} {}: {}.", one.description, one.groups, part.groups.front());
+  }
+  if (one.division == Division::by_file) {
+    const std::string& label = part.files.front().label;
+    const bool is_stage =
+        std::ranges::count(tables.summary().stages, label, &store::StageSummary::name) > 0;
+    return fmt::format("{} {}: {}.", one.description, is_stage ? "Stage" : "Time", label);
+  }
+  return one.description;
+}
+
 /// Empty if the tables lack something.
 std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
   for (const TableRequirement& need : one.needs) {
@@ -173,9 +223,6 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
   }
   Content whole = {.files = tables.files(one.needs.front()), .groups = {}};
   whole.groups = group_names(tables, whole.files, one.groups);
-  if (one.division == Division::by_measure) {
-    return sweep_figures(tables, one);
-  }
   if (one.division == Division::by_group) {
     std::erase_if(whole.groups, [&](const std::string& group) {
       return !has_values_in(tables, one, whole, group);
@@ -185,12 +232,104 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
   for (const Content& part : divided(whole, one.division)) {
     result.push_back({.name = figure_name(one, part),
                       .title = tables.title(),
-                      .description = one.description,
+                      .description = description(tables, one, part),
                       .script = one.file,
                       .run = tables.run(),
-                      .setting = setting_text(tables, one, part)});
+                      .setting = setting_text(tables, one, part),
+                      .rank = one.rank});
   }
   return result;
+}
+
+/// The first table that has all these columns: the series, else in alphabetical order.
+std::string table_with(RunTables& tables, const std::vector<std::string>& columns) {
+  std::vector<TableFile> files = tables.files("*.csv");
+  std::ranges::stable_partition(files,
+                                [](const TableFile& file) { return file.name == "series.csv"; });
+  std::vector<std::string> known;
+  for (const TableFile& file : files) {
+    const std::vector<std::string>& names = tables.read(file.name).names;
+    if (std::ranges::all_of(columns, [&](const std::string& column) {
+          return std::ranges::count(names, column) > 0;
+        })) {
+      return file.name;
+    }
+    known.insert(known.end(), names.begin(), names.end());
+  }
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  for (const std::string& column : columns) {
+    if (std::ranges::count(known, column) == 0) {
+      throw text::InputError(fmt::format("{}: no table with a column {}{}", tables.run().string(),
+                                         text::shown(column), text::suggestion(column, views)));
+    }
+  }
+  throw text::InputError(fmt::format("{}: no table with all of the columns {}",
+                                     tables.run().string(), fmt::join(columns, ", ")));
+}
+
+/// Of a run: a figure for each chosen column, with a curve for each value of another one.
+std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice) {
+  std::vector<Figure> result;
+  for (const std::string& y : choice.y) {
+    std::vector<std::string> columns = choice.over;
+    columns.push_back(y);
+    if (!choice.x.empty()) {
+      columns.push_back(choice.x);
+    }
+    const std::string table = table_with(tables, columns);
+    const std::vector<std::string>& names = tables.read(table).names;
+    Template chosen = one;
+    TableRequirement need;
+    need.table = table;
+    need.columns = {y};
+    chosen.needs = {need};
+    for (const char* group : {"stage", "restitution", "probe", "line"}) {
+      if (choice.over.empty() && std::ranges::count(names, group) > 0) {
+        chosen.groups = group;
+      }
+    }
+    if (!choice.over.empty()) {
+      chosen.groups = choice.over.front();
+    }
+    std::string x = choice.x;
+    for (const char* column : {"cycle", "step", "time"}) {
+      if (choice.x.empty() && std::ranges::count(names, column) > 0) {
+        x = column;
+      }
+    }
+    if (x.empty()) {
+      throw text::InputError(
+          fmt::format("{}: say which column of {} is x", tables.run().string(), table));
+    }
+    for (const std::string& column : {x, y}) {
+      tables.read(table).numbers(column);
+    }
+    chosen.division = Division::none;
+    chosen.name = y;
+    const std::string more =
+        fmt::format("x_column = {}; y_column = {}; log_axes = '{}{}';", literal(x), literal(y),
+                    choice.log_x ? "x" : "", choice.log_y ? "y" : "");
+    for (Figure& figure : figures_of(tables, chosen)) {
+      figure.setting += more;
+      result.push_back(std::move(figure));
+    }
+  }
+  return result;
+}
+
+std::vector<Figure> figures_of(RunTables& tables, const Template& one, const Choice& choice) {
+  const bool is_chosen = !choice.y.empty();
+  const bool is_sweep = tables.summary().kind == "sweep";
+  if (one.division == Division::by_measure) {
+    return sweep_figures(tables, one, choice);
+  }
+  if (one.division == Division::by_mean) {
+    return is_sweep && choice.x.empty() ? mean_figures(tables, one, choice) : std::vector<Figure>();
+  }
+  if (one.division == Division::by_column) {
+    return is_chosen && !is_sweep ? column_figures(tables, one, choice) : std::vector<Figure>();
+  }
+  return is_chosen ? std::vector<Figure>() : figures_of(tables, one);
 }
 
 /// Explains why there is no figure of that name.
@@ -229,14 +368,19 @@ std::vector<Figure> chosen(const std::vector<Figure>& possible,
 
 /// `unreadable` is called where the tables of a template are invalid.
 std::vector<Figure> possible_figures(
-    const fs::path& run, const std::vector<Template>& templates,
+    const fs::path& run, const std::vector<Template>& templates, const Choice& choice,
     const std::function<void(const store::StoreError&)>& unreadable) {
   try {
     RunTables tables(run);
+    const bool chooses = !choice.x.empty() || !choice.over.empty() || choice.log_x || choice.log_y;
+    if (chooses && choice.y.empty() && tables.summary().kind != "sweep") {
+      throw text::InputError(
+          fmt::format("{}: of a run, say which columns are y, too", run.string()));
+    }
     std::vector<Figure> all;
     for (const Template& one : templates) {
       try {
-        const std::vector<Figure> more = figures_of(tables, one);
+        const std::vector<Figure> more = figures_of(tables, one, choice);
         all.insert(all.end(), more.begin(), more.end());
       } catch (const store::StoreError& error) {
         unreadable(error);
@@ -251,10 +395,10 @@ std::vector<Figure> possible_figures(
 }  // namespace
 
 std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>& only,
-                            const fs::path& templates) {
+                            const fs::path& templates, const Choice& choice) {
   const std::vector<Template> known = read_templates(templates);
   const std::vector<Figure> possible =
-      possible_figures(run, known, [](const store::StoreError& error) { throw error; });
+      possible_figures(run, known, choice, [](const store::StoreError& error) { throw error; });
   if (possible.empty()) {
     throw text::InputError(
         fmt::format("{}: no tables that a figure could be drawn from", run.string()));
@@ -271,8 +415,11 @@ std::vector<Figure> figures(const fs::path& run, const std::vector<std::string>&
 std::vector<Figure> figures_of_readable_tables(
     const fs::path& run, const fs::path& templates,
     const std::function<void(const std::string&)>& warning) {
-  return possible_figures(run, read_templates(templates),
-                          [&](const store::StoreError& error) { warning(error.what()); });
+  std::vector<Figure> all =
+      possible_figures(run, read_templates(templates), {},
+                       [&](const store::StoreError& error) { warning(error.what()); });
+  std::ranges::stable_sort(all, std::ranges::greater(), &Figure::rank);
+  return all;
 }
 
 }  // namespace clca::plot

@@ -40,14 +40,37 @@ std::string sweep_title(const fs::path& file) {
              : "";
 }
 
-/// Of a sweep, which has no run.json: its title and the name of its folder.
+/// Of some run of a sweep; an empty one if there is none that is done.
+store::RunSummary some_summary(const fs::path& folder) {
+  try {
+    const store::ReadTable runs = store::read_table(folder / "runs.csv");
+    const std::vector<std::string>* status = runs.find("status");
+    const std::vector<std::string>* folders = runs.find("folder");
+    for (std::size_t row = 0; status != nullptr && folders != nullptr && row < runs.rows(); ++row) {
+      if ((*status)[row] == "done") {
+        return store::read_summary(folder / (*folders)[row] / "run.json");
+      }
+    }
+  } catch (const store::StoreError&) {  // names and units are those of declared quantities
+  }
+  return {};
+}
+
+/// Of a sweep, which has no run.json: its title and the name of its folder, units and derived
+/// measures as of some run.
 store::RunSummary summary_of(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder / "sweep.json", error) && !fs::exists(folder / "run.json", error)) {
+    const store::RunSummary one = some_summary(folder);
     store::RunSummary summary;
     summary.kind = "sweep";
     summary.scene = fs::weakly_canonical(folder, error).filename().string();
     summary.title = sweep_title(folder / "sweep.json");
+    summary.units = one.units;
+    summary.derived = one.derived;
+    for (scene::DerivedMeasure& derived : summary.derived) {
+      derived.value.clear();  // whose numbers may vary
+    }
     return summary;
   }
   return store::read_summary(folder / "run.json");

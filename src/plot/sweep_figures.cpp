@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "clca/run/quantity.hpp"
+#include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "plot/gnuplot.hpp"
 
@@ -17,6 +21,9 @@ namespace clca::plot {
 namespace {
 
 using Cells = std::vector<std::string>;
+
+/// Rank of what the scene itself derives.
+constexpr double kFirst = 1e6;
 
 /// The values in order of appearance.
 Cells distinct(const Cells& cells) {
@@ -33,6 +40,10 @@ bool is_number(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+bool are_numbers(const Cells& cells) {
+  return std::all_of(cells.begin(), cells.end(), is_number);
+}
+
 /// Whether two keys vary together: each value of the first comes with one of the second.
 bool vary_together(const Cells& first, const Cells& second) {
   std::set<std::pair<std::string, std::string>> pairs;
@@ -40,20 +51,6 @@ bool vary_together(const Cells& first, const Cells& second) {
     pairs.emplace(first[row], second[row]);
   }
   return pairs.size() == distinct(first).size() && pairs.size() == distinct(second).size();
-}
-
-/// KEY=VALUE, KEY=VALUE of the keys but the first and those that vary with it, for each row.
-Cells curve_labels(const store::ReadTable& table, std::size_t keys) {
-  Cells lines(table.rows());
-  for (std::size_t key = 1; key < keys; ++key) {
-    if (!vary_together(table.cells[0], table.cells[key])) {
-      for (std::size_t row = 0; row < lines.size(); ++row) {
-        lines[row] += fmt::format("{}{}={}", lines[row].empty() ? "" : ", ", table.names[key],
-                                  table.cells[key][row]);
-      }
-    }
-  }
-  return lines;
 }
 
 /// So that they stand side by side under an axis.
@@ -68,102 +65,341 @@ Cells shortened(const Cells& words) {
   return result;
 }
 
-std::string number_array_text(const std::string& name, const Cells& numbers) {
+std::string numbers_text(const std::string& name, const std::vector<double>& numbers) {
   return fmt::format("array {}[{}] = [{}];", name, numbers.size(), fmt::join(numbers, ", "));
 }
 
-std::string position_of(const Cells& all, const std::string& one) {
-  return fmt::format("{}", std::find(all.begin(), all.end(), one) - all.begin() + 1);
+/// From 1.
+double position_of(const Cells& all, const std::string& one) {
+  return static_cast<double>(std::find(all.begin(), all.end(), one) - all.begin() + 1);
 }
 
-/// The rows of one stage and measure.
-struct Points {
-  Cells xs;
-  Cells means;
-  Cells lows;
-  Cells highs;
-  Cells lines;  ///< numbers of lines, from 1
+/// Mean and interval of a measure over the seeds.
+struct Interval {
+  double mean = 0;
+  double low = 0;
+  double high = 0;
 };
 
-std::string setting_of(const Points& points) {
-  return number_array_text("xs", points.xs) + number_array_text("means", points.means) +
-         number_array_text("lows", points.lows) + number_array_text("highs", points.highs) +
-         number_array_text("of_lines", points.lines);
+struct Point {
+  Interval x;
+  Interval y;
+  double line = 0;  ///< its number, from 1
+};
+
+/// The points of one figure.
+struct Points {
+  std::size_t row = 0;  ///< the first
+  std::string of;       ///< values of keys that neither the axis nor the lines have
+  std::vector<Point> points = {};
+};
+
+/// How far the means lie apart, in units of the errors: the larger, the more there is to see.
+double contrast(const std::vector<Point>& points) {
+  const auto [least, most] =
+      std::ranges::minmax_element(points, {}, [](const Point& point) { return point.y.mean; });
+  double errors = 0;
+  for (const Point& point : points) {
+    errors += (point.y.high - point.y.low) / 2 / static_cast<double>(points.size());
+  }
+  const double spread = most->y.mean - least->y.mean;
+  const double scale = std::max(std::abs(most->y.mean), std::abs(least->y.mean));
+  return spread / (errors + 0.01 * scale);
 }
 
-/// `Run-out of 99 % (spacings)`; the key itself where it is unknown.
-std::string axis_label(const std::string& measure) {
-  const run::Quantity* known = run::find_quantity(measure);
-  if (known == nullptr) {
-    return measure;
+std::string setting_of(std::vector<Point> points) {
+  std::ranges::stable_sort(points, {}, [](const Point& point) { return point.x.mean; });
+  const auto all = [&points](const std::string& name, auto number) {
+    std::vector<double> numbers(points.size());
+    std::ranges::transform(points, numbers.begin(), number);
+    return numbers_text(name, numbers);
+  };
+  return all("xs", [](const Point& point) { return point.x.mean; }) +
+         all("lefts", [](const Point& point) { return point.x.low; }) +
+         all("rights", [](const Point& point) { return point.x.high; }) +
+         all("means", [](const Point& point) { return point.y.mean; }) +
+         all("lows", [](const Point& point) { return point.y.low; }) +
+         all("highs", [](const Point& point) { return point.y.high; }) +
+         all("of_lines", [](const Point& point) { return point.line; });
+}
+
+/// Whether it is a column of a table that is averaged over the seeds.
+bool has_mean(RunTables& tables, const std::string& name) {
+  return std::ranges::any_of(tables.files("mean-*.csv"), [&](const TableFile& file) {
+    return tables.read(file.name).find(name + "_se") != nullptr;
+  });
+}
+
+/// measures.csv, and what is drawn of it.
+class SweepTable {
+ public:
+  /// Throws text::InputError for a choice of what is not there.
+  SweepTable(RunTables& tables, const store::ReadTable& table, const Choice& choice);
+
+  std::vector<Figure> figures(const Template& one) const;
+
+ private:
+  bool is_key(const std::string& name) const { return key(name) < keys_; }
+  std::size_t key(const std::string& name) const {
+    return static_cast<std::size_t>(
+        std::find(table_.names.begin(), table_.names.begin() + static_cast<long>(keys_), name) -
+        table_.names.begin());
   }
-  const std::string of = measure.substr(known->key.size());  // `.OUTLET`, or nothing
-  return fmt::format("{}{}{}", known->name, of.empty() ? "" : ", " + of.substr(1),
-                     known->unit.empty() ? "" : fmt::format(" ({})", known->unit));
+  const std::string& cell(const char* column, std::size_t row) const {
+    return (*table_.find(column))[row];
+  }
+  void divide_keys();
+  std::optional<Interval> interval(std::size_t row) const;
+  std::optional<Interval> place(std::size_t row) const;
+  Cells combination(std::size_t row) const;
+  std::vector<Points> found() const;
+  Figure figure(const Template& one, const Points& points, std::size_t number) const;
+  const std::string& x_name() const { return x_is_key_ ? table_.names[along_.front()] : choice_.x; }
+  std::string x_label() const;
+
+  const RunTables& tables_;
+  const store::ReadTable& table_;
+  const Choice& choice_;
+  run::KnownQuantities known_;
+  std::size_t keys_ = 0;
+  std::vector<std::size_t> along_;  ///< the first is the axis, unless that is a measure
+  std::vector<std::size_t> over_;
+  std::vector<std::size_t> apart_;
+  bool x_is_key_ = true;
+  std::map<Cells, std::size_t> x_rows_;  ///< of the measure on the axis, by combination
+  Cells words_;                          ///< of the axis, if not all are numbers
+  Cells lines_;
+  Cells line_labels_;  ///< by row
+};
+
+SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const Choice& choice)
+    : tables_(tables),
+      table_(table),
+      choice_(choice),
+      known_(run::known_quantities(tables.summary())),
+      keys_(
+          static_cast<std::size_t>(std::ranges::find(table.names, "stage") - table.names.begin())) {
+  for (const char* column : {"stage", "measure", "mean", "low", "high"}) {
+    if (table.find(column) == nullptr) {
+      keys_ = 0;
+    }
+  }
+  if (keys_ == 0) {
+    return;  // only the seed varies
+  }
+  const Cells measures = distinct(*table.find("measure"));
+  const auto require = [&](const std::string& name, bool may_be_key, bool may_be_measure) {
+    if ((may_be_key && is_key(name)) ||
+        (may_be_measure && std::ranges::count(measures, name) > 0)) {
+      return;
+    }
+    std::vector<std::string_view> names;
+    if (may_be_key) {
+      names.insert(names.end(), table.names.begin(),
+                   table.names.begin() + static_cast<long>(keys_));
+    }
+    if (may_be_measure) {
+      names.insert(names.end(), measures.begin(), measures.end());
+    }
+    throw text::InputError(fmt::format("{}: no {} {}{}", table.file.string(),
+                                       !may_be_measure ? "varied key"
+                                       : may_be_key    ? "varied key or measure"
+                                                       : "measure",
+                                       text::shown(name), text::suggestion(name, names)));
+  };
+  if (!choice.x.empty()) {
+    require(choice.x, true, true);
+  }
+  for (const std::string& y : choice.y) {
+    if (!has_mean(tables, y)) {
+      require(y, false, true);
+    }
+  }
+  for (const std::string& name : choice.over) {
+    require(name, true, false);
+  }
+  divide_keys();
+  line_labels_ = labels_of(table, over_, !choice.over.empty());
+  lines_ = distinct(line_labels_);
+  for (std::size_t row = 0; !x_is_key_ && row < table.rows(); ++row) {
+    if (cell("measure", row) == choice.x) {
+      x_rows_.emplace(combination(row), row);
+    }
+  }
+  if (x_is_key_ && !are_numbers(table.cells[along_.front()])) {
+    words_ = distinct(table.cells[along_.front()]);
+  }
+}
+
+void SweepTable::divide_keys() {
+  x_is_key_ = choice_.x.empty() || is_key(choice_.x);
+  const auto is_over = [this](std::size_t one) {
+    return std::ranges::count(choice_.over, table_.names[one]) > 0;
+  };
+  std::vector<std::size_t> all(keys_);
+  std::iota(all.begin(), all.end(), 0);
+  const auto first = std::ranges::find_if_not(all, is_over);
+  const std::size_t axis = x_is_key_ && !choice_.x.empty() ? key(choice_.x)
+                           : first != all.end()            ? *first
+                                                           : 0;
+  along_ = {axis};
+  for (const std::size_t one : all) {
+    if (one == axis) {
+      continue;
+    }
+    if (is_over(one)) {
+      over_.push_back(one);
+    } else if (vary_together(table_.cells[axis], table_.cells[one])) {
+      along_.push_back(one);
+    } else if (choice_.over.empty()) {
+      over_.push_back(one);
+    } else {
+      (x_is_key_ ? apart_ : along_).push_back(one);
+    }
+  }
+}
+
+std::optional<Interval> SweepTable::interval(std::size_t row) const {
+  const auto number = [&](const char* column) { return std::stod(cell(column, row)); };
+  if (!is_number(cell("mean", row))) {
+    return std::nullopt;
+  }
+  const double mean = number("mean");
+  const bool has_errors = is_number(cell("low", row)) && is_number(cell("high", row));
+  return has_errors ? Interval{mean, number("low"), number("high")} : Interval{mean, mean, mean};
+}
+
+/// On the axis; none if the combination has no value there.
+std::optional<Interval> SweepTable::place(std::size_t row) const {
+  if (x_is_key_) {
+    const std::string& value = table_.cells[along_.front()][row];
+    const double x = words_.empty() ? std::stod(value) : position_of(words_, value);
+    return Interval{x, x, x};
+  }
+  const auto found = x_rows_.find(combination(row));
+  return found == x_rows_.end() ? std::nullopt : interval(found->second);
+}
+
+/// The values of all keys, and the stage.
+Cells SweepTable::combination(std::size_t row) const {
+  Cells values = {cell("stage", row)};
+  for (std::size_t one = 0; one < keys_; ++one) {
+    values.push_back(table_.cells[one][row]);
+  }
+  return values;
+}
+
+std::vector<Points> SweepTable::found() const {
+  const Cells apart = labels_of(table_, apart_, false);
+  std::vector<Points> found;  // by first row, in the order of the table
+  std::map<std::array<std::string, 3>, std::size_t> numbers;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const std::string& stage = cell("stage", row);
+    const std::string& measure = cell("measure", row);
+    const bool is_wanted =
+        choice_.y.empty() ? measure != x_name() : std::ranges::count(choice_.y, measure) > 0;
+    const auto y = interval(row);
+    const auto x = is_wanted && y ? place(row) : std::nullopt;
+    if (!x || !is_label(stage) || !is_label(measure)) {
+      continue;
+    }
+    const auto [at, is_new] = numbers.emplace(std::array{stage, measure, apart[row]}, found.size());
+    if (is_new) {
+      found.push_back({.row = row, .of = apart[row]});
+    }
+    found[at->second].points.push_back({*x, *y, position_of(lines_, line_labels_[row])});
+  }
+  std::erase_if(found, [this](const Points& one) {
+    return std::ranges::none_of(one.points, [this](const Point& point) {
+      const bool is_wanted = !choice_.y.empty() || point.y.mean != 0;
+      return is_wanted && (!choice_.log_x || point.x.mean > 0) &&
+             (!choice_.log_y || point.y.mean > 0);
+    });
+  });
+  return found;
+}
+
+std::string SweepTable::x_label() const {
+  const std::string& name = x_name();
+  const bool is_derived =
+      std::ranges::count(known_.derived, name, &scene::DerivedMeasure::name) > 0;
+  return is_derived || !x_is_key_ ? known_.label(name) : name;
+}
+
+Figure SweepTable::figure(const Template& one, const Points& points, std::size_t number) const {
+  const std::string& stage = cell("stage", points.row);
+  const std::string& measure = cell("measure", points.row);
+  const auto known = known_.find(measure);
+  const std::string of = points.of.empty() ? "" : ", " + points.of;
+  std::size_t longest = 0;
+  for (const std::string& line : lines_) {
+    longest = std::max(longest, line.size());
+  }
+  return {.name = fmt::format("{}-{}-{}{}", one.name, stage, measure,
+                              number > 0 ? fmt::format("-{}", number) : ""),
+          .title = tables_.title(),
+          .description = fmt::format("{}{}{}, against {}, at the end of stage {}{}. {}",
+                                     known ? known->name : measure,
+                                     known && !known->of.empty() ? ", " + known->of : "",
+                                     known && !known->meaning.empty() ? ": " + known->meaning : "",
+                                     x_label(), stage, of, one.description),
+          .script = one.file,
+          .run = tables_.run(),
+          .setting =
+              fmt::format("known_columns = '|'; time_column = 'step'; x_label = {}; has_words = {};"
+                          "stage = {}; measure = {}; measure_label = {}; longest_label = {};"
+                          "log_axes = '{}{}'; templates = {};",
+                          literal(x_label()), words_.empty() ? 0 : 1, literal(stage + of),
+                          literal(measure), literal(known_.label(measure)), longest,
+                          choice_.log_x ? "x" : "",
+                          choice_.log_y || measure.starts_with("discharged_until_clog") ? "y" : "",
+                          literal(one.file.parent_path().string())) +
+              array_text("files", {table_.file.filename().string()}) + array_text("groups", {""}) +
+              array_text("quantity_keys", {""}) + array_text("quantity_labels", {""}) +
+              array_text("words", words_.empty() ? Cells{""} : shortened(words_)) +
+              array_text("lines", lines_) + setting_of(points.points),
+          .rank = contrast(points.points) +
+                  (std::ranges::count(known_.derived, measure, &scene::DerivedMeasure::name) > 0
+                       ? kFirst
+                       : 0)};
+}
+
+std::vector<Figure> SweepTable::figures(const Template& one) const {
+  std::vector<Figure> result;
+  if (keys_ == 0) {
+    return result;
+  }
+  std::map<std::pair<std::string, std::string>, std::size_t> numbers;
+  for (const Points& points : found()) {
+    std::size_t& number = numbers[{cell("stage", points.row), cell("measure", points.row)}];
+    result.push_back(figure(one, points, apart_.empty() ? 0 : ++number));
+  }
+  return result;
 }
 
 }  // namespace
 
-std::vector<Figure> sweep_figures(RunTables& tables, const Template& one) {
-  const TableRequirement& need = one.needs.front();
-  const std::vector<TableFile> files = tables.files(need);
+Cells labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
+                bool is_chosen) {
+  Cells labels(table.rows());
+  for (const std::size_t key : keys) {
+    const Cells& cells = table.cells[key];
+    const bool is_alone =
+        is_chosen && keys.size() == 1 && std::none_of(cells.begin(), cells.end(), is_number);
+    for (std::size_t row = 0; row < labels.size(); ++row) {
+      labels[row] += (labels[row].empty() ? "" : ", ") +
+                     (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
+    }
+  }
+  return labels;
+}
+
+std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice) {
+  const std::vector<TableFile> files = tables.files(one.needs.front());
   if (files.empty()) {
     return {};
   }
-  const store::ReadTable& table = tables.read(files.front().name);
-  const Cells* stages = table.find("stage");
-  const Cells* measures = table.find("measure");
-  const Cells* means = table.find("mean");
-  const Cells* lows = table.find("low");
-  const Cells* highs = table.find("high");
-  const auto keys = static_cast<std::size_t>(
-      std::find(table.names.begin(), table.names.end(), "stage") - table.names.begin());
-  if (stages == nullptr || measures == nullptr || means == nullptr || lows == nullptr ||
-      highs == nullptr || keys == 0) {
-    return {};  // only the seed varies
-  }
-  const Cells& values = table.cells.front();
-  const Cells words = distinct(values);
-  const bool has_words = !std::all_of(words.begin(), words.end(), is_number);
-  const Cells labels = curve_labels(table, keys);
-  const Cells lines = distinct(labels);
-  std::vector<std::pair<std::size_t, Points>> found;  // by first row, in the order of the table
-  std::map<std::pair<std::string, std::string>, std::size_t> numbers;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (!is_number((*means)[row]) || !is_label((*stages)[row]) || !is_label((*measures)[row])) {
-      continue;
-    }
-    const auto [at, is_new] =
-        numbers.emplace(std::pair((*stages)[row], (*measures)[row]), found.size());
-    if (is_new) {
-      found.emplace_back(row, Points());
-    }
-    Points& points = found[at->second].second;
-    points.xs.push_back(has_words ? position_of(words, values[row]) : values[row]);
-    points.means.push_back((*means)[row]);
-    const bool has_errors = is_number((*lows)[row]) && is_number((*highs)[row]);
-    points.lows.push_back(has_errors ? (*lows)[row] : (*means)[row]);
-    points.highs.push_back(has_errors ? (*highs)[row] : (*means)[row]);
-    points.lines.push_back(position_of(lines, labels[row]));
-  }
-  std::vector<Figure> result;
-  for (const auto& [row, points] : found) {
-    result.push_back(
-        {.name = fmt::format("{}-{}-{}", one.name, (*stages)[row], (*measures)[row]),
-         .title = tables.title(),
-         .description = one.description,
-         .script = one.file,
-         .run = tables.run(),
-         .setting =
-             array_text("files", {files.front().name}) + array_text("groups", {""}) +
-             fmt::format("known_columns = '|'; time_column = 'step'; varied = {}; has_words = {};"
-                         "stage = {}; measure = {}; measure_label = {};",
-                         literal(table.names.front()), has_words ? 1 : 0, literal((*stages)[row]),
-                         literal((*measures)[row]), literal(axis_label((*measures)[row]))) +
-             array_text("words", shortened(words)) + array_text("lines", lines) +
-             setting_of(points)});
-  }
-  return result;
+  return SweepTable(tables, tables.read(files.front().name), choice).figures(one);
 }
 
 }  // namespace clca::plot

@@ -1,6 +1,7 @@
 #pragma once
 // Figures of a sweep: a measure against the varied keys.
 
+#include <string>
 #include <vector>
 
 #include "clca/plot/plot.hpp"
@@ -8,8 +9,18 @@
 
 namespace clca::plot {
 
-/// One for each stage and measure with a mean in measures.csv, if a key is varied; in the order of
-/// the table. Throws StoreError.
-std::vector<Figure> sweep_figures(RunTables& tables, const Template& one);
+/// KEY=VALUE, KEY=VALUE of these columns for each row. Words of a single key that was chosen speak
+/// for themselves.
+std::vector<std::string> labels_of(const store::ReadTable& table,
+                                   const std::vector<std::size_t>& keys, bool is_chosen);
+
+/// One for each stage and measure with a mean other than 0 in measures.csv, if a key is varied; in
+/// the order of the table. Throws StoreError, and text::InputError for a choice of what is not
+/// there.
+std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice);
+
+/// One for each group of rows and column of the tables that are averaged over the seeds,
+/// `mean-*.csv`, with a curve for each combination. Throws StoreError.
+std::vector<Figure> mean_figures(RunTables& tables, const Template& one, const Choice& choice);
 
 }  // namespace clca::plot

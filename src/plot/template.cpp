@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -50,12 +52,29 @@ TableRequirement to_need(const std::string& text) {
 }
 
 Division to_division(const std::string& text) {
-  if (text != "group" && text != "file" && text != "measure") {
-    throw PlotError(fmt::format("one figure for each: group, file or measure, not '{}'", text));
+  constexpr std::array<std::pair<const char*, Division>, 5> kDivisions = {
+      {{"group", Division::by_group},
+       {"file", Division::by_file},
+       {"measure", Division::by_measure},
+       {"column", Division::by_column},
+       {"mean", Division::by_mean}}};
+  for (const auto& [word, division] : kDivisions) {
+    if (text == word) {
+      return division;
+    }
   }
-  return text == "group"  ? Division::by_group
-         : text == "file" ? Division::by_file
-                          : Division::by_measure;
+  throw PlotError(
+      fmt::format("one figure for each: group, file, measure, column or mean, not '{}'", text));
+}
+
+double to_rank(const std::string& text) {
+  double rank = 0;
+  const char* end = text.data() + text.size();
+  if (const auto [stop, error] = std::from_chars(text.data(), end, rank);
+      stop != end || error != std::errc()) {
+    throw PlotError(fmt::format("rank: a number, not '{}'", text));
+  }
+  return rank;
 }
 
 /// False if the line is none that says what the template needs.
@@ -69,6 +88,8 @@ bool read_line(Template& result, const std::string& line) {
     result.groups = value;
   } else if (key == "one figure for each") {
     result.division = to_division(value);
+  } else if (key == "rank") {
+    result.rank = to_rank(value);
   } else if (key == "measure") {
     result.measures.push_back(value);
   } else {
@@ -91,8 +112,10 @@ Template read_template(const fs::path& file) {
       result.description += (result.description.empty() ? "" : " ") + words;
     }
   }
-  if (result.needs.empty() ||
-      (result.needs.front().columns.empty() && result.needs.front().changing.empty())) {
+  const bool needs_columns = !result.needs.empty() && !(result.needs.front().columns.empty() &&
+                                                        result.needs.front().changing.empty());
+  if (result.division != Division::by_column && result.division != Division::by_mean &&
+      !needs_columns) {
     throw PlotError("it does not say which columns it needs");
   }
   return result;

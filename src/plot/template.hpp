@@ -6,7 +6,9 @@
 //   # needs: TABLE: PREFIX.*                    at least one column with this prefix
 //   # may use: TABLE
 //   # groups: COLUMN                            whose values the template tells apart
-//   # one figure for each: group                or `file` of the first table; `measure` of a sweep
+//   # one figure for each: group                or `file` of the first table; `measure` of a sweep;
+//                                               `column` that is chosen; `mean` over seeds
+//   # rank: NUMBER                              those with the highest come first in a report; 0
 //   # measure: NAME                             of run.json
 //
 // A `*` in TABLE stands for the name of a stage or a time. What stands before the first empty
@@ -27,17 +29,18 @@ struct TableRequirement {
   std::vector<std::pair<std::string, std::string>> rows;  ///< only those with this text in a column
 };
 
-enum class Division : std::uint8_t { none, by_group, by_file, by_measure };
+enum class Division : std::uint8_t { none, by_group, by_file, by_measure, by_column, by_mean };
 
 struct Template {
   std::filesystem::path file;
   std::string name;
   std::string description;
-  std::vector<TableRequirement> needs;  ///< at least one
+  std::vector<TableRequirement> needs;  ///< at least one, but of chosen columns and means
   std::vector<std::string> may_use;
   std::string groups;
   Division division = Division::none;
   std::vector<std::string> measures;
+  double rank = 0;
 };
 
 /// The common style, run before each template.

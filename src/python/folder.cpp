@@ -24,16 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Declared declared(const store::RunSummary& summary) {
-  return {.of_gas = summary.kind == "boltzmann", .units = summary.units};
-}
-
 py::dict summary(const fs::path& folder) {
   const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
   py::list stages;
   for (const store::StageSummary& stage : summary.stages) {
     stages.append(py::make_tuple(stage.name, stage.steps, stage.ended,
-                                 measures(stage.measures, declared(summary)), stage.notes));
+                                 measures(stage.measures, run::known_quantities(summary)),
+                                 stage.notes));
   }
   py::dict result;
   result["kind"] = summary.kind;
@@ -66,7 +63,9 @@ py::object cells_of(const store::ReadTable& table, const std::string& key, bool 
 py::list table(const fs::path& folder, const std::string& name, const std::set<std::string>& text,
                const std::optional<fs::path>& run) {
   const store::ReadTable table = store::read_table(folder / store::table_name(name));
-  const Declared all = run ? declared(store::read_summary(*run / store::kSummaryFile)) : Declared();
+  const run::KnownQuantities all =
+      run ? run::known_quantities(store::read_summary(*run / store::kSummaryFile))
+          : run::KnownQuantities();
   py::list columns;
   for (const std::string& key : table.names) {
     columns.append(

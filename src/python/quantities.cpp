@@ -1,7 +1,5 @@
 #include "python/quantities.hpp"
 
-#include "clca/run/quantity.hpp"
-
 namespace clca::python {
 
 namespace py = pybind11;
@@ -18,23 +16,19 @@ py::object value(const store::MeasureValue& value) {
 
 }  // namespace
 
-py::tuple quantity(const std::string& key, const Declared& declared) {
-  const auto find = declared.of_gas ? run::find_gas_quantity : run::find_quantity;
+py::tuple quantity(const std::string& key, const run::KnownQuantities& known) {
   // STAGE.MEASURE, as in tables of sweeps, or KEY.OUTLET.
-  const run::Quantity* found = find(key.substr(key.find('.') + 1));
-  if (found == nullptr) {
-    found = find(key);
-  }
-  return found != nullptr
-             ? py::make_tuple(found->name, run::shown_unit(found->unit, declared.units),
-                              found->meaning)
-             : py::make_tuple("", "", "");
+  const auto of_stage = known.find(key.substr(key.find('.') + 1));
+  const run::ShownQuantity found =
+      of_stage ? *of_stage : known.find(key).value_or(run::ShownQuantity());
+  return py::make_tuple(found.name, found.unit, found.meaning);
 }
 
-py::list measures(const std::vector<store::NamedMeasure>& measures, const Declared& declared) {
+py::list measures(const std::vector<store::NamedMeasure>& measures,
+                  const run::KnownQuantities& known) {
   py::list result;
   for (const auto& [key, number] : measures) {
-    result.append(py::make_tuple(key, value(number), quantity(key, declared)));
+    result.append(py::make_tuple(key, value(number), quantity(key, known)));
   }
   return result;
 }

@@ -3,25 +3,19 @@
 
 #include <pybind11/pybind11.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "clca/scene/units.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/store/summary.hpp"
 
 namespace clca::python {
 
-/// What is declared of the quantities of a run.
-struct Declared {
-  bool of_gas = false;
-  std::optional<scene::Conversion> units = {};
-};
-
-/// (name, unit, meaning); empty for what is not declared.
-pybind11::tuple quantity(const std::string& key, const Declared& declared);
+/// (name, unit, meaning); empty for what is not known.
+pybind11::tuple quantity(const std::string& key, const run::KnownQuantities& known);
 
 /// (key, value or None, quantity) of each.
-pybind11::list measures(const std::vector<store::NamedMeasure>& measures, const Declared& declared);
+pybind11::list measures(const std::vector<store::NamedMeasure>& measures,
+                        const run::KnownQuantities& known);
 
 }  // namespace clca::python

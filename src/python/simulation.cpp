@@ -77,8 +77,9 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
     }
     wanted = *found;
   }
-  return python::measures(simulation.measures(wanted),
-                          {.units = scene::conversion(simulation.scene())});
+  return python::measures(
+      simulation.measures(wanted),
+      {.units = scene::conversion(simulation.scene()), .derived = simulation.scene().derived});
 }
 
 py::tuple frame_now(const Simulation& simulation) {

@@ -14,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Wide enough for letters that can be read on a phone.
-constexpr plot::Appearance kSvg = {.format = plot::Format::svg, .width = 560, .height = 380};
-constexpr plot::Appearance kPng = {.format = plot::Format::png, .width = 1120, .height = 760};
+constexpr plot::Appearance kSvg = {.format = plot::Format::svg, .width = 560};
+constexpr plot::Appearance kPng = {.format = plot::Format::png, .width = 1120};
 constexpr std::size_t kMaxSvgBytes = 300'000;
 
 /// gnuplot's script for the coordinates under the pointer, which all figures of a page share, as
@@ -45,9 +45,8 @@ std::string picture_html(const plot::Figure& figure, SharedScript& script) {
   if (svg.size() <= kMaxSvgBytes) {
     return script.element({svg.begin(), svg.end()});
   }
-  return fmt::format(R"(<img src="data:image/png;base64,{}" width="{}" height="{}" alt="{}">)",
-                     base64(plot::draw(figure, kPng)), kPng.width, kPng.height,
-                     escaped(figure.description));
+  return fmt::format(R"(<img src="data:image/png;base64,{}" width="{}" alt="{}">)",
+                     base64(plot::draw(figure, kPng)), kPng.width, escaped(figure.description));
 }
 
 }  // namespace
@@ -59,8 +58,8 @@ std::string figures_html(const fs::path& run, Warnings& warnings) {
     std::vector<plot::Figure> figures = plot::figures_of_readable_tables(
         run, plot::template_folder(), [&](const std::string& text) { warnings.add(text); });
     SharedScript script;
-    for (const std::size_t number : evenly(figures.size(), kMaxFigures)) {
-      plot::Figure& figure = figures[number];
+    figures.resize(std::min(figures.size(), kMaxFigures));
+    for (plot::Figure& figure : figures) {
       figure.title.clear();  // that of the page
       try {
         html += fmt::format(

@@ -71,7 +71,7 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
 }
 
 std::string row_html(const std::vector<StageSummary>& stages, const std::string& key,
-                     const run::Quantity* known, const std::optional<scene::Conversion>& units) {
+                     const std::optional<run::ShownQuantity>& known) {
   std::string row = "<tr>" + measure_heading(key, known);
   const int decimals = row_decimals(stages, key);
   for (const StageSummary& stage : stages) {
@@ -79,7 +79,7 @@ std::string row_html(const std::vector<StageSummary>& stages, const std::string&
   }
   return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                           escaped(measure_unit(known, units)), escaped(key));
+                           escaped(known ? known->unit : ""), escaped(key));
 }
 
 std::vector<StageSummary> shown_stages(const std::vector<StageSummary>& stages) {
@@ -109,19 +109,14 @@ std::string head_html(const std::vector<StageSummary>& stages,
 
 }  // namespace
 
-std::string measure_unit(const run::Quantity* known,
-                         const std::optional<scene::Conversion>& units) {
-  return known == nullptr ? "" : run::shown_unit(known->unit, units);
-}
-
-std::string measure_heading(const std::string& key, const run::Quantity* known) {
-  if (known == nullptr) {
+std::string measure_heading(const std::string& key,
+                            const std::optional<run::ShownQuantity>& known) {
+  if (!known) {
     return fmt::format(R"(<th scope="row">{}</th>)", escaped(key));
   }
-  const std::string of = key.substr(known->key.size());  // `.OUTLET`, or nothing
   return fmt::format(
       R"(<th scope="row">{}{}{}</th>)", escaped(known->name),
-      of.empty() ? "" : fmt::format(" ({})", escaped(of.substr(1))),
+      known->of.empty() ? "" : fmt::format(" ({})", escaped(known->of)),
       known->meaning.empty() ? "" : fmt::format("<small>{}</small>", escaped(known->meaning)));
 }
 
@@ -136,9 +131,9 @@ std::string measures_html(const store::RunSummary& summary) {
   html += head_html(stages, summary.units);
   std::vector<std::string> keys = measure_keys(stages);
   keys.resize(std::min(keys.size(), kMaxMeasures));
-  const auto find = summary.kind == "boltzmann" ? run::find_gas_quantity : run::find_quantity;
+  const run::KnownQuantities known = run::known_quantities(summary);
   for (const std::string& key : keys) {
-    html += row_html(stages, key, find(key), summary.units);
+    html += row_html(stages, key, known.find(key));
   }
   html += "</tbody></table></div>\n";
   if (stages.size() < summary.stages.size()) {

@@ -23,10 +23,8 @@ Page sweep_page(const std::filesystem::path& folder, Warnings& warnings);
 /// The names of the tables in a folder.
 std::string files_html(const std::filesystem::path& folder);
 
-/// The heading of a row of a table: name and meaning of a measure, as HTML; `known` may be null.
-std::string measure_heading(const std::string& key, const run::Quantity* known);
-/// Empty if it is not known.
-std::string measure_unit(const run::Quantity* known, const std::optional<scene::Conversion>& units);
+/// The heading of a row of a table: name and meaning of a measure, as HTML.
+std::string measure_heading(const std::string& key, const std::optional<run::ShownQuantity>& known);
 
 /// A table of the measures, a row for each, a column for each stage.
 std::string measures_html(const store::RunSummary& summary);

@@ -31,6 +31,7 @@ constexpr std::size_t kMaxRuns = 500;
 struct Sweep {
   fs::path folder;
   std::string scene;                   ///< its file
+  std::string title = {};              ///< of the scene; empty if it varies
   std::vector<std::string> keys = {};  ///< that vary
   std::string command;                 ///< that runs it
   std::uint64_t runs = 0;
@@ -44,6 +45,7 @@ Sweep read_sweep(const fs::path& folder) {
     const Json json = Json::parse(bytes.begin(), bytes.end());
     Sweep sweep = {.folder = folder,
                    .scene = json.at("scene"),
+                   .title = json.value("title", ""),
                    .command = "clca sweep " + text::shell_word(json.at("scene").get<std::string>()),
                    .runs = json.at("runs"),
                    .table = store::read_table(folder / "runs.csv", kMaxBytes)};
@@ -157,14 +159,13 @@ std::vector<std::string> distinct(const std::vector<std::string>& texts) {
 class StageTable {
  public:
   StageTable(const store::ReadTable& table, std::vector<std::string> columns,
-             const std::vector<std::string>& column_of_row,
-             const std::optional<scene::Conversion>& units)
+             const std::vector<std::string>& column_of_row, run::KnownQuantities known)
       : table_(table),
         columns_(std::move(columns)),
         column_of_row_(column_of_row),
         means_(table.numbers("mean")),
         errors_(table.numbers("standard_error")),
-        units_(units) {}
+        known_(std::move(known)) {}
 
   std::string html(const std::string& stage) const {
     const std::vector<std::string>& stages = *table_.find("stage");
@@ -206,7 +207,7 @@ class StageTable {
         errors[place] = errors_[row];
       }
     }
-    const run::Quantity* known = run::find_quantity(measure);
+    const auto known = known_.find(measure);
     std::string html = "<tr>" + measure_heading(measure, known);
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -216,7 +217,7 @@ class StageTable {
     return html + fmt::format(
                       R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
-                      escaped(measure_unit(known, units_)), escaped(measure));
+                      escaped(known ? known->unit : ""), escaped(measure));
   }
 
   const store::ReadTable& table_;
@@ -224,10 +225,10 @@ class StageTable {
   const std::vector<std::string>& column_of_row_;
   std::vector<double> means_;
   std::vector<double> errors_;
-  const std::optional<scene::Conversion>& units_;
+  run::KnownQuantities known_;
 };
 
-std::string measures_html(const Sweep& sweep, const std::optional<scene::Conversion>& units,
+std::string measures_html(const Sweep& sweep, const run::KnownQuantities& known,
                           Warnings& warnings) {
   try {
     const store::ReadTable table = store::read_table(sweep.folder / "measures.csv", kMaxBytes);
@@ -244,7 +245,7 @@ std::string measures_html(const Sweep& sweep, const std::optional<scene::Convers
     for (const std::size_t number : evenly(all.size(), kMaxColumns)) {
       columns.push_back(all[number]);
     }
-    const StageTable tables(table, columns, column_of_row, units);
+    const StageTable tables(table, columns, column_of_row, known);
     std::string html =
         "<p>Means over the seeds; ± is one standard error. All combinations are in "
         "<code>measures.csv</code>.</p>\n";
@@ -298,10 +299,14 @@ std::string command_html(const Sweep& sweep) {
 Page sweep_page(const fs::path& folder, Warnings& warnings) {
   const Sweep sweep = read_sweep(folder);
   const std::optional<store::RunSummary> summary = some_summary(sweep);
+  run::KnownQuantities known = run::known_quantities(summary.value_or(store::RunSummary()));
+  for (scene::DerivedMeasure& derived : known.derived) {
+    derived.value.clear();  // whose numbers may vary
+  }
   const std::size_t done = count(sweep, "done");
   const std::size_t failed = count(sweep, "failed");
   const std::string scene = summary ? summary->scene : fs::path(sweep.scene).stem().string();
-  return {.title = summary && !summary->title.empty() ? summary->title : scene,
+  return {.title = sweep.title.empty() ? scene : sweep.title,
           .kind = "Sweep: runs with varied values and seeds",
           .status = done == sweep.runs ? "done" : "incomplete",
           .scene = scene,
@@ -313,8 +318,7 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
                     {"Failed", whole(failed)}},
           .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
                        {"figures", "Figures", figures_html(folder, warnings)},
-                       {"measures", "Measures",
-                        measures_html(sweep, summary ? summary->units : std::nullopt, warnings)},
+                       {"measures", "Measures", measures_html(sweep, known, warnings)},
                        {"runs", "Runs", runs_html(sweep)},
                        {"repeat", "How to repeat it", command_html(sweep)},
                        {"files", "Tables", files_html(folder)}}};

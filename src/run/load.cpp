@@ -100,6 +100,7 @@ void check_memory(const scene::AnyScene& scene, double limit, int threads) {
 
 void complete(scene::AnyScene& scene, const std::string& file, double limit, int threads) {
   if (auto* grains = std::get_if<scene::Scene>(&scene)) {
+    check_derived(*grains);
     find_begin(*grains, limit);
   }
   scene::check_resolved(std::visit([](const auto& one) { return scene::to_yaml(one); }, scene),

@@ -88,6 +88,39 @@ const Quantity* find_gas_quantity(std::string_view key) {
   return find_in(gas_quantities(), key);
 }
 
+std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
+  const auto own = std::ranges::find(derived, key, &scene::DerivedMeasure::name);
+  if (own != derived.end()) {
+    return ShownQuantity{.name = own->about.value_or(own->name),
+                         .of = {},
+                         .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
+                         .meaning = own->value};
+  }
+  const Quantity* known = of_gas ? find_gas_quantity(key) : find_quantity(key);
+  if (known == nullptr) {
+    return std::nullopt;
+  }
+  const std::size_t dot = key.find('.');
+  return ShownQuantity{.name = std::string(known->name),
+                       .of = std::string(dot == std::string_view::npos ? "" : key.substr(dot + 1)),
+                       .unit = shown_unit(known->unit, units),
+                       .meaning = std::string(known->meaning)};
+}
+
+std::string KnownQuantities::label(std::string_view key) const {
+  const auto known = find(key);
+  if (!known) {
+    return std::string(key);
+  }
+  return fmt::format("{}{}{}{}", known->name, known->of.empty() ? "" : ", ", known->of,
+                     known->unit.empty() ? "" : fmt::format(" ({})", known->unit));
+}
+
+KnownQuantities known_quantities(const store::RunSummary& summary) {
+  return {
+      .of_gas = summary.kind == "boltzmann", .units = summary.units, .derived = summary.derived};
+}
+
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
   std::string text(unit);
   const auto replace = [&text](std::string_view word, const std::string& with) {

@@ -273,6 +273,7 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .floor = low.y(),
                  .top = high.y(),
                  .periodic = lattice.periodic()};
+  summary.derived = scene_.derived;
   if (scene_.begin) {
     summary.begin = {.run = scene_.begin->run,
                      .step = scene_.begin->step,
@@ -323,6 +324,7 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                     "folder, or with --keep",
                     scene.begin->location, scene.begin->run));
   }
+  check_derived(scene);
   scene::Scene whole = scene;
   find_begin(whole, std::numeric_limits<double>::infinity());
   scene::check_room(whole);

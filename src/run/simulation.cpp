@@ -20,6 +20,7 @@ namespace clca::run {
 namespace {
 
 scene::Scene checked(scene::Scene scene) {
+  check_derived(scene);
   find_begin(scene, std::numeric_limits<double>::infinity());
   scene::check_room(scene);
   return scene;

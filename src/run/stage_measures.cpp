@@ -1,10 +1,16 @@
 // The measures that a scene asks for, taken at the end of a stage.
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
+#include "clca/scene/derived.hpp"
+#include "clca/text/message.hpp"
 #include "run/cycle_record.hpp"
 #include "run/quantities.hpp"
 
@@ -147,6 +153,59 @@ void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::M
   }
 }
 
+/// What tables of sweeps have of each stage besides the measures.
+constexpr std::string_view kSteps = "steps";
+constexpr std::string_view kTime = "time";
+
+/// The measures that expressions of the scene may name, but for those of each outlet.
+std::vector<std::string_view> named_measures(const scene::Scene& scene) {
+  std::vector<std::string_view> names = {kSteps, kTime};
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (!group.measure || requests(scene, *group.measure)) {
+      for (const Quantity& one : group.quantities) {
+        names.push_back(one.key);
+      }
+    }
+  }
+  return names;
+}
+
+/// `discharged.OUTLET` and the like.
+bool is_of_outlet(std::string_view name, const scene::Scene& scene) {
+  return std::ranges::any_of(scene.outlets, [&](const scene::Outlet& outlet) {
+    const std::string of = "." + outlet.name;
+    return name.ends_with(of) || name.find(of + ".") != std::string_view::npos;
+  });
+}
+
+/// Adds what the scene derives from them.
+void add_derived(std::vector<store::NamedMeasure>& results, const StageView& stage) {
+  std::map<std::string, double, std::less<>> numbers;
+  const auto note = [&numbers](const store::NamedMeasure& measure) {
+    if (const auto* number = std::get_if<double>(&measure.second)) {
+      numbers.emplace(measure.first, *number);
+    } else if (const auto* answer = std::get_if<bool>(&measure.second)) {
+      numbers.emplace(measure.first, *answer ? 1 : 0);
+    }
+  };
+  note({std::string(kSteps), static_cast<double>(stage.history.steps)});
+  if (const auto conversion = scene::conversion(stage.scene)) {
+    note({std::string(kTime), conversion->time(stage.history.steps)});
+  }
+  std::ranges::for_each(results, note);
+  for (const scene::DerivedMeasure& derived : stage.scene.derived) {
+    results.emplace_back(derived.name,
+                         store::value_or_null(scene::value_of(
+                             derived.value, [&](std::string_view name) -> std::optional<double> {
+                               const auto found = numbers.find(name);
+                               return found != numbers.end() && std::isfinite(found->second)
+                                          ? std::optional(found->second)
+                                          : std::nullopt;
+                             })));
+    note(results.back());
+  }
+}
+
 /// Adds what has left to the outflow of all outlets and of each.
 void add_discharge(StageHistory& history, const grains::State& state,
                    void (measure::Outflow::*add)(measure::Discharge)) {
@@ -197,7 +256,33 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {
   for (const auto& measure : wanted) {
     add(results, measure, stage);
   }
+  if (!stage.scene.derived.empty()) {
+    add_derived(results, stage);
+  }
   return results;
+}
+
+void check_derived(const scene::Scene& scene) {
+  std::vector<std::string_view> known = named_measures(scene);
+  for (const scene::DerivedMeasure& derived : scene.derived) {
+    const auto refuse = [&derived](const std::string& why) {
+      throw scene::SceneError(
+          fmt::format("{}: error: measure.{}: {}", derived.location, derived.name, why));
+    };
+    if (find_quantity(derived.name) != nullptr) {
+      refuse("there is a quantity of this name; give it another one");
+    }
+    for (const std::string& name : scene::names_in(derived.value)) {
+      const bool is_known = std::ranges::count(known, name) > 0;
+      const bool is_apart = name.find('.') != std::string::npos && is_of_outlet(name, scene) &&
+                            std::ranges::count(known, name.substr(0, name.find('.'))) > 0;
+      if (!is_known && !is_apart) {
+        refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),
+                           text::shown(derived.value), text::suggestion(name, known)));
+      }
+    }
+    known.push_back(derived.name);
+  }
 }
 
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage) {

@@ -166,30 +166,7 @@ Key<Checkpoints> seconds_key() {
              "on it");
 }
 
-std::vector<Measure> read_measures(const Value& value, const std::string& path,
-                                   const Scene& /*scene*/) {
-  std::vector<Measure> measures;
-  for (const Value& item : read_list(value, path, 0, kMeasureNames.size())) {
-    const Measure measure = read_choice(item, path, kMeasureNames);
-    if (std::find(measures.begin(), measures.end(), measure) != measures.end()) {
-      fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
-    }
-    measures.push_back(measure);
-  }
-  return measures;
-}
-
 }  // namespace
-
-Type<std::vector<Measure>> measures_type() {
-  const Type<Measure> word = choice(kMeasureNames);
-  const auto list = list_of(word, 0, kMeasureNames.size());
-  return own_type<std::vector<Measure>>(
-      "list of " + word.allowed, unique(array_schema(word.schema)), read_measures,
-      [list](const std::vector<Measure>& measures, const Scene& scene) {
-        return list.text(measures, scene);
-      });
-}
 
 Type<Checkpoints> checkpoint_type() {
   return type_of<Checkpoints>(

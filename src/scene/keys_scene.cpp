@@ -43,7 +43,7 @@ Key<AScene> let_key() {
        .about = "numbers with names, for [expressions](#expressions) in the place of numbers",
        .allowed = "numbers by name",
        .otherwise = "none",
-       .schema = object_schema(schema(R"({"type": "number"})"), "^[A-Za-z_][A-Za-z0-9_]*$")});
+       .schema = object_schema(schema(R"({"type": "number"})"), kExpressionNamePattern)});
 }
 
 /// What both kinds begin with.
@@ -94,9 +94,7 @@ Keys<Scene> scene_keys() {
                 "lines across which flux and velocity are measured, by name: [lines](#lines)"),
        required("stages", &Scene::stages, stages_type(),
                 "what happens, one after the other: [stages](#stages)"),
-       key("measure", &Scene::measures, measures_type(),
-           "what is measured at the end of each stage: [measures](#measures)")
-           .defaults_to("all but `mixing`"),
+       measure_key(),
        key("output", &Scene::output, output_type(),
            "pictures, tables, trajectory and checkpoints: [output](#output)")
            .defaults_to("that of each of its keys")});

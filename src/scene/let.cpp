@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "clca/scene/derived.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
 #include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
@@ -29,14 +31,48 @@ std::string number_text(double number) {
              : fmt::format("{}", number);
 }
 
+bool is_letter(char letter) {
+  return letter == '_' || std::isalpha(static_cast<unsigned char>(letter)) != 0;
+}
+
+bool is_digit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// What stands at `begin`: a name, which may have dots, a number, or a single character.
+std::string_view token_at(std::string_view text, std::size_t begin) {
+  std::size_t end = begin + 1;
+  const auto goes_on = [&] {
+    return is_letter(text[end]) || is_digit(text[end]) || text[end] == '.';
+  };
+  const bool is_number = is_digit(text[begin]) || text[begin] == '.';
+  while ((is_number || is_letter(text[begin])) && end < text.size()) {
+    const char before = text[end - 1];
+    const bool is_sign =
+        is_number && (before == 'e' || before == 'E') && (text[end] == '-' || text[end] == '+');
+    if (!goes_on() && !is_sign) {
+      break;
+    }
+    ++end;
+  }
+  return text.substr(begin, end - begin);
+}
+
 class Evaluator {
  public:
   Evaluator();
   void define(const Entry& entry);
   void evaluate(Value& value);
+  /// Puts numbers for names that have one into the expressions of a value.
+  void name_numbers(Value& value);
+  /// The value of `expression`, which the text of the value stands for.
+  double result_of(const std::string& expression, const Value& value);
+  /// Whether it is the name of a function or a number.
+  bool is_known(const std::string& name) const {
+    return parser_.GetFunDef().contains(name) || parser_.GetConst().contains(name);
+  }
 
  private:
-  double result_of(const Value& value);
   [[noreturn]] void explain(const Value& value, const mu::ParserError& error) const;
 
   mu::Parser parser_;
@@ -69,8 +105,7 @@ void Evaluator::define(const Entry& entry) {
   }
   constexpr const char* kNames =
       "a name has up to 64 letters, digits and '_', no digit first, and is no function or constant";
-  if (entry.key.size() > kMaxNameLength || parser_.GetFunDef().contains(entry.key) ||
-      parser_.GetConst().contains(entry.key)) {
+  if (entry.key.size() > kMaxNameLength || is_known(entry.key)) {
     refuse_name(kNames);
   }
   try {
@@ -84,7 +119,11 @@ void Evaluator::define(const Entry& entry) {
 void Evaluator::evaluate(Value& value) {
   if (is_expression(value)) {
     value.expression = value.text;
-    value.text = number_text(result_of(value));
+    const double result = result_of(value.text.substr(1), value);
+    if (!std::isfinite(result)) {
+      fail(value.location, fmt::format("{} is no finite number", text::shown(value.text)));
+    }
+    value.text = number_text(result + 0.0);  // no negative zero
     value.quoted = false;
   }
   for (Value& item : value.items) {
@@ -95,19 +134,33 @@ void Evaluator::evaluate(Value& value) {
   }
 }
 
-double Evaluator::result_of(const Value& value) {
+void Evaluator::name_numbers(Value& value) {
+  if (is_expression(value)) {
+    value.expression = value.text;
+    value.text = with_numbers(value.text, [&](std::string_view name) {
+      const auto& numbers = parser_.GetConst();
+      const auto found = numbers.find(std::string(name));
+      return found == numbers.end() ? std::nullopt : std::optional(found->second);
+    });
+  }
+  for (Value& item : value.items) {
+    name_numbers(item);
+  }
+  for (Entry& entry : value.entries) {
+    name_numbers(entry.value);
+  }
+}
+
+double Evaluator::result_of(const std::string& expression, const Value& value) {
   try {
-    parser_.SetExpr(value.text.substr(1));
+    parser_.SetExpr(expression);
     int count = 0;
     const double* results = parser_.Eval(count);
     if (count != 1) {
       fail(value.location,
            fmt::format("{}: expected one number, found {}", text::shown(value.text), count));
     }
-    if (!std::isfinite(results[0])) {
-      fail(value.location, fmt::format("{} is no finite number", text::shown(value.text)));
-    }
-    return results[0] + 0.0;  // no negative zero
+    return results[0];
   } catch (const mu::ParserError& error) {
     explain(value, error);
   }
@@ -123,6 +176,10 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
     if (name.empty() || (name.front() != '_' && std::isalpha(name.front()) == 0)) {
       fail(value.location,
            fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
+    }
+    if (value.text.find(name + '(') != std::string::npos) {
+      fail(value.location,
+           fmt::format("cannot evaluate {}: {} is not a function", expression, text::shown(name)));
     }
     fail(value.location,
          fmt::format("unknown name {} in {} ({}){}", text::shown(name), expression,
@@ -140,6 +197,63 @@ void evaluate_expression(Value& value) {
   Evaluator().evaluate(value);
 }
 
+std::string with_numbers(
+    std::string_view expression,
+    const std::function<std::optional<double>(std::string_view name)>& number_of) {
+  std::string result;
+  for (std::size_t at = 0; at < expression.size();) {
+    const std::string_view token = token_at(expression, at);
+    at += token.size();
+    const bool is_call = at < expression.size() && expression[at] == '(';
+    const auto number = is_letter(token.front()) && !is_call ? number_of(token) : std::nullopt;
+    const std::string text = number ? number_text(*number) : std::string(token);
+    result += number && *number < 0 ? "(" + text + ")" : text;
+  }
+  return result;
+}
+
+bool is_expression_name(const std::string& name) {
+  return name.size() <= kMaxNameLength && name.find('.') == std::string::npos && !name.empty() &&
+         is_letter(name.front()) && token_at(name, 0) == name && !Evaluator().is_known(name);
+}
+
+void check_expression(const Value& value) {
+  Evaluator evaluator;
+  const auto one = [&](std::string_view name) {
+    return evaluator.is_known(std::string(name)) ? std::nullopt : std::optional(1.0);
+  };
+  evaluator.result_of(with_numbers(value.text.substr(1), one), value);
+}
+
+std::vector<std::string> names_in(std::string_view expression) {
+  const Evaluator evaluator;
+  std::vector<std::string> names;
+  with_numbers(expression, [&](std::string_view name) -> std::optional<double> {
+    if (!evaluator.is_known(std::string(name))) {
+      names.emplace_back(name);
+    }
+    return std::nullopt;
+  });
+  return names;
+}
+
+std::optional<double> value_of(
+    std::string_view expression,
+    const std::function<std::optional<double>(std::string_view name)>& values) {
+  for (const std::string& name : names_in(expression)) {
+    if (!values(name)) {
+      return std::nullopt;
+    }
+  }
+  Value value = scalar_at({std::make_shared<const Origin>(), 1, 1}, std::string(expression));
+  try {
+    const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
+    return std::isfinite(result) ? std::optional(result) : std::nullopt;
+  } catch (const SceneError&) {  // a value that a function refuses
+    return std::nullopt;
+  }
+}
+
 void evaluate_expressions(Value& root) {
   Evaluator evaluator;
   Value* let = root.find("let");
@@ -153,7 +267,9 @@ void evaluate_expressions(Value& root) {
     }
   }
   for (Entry& entry : root.entries) {
-    if (entry.key != "title") {
+    if (entry.key == "measure") {
+      evaluator.name_numbers(entry.value);
+    } else if (entry.key != "title") {
       evaluator.evaluate(entry.value);
     }
   }

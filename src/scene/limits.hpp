@@ -12,6 +12,10 @@ inline constexpr std::size_t kMaxTitleLength = 200;
 inline constexpr std::size_t kMaxNameLength = 64;
 inline constexpr std::size_t kMaxPathLength = 4096;
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
+/// Of what expressions can name.
+inline constexpr const char* kExpressionNamePattern = "^[A-Za-z_][A-Za-z0-9_]*$";
+inline constexpr std::size_t kMaxExpressionLength = 1000;
+inline constexpr std::size_t kMaxDerived = 100;
 /// Of species, walls, parts of a wall, sources, outlets and stages, each.
 inline constexpr std::size_t kMaxItems = 1000;
 

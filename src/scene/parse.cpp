@@ -57,6 +57,7 @@ Scene read_scene(const Value& root, const std::string& file) {
   check_time_step(scene, root);
   count_steps(scene, *root.find("stages"));
   check_use(scene, root);
+  put_numbers_into_derived(scene);
   return scene;
 }
 

@@ -38,7 +38,8 @@ Type<Fill> fill_type();
 Type<std::vector<Stage>> stages_type();
 Type<VesselMotion> vessel_type();
 Type<Until> until_type();
-Type<std::vector<Measure>> measures_type();
+/// `measure`: which there are, and those derived from them.
+Key<Scene> measure_key();
 Type<Output> output_type();
 /// By steps and seconds; a gas has seconds only.
 Type<Checkpoints> checkpoint_type();
@@ -54,6 +55,10 @@ void check_until(const KeyedMap& fields, Stage& stage, const Scene& scene);
 /// The steps of stages until a time, once all that the time step follows from has been read.
 /// `list` is what the stages were read from.
 void count_steps(Scene& scene, const Value& list);
+
+/// Puts the numbers of keys that derived measures name into their expressions, once all has been
+/// read.
+void put_numbers_into_derived(Scene& scene);
 
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.

@@ -154,6 +154,23 @@ std::optional<BoxSummary> box(const Json& object) {
                     .periodic = field(found, "periodic", &Json::is_boolean).get<bool>()};
 }
 
+std::vector<scene::DerivedMeasure> derived(const Json& object) {
+  std::vector<scene::DerivedMeasure> result;
+  if (!object.is_object() || !object.contains("derived")) {
+    return result;
+  }
+  for (const auto& [name, one] : field(object, "derived", &Json::is_object).items()) {
+    scene::DerivedMeasure& derived = result.emplace_back();
+    derived.name = name;
+    derived.value = text(one, "value");
+    derived.unit = text(one, "unit");
+    if (one.contains("about")) {
+      derived.about = text(one, "about");
+    }
+  }
+  return result;
+}
+
 std::optional<BeginSummary> begin(const Json& object) {
   if (!object.is_object() || !object.contains("begin")) {
     return std::nullopt;
@@ -183,6 +200,7 @@ RunSummary summary_of(const Json& object) {
                         .begin = begin(object),
                         .units = units(object),
                         .box = box(object),
+                        .derived = derived(object),
                         .wall_seconds = number(object, "wall_seconds"),
                         .step_seconds = number(object, "step_seconds"),
                         .rate = number(object, rate_key(text(object, "kind"))),

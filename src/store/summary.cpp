@@ -42,6 +42,17 @@ Json to_object(const BeginSummary& begin) {
           {"state_hash", fmt::format("{:016x}", begin.state_hash)}};
 }
 
+Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
+  Json object = Json::object();
+  for (const scene::DerivedMeasure& one : derived) {
+    object[one.name] = {{"value", one.value}, {"unit", one.unit}};
+    if (one.about) {
+      object[one.name]["about"] = *one.about;
+    }
+  }
+  return object;
+}
+
 /// The simulated time, if steps have a length.
 void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
   if (units) {
@@ -91,6 +102,9 @@ std::string to_json(const RunSummary& summary) {
   }
   if (summary.box) {
     object["box"] = to_object(*summary.box);
+  }
+  if (!summary.derived.empty()) {
+    object["derived"] = to_object(summary.derived);
   }
   object["wall_seconds"] = summary.wall_seconds;
   object["step_seconds"] = summary.step_seconds;

@@ -19,14 +19,6 @@ constexpr const char* kRuns = "runs.csv";
 constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
-/// Empty where it varies.
-std::string title_of(const Plan& plan) {
-  const std::string& title = plan.variants.front().scene.title;
-  const bool is_same = std::all_of(plan.variants.begin(), plan.variants.end(),
-                                   [&](const Variant& one) { return one.scene.title == title; });
-  return is_same ? title : "";
-}
-
 std::string to_json(const Plan& plan) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
@@ -34,7 +26,7 @@ std::string to_json(const Plan& plan) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
   const Json object = {{"clca", run::version()},        {"scene", plan.request.scene.string()},
-                       {"title", title_of(plan)},       {"set", plan.request.overrides},
+                       {"title", plan.title()},         {"set", plan.request.overrides},
                        {"vary", std::move(variations)}, {"seeds", to_text(plan.request.seeds)},
                        {"runs", plan.run_count()}};
   constexpr int kIndent = 2;
@@ -63,6 +55,22 @@ void SweepFolder::begin(const Plan& plan) const {
 void SweepFolder::write_tables(const std::string& runs, const std::string& measures) const {
   files_.write(kRuns, runs);
   files_.write(kMeasures, measures);
+}
+
+void SweepFolder::write_means(const std::vector<NamedTable>& means) const {
+  std::error_code error;
+  std::vector<std::string> old;
+  for (fs::directory_iterator it(files_.path(), error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("mean-") && std::ranges::count(means, name, &NamedTable::name) == 0) {
+      old.push_back(name);
+    }
+  }
+  std::ranges::for_each(old, [this](const std::string& name) { files_.remove(name); });
+  for (const NamedTable& table : means) {
+    files_.write(table.name, table.csv);
+  }
 }
 
 void SweepFolder::write_overview(const std::vector<std::uint8_t>& png) const {

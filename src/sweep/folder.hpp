@@ -6,6 +6,7 @@
 
 #include "clca/store/output_folder.hpp"
 #include "clca/sweep/plan.hpp"
+#include "sweep/averages.hpp"
 
 namespace clca::sweep {
 
@@ -28,6 +29,8 @@ class SweepFolder {
   std::filesystem::path run(const std::string& name) const {
     return run_folder(files_.path(), name);
   }
+  /// Also removes those that `means` does not have.
+  void write_means(const std::vector<NamedTable>& means) const;
   void write_tables(const std::string& runs, const std::string& measures) const;
   void write_overview(const std::vector<std::uint8_t>& png) const;
 

@@ -121,7 +121,7 @@ std::optional<render::Image> overview(const Plan& plan, const std::vector<Result
               : render::Tile());
     tiles.back().label = label(plan, run, result.status);
   }
-  return render::contact_sheet(tiles, shown.columns, width, plan.variants.front().scene.title);
+  return render::contact_sheet(tiles, shown.columns, width, plan.title());
 }
 
 }  // namespace clca::sweep

@@ -116,6 +116,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
                             "boltzmann.ensemble and lists of boltzmann.restitution of its own");
   }
   auto scene = std::get<scene::Scene>(std::move(any));
+  run::check_derived(scene);
   scene.seed = request.seeds.front();
   return {std::move(values), std::move(scene)};
 }
@@ -205,6 +206,13 @@ std::vector<std::string> Plan::keys() const {
     keys.insert(keys.end(), variation.keys.begin(), variation.keys.end());
   }
   return keys;
+}
+
+std::string Plan::title() const {
+  const std::string& title = variants.front().scene.title;
+  const bool is_same =
+      std::ranges::all_of(variants, [&](const Variant& one) { return one.scene.title == title; });
+  return is_same ? title : "";
 }
 
 scene::Scene Plan::scene(std::size_t run) const {

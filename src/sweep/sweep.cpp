@@ -173,6 +173,9 @@ Progress Sweep::execute() {
   }
   if (!options_.part) {
     write_tables();
+    folder_.write_means(mean_tables(
+        plan_, results_, [this](std::size_t run) { return folder_.run(plan_.name(run)); },
+        [this](const std::string& line) { tell(events_.warning, line); }));
     write_overview();
   }
   return progress_;
@@ -327,9 +330,8 @@ void Sweep::write_overview() {
   if (!image) {
     return;
   }
-  const std::string title = plan_.variants.front().scene.title;
   folder_.write_overview(image::encode_png(
-      *image, {{"Title", title}, {"Software", fmt::format("clca {}", run::version())}}));
+      *image, {{"Title", plan_.title()}, {"Software", fmt::format("clca {}", run::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));

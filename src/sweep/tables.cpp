@@ -88,19 +88,6 @@ std::string to_text(Status status) {
   return "waiting";
 }
 
-/// Spreadsheets take text that begins like this for a formula; a quote in front keeps it text.
-std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
-  std::vector<store::Cell> cells;
-  for (const std::string& value : values) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const bool is_number = std::from_chars(value.data(), end, number).ptr == end;
-    const bool is_formula = !is_number && value.find_first_of("=+-@") == 0;
-    cells.emplace_back((is_formula ? "'" : "") + value);
-  }
-  return cells;
-}
-
 std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result& result,
                                  const Measures& measures) {
   std::vector<store::Cell> row = value_cells(plan.variant(run).values);
@@ -180,6 +167,18 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
 }
 
 }  // namespace
+
+std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
+  std::vector<store::Cell> cells;
+  for (const std::string& value : values) {
+    double number = 0;
+    const char* end = value.data() + value.size();
+    const bool is_number = std::from_chars(value.data(), end, number).ptr == end;
+    const bool is_formula = !is_number && value.find_first_of("=+-@") == 0;
+    cells.emplace_back((is_formula ? "'" : "") + value);
+  }
+  return cells;
+}
 
 std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
   const Measures measures(results, 0, results.size());

@@ -41,6 +41,18 @@ class RunTest(ScratchTest):
         with self.assertRaises(TypeError):
             clca.Scene(SCENE | {"seed": object()})
 
+    def test_measures_may_be_derived_from_others(self):
+        scene = SCENE | {"measure": {"ratio": {"value": "=runout_99 / 20", "unit": "m", "about": "Reach"}}}
+        flow = clca.run(scene).measures["flow"]
+        self.assertEqual(float(flow["ratio"]), float(flow["runout_99"]) / 20)
+        self.assertEqual((flow["ratio"].unit, flow["ratio"].name), ("m", "Reach"))
+        simulation = clca.Simulation(scene)
+        while not simulation.over:
+            simulation.step(100)
+        self.assertEqual(simulation.measures["ratio"].name, "Reach")
+        means = clca.sweep(scene, seeds=[1, 2]).measures
+        self.assertEqual(means["mean"][(means["measure"] == "ratio") & (means["stage"] == "flow")].size, 1)
+
     def test_scenes_that_come_with_clca_go_by_name(self):
         self.assertEqual(clca.Scene("wall-removal").name, "wall-removal")
         with self.assertRaisesRegex(clca.Error, "did you mean 'wall-removal'"):

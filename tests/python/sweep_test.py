@@ -54,6 +54,11 @@ class SweepTest(ScratchTest):
         numpy.testing.assert_allclose(part["mean"], cells.mean(0))
         numpy.testing.assert_allclose(part["standard_error"], cells.std(0, ddof=1) / 3**0.5)
         self.assertEqual(set(part["runs"]), {3})
+        table = sweep._table("mean-series")
+        own = table[(table["stage"] == "flow") & (table["rules.inertia"] == 0.9)]
+        self.assertEqual(own["mean_height_se"].tolist(), part["standard_error"].tolist())
+        sparse = clca.sweep(SCENE, seeds=range(1, 4), set={"output.series.every": 4}, output="sparse").series("flow", "mean_height")
+        self.assertEqual(sparse["step"].tolist()[:2], [4, 8])
         alone = clca.sweep(SCENE, seeds=[1], output="alone").series("flow", "mean_height")
         self.assertTrue(numpy.isnan(alone["standard_error"]).all())
 

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
+#include "clca/store/summary.hpp"
 
 namespace clca::run {
 
@@ -23,6 +25,28 @@ struct Quantity {
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
+
+/// A quantity of one run or sweep.
+struct ShownQuantity {
+  std::string name;     ///< in words
+  std::string of;       ///< the outlet or wall that it is of; empty: the whole
+  std::string unit;     ///< as the run has it; of a pure number empty
+  std::string meaning;  ///< may be empty
+};
+
+/// What is known of the quantities of one run or sweep.
+struct KnownQuantities {
+  bool of_gas = false;
+  std::optional<scene::Conversion> units = {};
+  std::vector<scene::DerivedMeasure> derived = {};
+
+  /// One that is declared, or that the scene derives.
+  std::optional<ShownQuantity> find(std::string_view key) const;
+  /// `Run-out of 99 % (spacings)`; the key itself where it is unknown.
+  std::string label(std::string_view key) const;
+};
+
+KnownQuantities known_quantities(const store::RunSummary& summary);
 
 /// `unit` with the unit of velocity for `spacings/step` and that of time for `time`, where a run
 /// has them.

@@ -16,6 +16,10 @@ grains::State initial_state(const scene::Scene& scene);
 /// Throws scene::SceneError unless it is there, whole and the one that the scene asks for.
 void find_begin(scene::Scene& scene, double max_bytes);
 
+/// Checks that the names in derived measures are those of measures that the scene takes. Throws
+/// scene::SceneError for the first that is not.
+void check_derived(const scene::Scene& scene);
+
 /// Does everything that a run does before its first step, without a folder, to check the scene.
 /// Throws as run(). Takes as much memory and time.
 void check_start(const scene::Scene& scene);

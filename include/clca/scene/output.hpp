@@ -37,6 +37,17 @@ enum class Measure : std::uint8_t {
   mixing
 };
 
+/// A measure that the scene derives from others.
+struct DerivedMeasure {
+  std::string name;
+  std::string value;                 ///< an expression of measures and numbers, after `=`
+  std::string unit = "1";            ///< of a pure number 1
+  std::optional<std::string> about;  ///< what it is, in words
+  FileReference location;            ///< of the value
+
+  bool operator==(const DerivedMeasure&) const = default;
+};
+
 enum class ColorBy : std::uint8_t {
   species,
   stage_layer,

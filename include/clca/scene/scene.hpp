@@ -277,6 +277,7 @@ struct Scene {
   std::vector<Line> lines;    ///< likewise
   std::vector<Stage> stages;
   std::vector<Measure> measures;
+  std::vector<DerivedMeasure> derived;  ///< each from those before it, too
   Output output;
 
   bool operator==(const Scene&) const = default;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "clca/scene/output.hpp"
 #include "clca/scene/units.hpp"
 
 namespace clca::store {
@@ -61,6 +62,7 @@ struct RunSummary {
   std::optional<BeginSummary> begin = {};
   std::optional<scene::Conversion> units = {};  ///< of the contact model
   std::optional<BoxSummary> box = {};           ///< of a run of grains
+  std::vector<scene::DerivedMeasure> derived = {};
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
   double rate = 0;          ///< see rate_key

@@ -25,6 +25,8 @@ struct Plan {
 
   /// All that vary, in the order of the variations.
   std::vector<std::string> keys() const;
+  /// Of the scenes; empty where it varies.
+  std::string title() const;
   std::size_t run_count() const { return variants.size() * request.seeds.size(); }
   const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
   std::uint64_t seed(std::size_t run) const { return request.seeds[run % request.seeds.size()]; }

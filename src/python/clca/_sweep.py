@@ -8,8 +8,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import numpy
-
 from . import _clca
 from ._run import Run
 from ._scene import AnyScene, Scene, to_yaml
@@ -52,41 +50,15 @@ class Sweep:
         return (self[number] for number in range(len(self)))
 
     def series(self, stage: str, column: str) -> Table:
-        """A column of `series.csv` in a stage, for each combination averaged over the seeds: `step` since the stage began,
-        `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a single run.
+        """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`: `step`
+        since the stage began, `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a
+        single run.
         """
-        combinations: dict[tuple[str, ...], list[Table]] = {}
-        for values, _, folder in self._runs:
-            if (folder / "series.csv").exists():
-                series = Run(folder).series
-                combinations.setdefault(tuple(values), []).append(series[series["stage"] == stage])
-        rows: dict[str, list[Any]] = {key: [] for key in (*self.keys, "step", "mean", "standard_error", "runs")}
-        unit = ("", "", "")
-        for combination, runs in combinations.items():
-            steps = [run["step"] - run["step"][0] if len(run) else run["step"] for run in runs]
-            shared = steps[0]
-            for one in steps[1:]:
-                shared = numpy.intersect1d(shared, one)
-            cells = numpy.array([run[column][numpy.isin(own, shared)] for run, own in zip(runs, steps)])
-            count = len(runs)
-            spread = cells.std(0, ddof=1) if count > 1 else numpy.full(len(shared), numpy.nan)
-            for key, value in zip(self.keys, combination):
-                rows[key] += [value] * len(shared)
-            rows["step"] += [*shared]
-            rows["mean"] += [*cells.mean(0)]
-            rows["standard_error"] += [*(spread / numpy.sqrt(count))]
-            rows["runs"] += [count] * len(shared)
-            unit = ("", runs[0].units[column], runs[0].descriptions[column])
-        units = {"mean": unit, "standard_error": unit}
-        return Table([(key, _numbers(cells), units.get(key, ("", "", ""))) for key, cells in rows.items()])
-
-
-def _numbers(cells: list[Any]) -> Any:
-    """As in all tables: float64 if all are numbers, else text."""
-    try:
-        return numpy.array(cells, dtype=float)
-    except ValueError:
-        return numpy.array(cells, dtype=str)
+        table = self._table("mean-series")
+        rows = table[table["stage"] == stage]
+        names = {key: key for key in (*self.keys, "step")} | {"mean": column, "standard_error": f"{column}_se", "runs": "runs"}
+        units = {key: ("", table.units[column], table.descriptions[column]) for key in ("mean", "standard_error")}
+        return Table([(key, rows[name], units.get(key, ("", "", ""))) for key, name in names.items()])
 
 
 def sweep(

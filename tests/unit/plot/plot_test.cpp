@@ -40,8 +40,16 @@ class FiguresTest : public ::testing::Test {
   void write_template(const std::string& name, const std::string& text) const {
     store::write_whole(templates() / (name + ".gp"), text);
   }
-  std::vector<Figure> found(const std::vector<std::string>& only = {}) const {
-    return figures(run(), only, templates());
+  std::vector<Figure> found(const std::vector<std::string>& only = {},
+                            const Choice& choice = {}) const {
+    return figures(run(), only, templates(), choice);
+  }
+  std::vector<std::string> chosen(const Choice& choice) const {
+    std::vector<std::string> result;
+    for (const Figure& figure : found({}, choice)) {
+      result.push_back(figure.name);
+    }
+    return result;
   }
   std::vector<std::string> names(const std::vector<std::string>& only = {}) const {
     std::vector<std::string> result;
@@ -165,13 +173,61 @@ TEST_F(FiguresTest, UnreadableTablesLeaveTheOtherFigures) {
 TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {
   write_template("t", "# needs: series.csv: x\n");
   write("series.csv", "x\n1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";time_title = \"step\";"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";time_title = \"Step\";"));
   store::RunSummary summary;
   summary.scene = "small";
   summary.units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
   write("run.json", store::to_json(summary));
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"time\";time_title = \"time, s\";"));
+  EXPECT_THAT(found().at(0).setting,
+              HasSubstr("time_column = \"time\";time_title = \"Time (s)\";"));
+}
+
+TEST_F(FiguresTest, TemplatesLearnTheNamesAndUnitsOfColumns) {
+  write_template("t", "# needs: series.csv: mean_height\n");
+  write("series.csv", "mean_height,own\n1,2\n");
+  EXPECT_THAT(found().at(0).setting,
+              HasSubstr("array quantity_keys[3] = [\"\", \"mean_height\", \"own\"];"
+                        "array quantity_labels[3] = [\"\", \"Mean height of the particles "
+                        "(spacings)\", \"own\"];"));
+}
+
+TEST_F(FiguresTest, CaptionsSayWhichPartIsShownAndReportsBeginWithTheHighestRank) {
+  write_template("a", "# What.\n#\n# needs: p-*.csv: x\n# one figure for each: file\n");
+  write_template("b",
+                 "# Why.\n#\n# needs: series.csv: x\n# groups: stage\n# rank: 2\n"
+                 "# one figure for each: group\n");
+  write("p-flow.csv", "x\n1\n");
+  write("p-5.csv", "x\n1\n");
+  write("series.csv", "stage,x\nflow,1\n");
+  std::vector<std::string> captions;
+  for (const Figure& figure : figures_of_readable_tables(run(), templates(), {})) {
+    captions.push_back(figure.description);
+  }
+  EXPECT_THAT(captions, ElementsAre("Why. stage: flow.", "What. Stage: flow.", "What. Time: 5."));
+}
+
+TEST_F(FiguresTest, ColumnsThatAreChosenAreDrawnInPlaceOfTheOthers) {
+  write_template("t", "# needs: series.csv: a\n");
+  write_template("columns", "# Columns.\n#\n# one figure for each: column\n");
+  write("series.csv", "step,stage,a,b\n0,flow,1,2\n1,end,2,3\n");
+  write("other.csv", "kind,c,d\nx,1,2\n");
+  EXPECT_THAT(names(), ElementsAre("t"));
+  EXPECT_THAT(chosen({.y = {"b", "a"}}), ElementsAre("b", "a"));
+  const Figure over_time = found({}, {.y = {"b"}, .log_y = true}).at(0);
+  EXPECT_THAT(over_time.setting, HasSubstr("array groups[2] = [\"flow\", \"end\"];"));
+  EXPECT_THAT(over_time.setting,
+              HasSubstr("x_column = \"step\"; y_column = \"b\"; log_axes = 'y';"));
+  const Figure other = found({}, {.x = "c", .y = {"d"}, .over = {"kind"}}).at(0);
+  EXPECT_THAT(other.setting, HasSubstr("array files[1] = [\"other.csv\"];"));
+  EXPECT_THAT(other.setting, HasSubstr("array groups[1] = [\"x\"];"));
+  const auto expect = [&](const Choice& choice, const std::string& reason) {
+    EXPECT_THAT([&] { found({}, choice); }, ThrowsMessage<text::InputError>(HasSubstr(reason)));
+  };
+  expect({.y = {"stagg"}}, "no table with a column 'stagg'; did you mean 'stage'?");
+  expect({.x = "c", .y = {"a"}}, "no table with all of the columns a, c");
+  expect({.y = {"d"}}, "say which column of other.csv is x");
+  expect({.log_x = true}, "of a run, say which columns are y, too");
 }
 
 TEST_F(FiguresTest, TablesThatNoTemplateNamesAreNotRead) {
@@ -228,7 +284,7 @@ TEST_F(SweepFiguresTest, ThereIsOneForEachStageAndMeasureWithAMean) {
             "0.9,flow,slope,30,1,0.25,4,29,31,29.75,30.25\n0,end,slope,50,,,1,50,50,,\n");
   EXPECT_THAT(names(), ElementsAre("sweep-flow-slope", "sweep-end-slope"));
   const std::string setting = found().front().setting;
-  EXPECT_THAT(setting, HasSubstr("varied = \"rules.inertia\";"));
+  EXPECT_THAT(setting, HasSubstr("x_label = \"rules.inertia\";"));
   EXPECT_THAT(setting, HasSubstr("array xs[2] = [0, 0.9];"));
   EXPECT_THAT(setting, HasSubstr("array means[2] = [40, 30];"));
   EXPECT_THAT(setting, HasSubstr("array lows[2] = [39.5, 29.75];array highs[2] = [40.5, 30.25];"));
@@ -248,6 +304,22 @@ TEST_F(SweepFiguresTest, AxisAndTitleSayWhatIsDrawn) {
   EXPECT_THAT(all[2].setting, HasSubstr("measure_label = \"own\";"));
 }
 
+TEST_F(SweepFiguresTest, NamesAndUnitsAreThoseOfTheRuns) {
+  store::RunSummary one;
+  one.scene = "one";
+  one.units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
+  one.derived = {
+      {.name = "own", .value = "=steps", .unit = "time", .about = "Duration", .location = {}}};
+  std::filesystem::create_directories(run() / "runs/a");
+  write("runs/a/run.json", store::to_json(one));
+  write("runs.csv", "a,status,folder\n0,failed,\n0,done,runs/a\n");
+  write("measures.csv", std::string("a,") + kSweepColumns + "0,flow,own,1,0,,4,1,1,,\n" +
+                            "0,flow,outflow_sites_per_time,1,0,,4,1,1,,\n");
+  EXPECT_THAT(found().front().setting, HasSubstr("measure_label = \"Duration (s)\";"));
+  EXPECT_THAT(found().back().setting,
+              HasSubstr("measure_label = \"Outflow over time (sites/s)\";"));
+}
+
 TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
   write("measures.csv", std::string("model,a,b,") + kSweepColumns +
                             "automaton,1,x,flow,slope,40,1,1,4,39,41,39,41\n"
@@ -259,6 +331,86 @@ TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
   EXPECT_THAT(setting, HasSubstr("array xs[3] = [1, 1, 2];"));
   EXPECT_THAT(setting, HasSubstr("array lines[2] = [\"a=1, b=x\", \"a=2, b=x\"];"));
   EXPECT_THAT(setting, HasSubstr("array of_lines[3] = [1, 2, 1];"));
+}
+
+constexpr const char* kTwoKeys =
+    "0.5,automaton,1,flow,slope,40,1,1,4,39,41,39,41\n"
+    "0.5,automaton,1,flow,reach,2,1,1,4,1,3,1,3\n"
+    "0.25,automaton,1,flow,slope,30,1,1,4,29,31,29,31\n"
+    "0.25,automaton,1,flow,reach,1,1,1,4,0,2,0.5,1.5\n"
+    "0.5,contact,1,flow,slope,20,1,1,4,19,21,19,21\n"
+    "0.5,contact,1,flow,reach,3,1,1,4,2,4,2,4\n"
+    "0.5,contact,2,flow,slope,10,1,1,4,9,11,9,11\n";
+
+TEST_F(SweepFiguresTest, TheAxisTheMeasuresAndTheCurvesMayBeChosen) {
+  write("measures.csv", std::string("a,model,b,") + kSweepColumns + kTwoKeys);
+  EXPECT_THAT(chosen({.y = {"slope"}}), ElementsAre("sweep-flow-slope"));
+  // A curve for each model, a figure for each b, points in the order of the axis.
+  const Choice over = {.x = "a", .y = {"slope"}, .over = {"model"}, .log_x = true, .log_y = true};
+  EXPECT_THAT(chosen(over), ElementsAre("sweep-flow-slope-1", "sweep-flow-slope-2"));
+  const Figure first = found({}, over).at(0);
+  EXPECT_THAT(first.setting, HasSubstr("array xs[3] = [0.25, 0.5, 0.5];"));
+  EXPECT_THAT(first.setting, HasSubstr("array lines[2] = [\"automaton\", \"contact\"];"));
+  EXPECT_THAT(first.setting, HasSubstr("stage = \"flow, b=1\";"));
+  EXPECT_THAT(first.setting, HasSubstr("log_axes = 'xy';"));
+  // Against a measure, which has errors as well.
+  const Figure against = found({}, {.x = "reach", .y = {"slope"}, .over = {"model"}}).at(0);
+  EXPECT_THAT(against.setting, HasSubstr("array xs[3] = [1, 2, 3];"));
+  EXPECT_THAT(against.setting, HasSubstr("array lefts[3] = [0.5, 1, 2];"));
+  EXPECT_THAT(against.setting, HasSubstr("array means[3] = [30, 40, 20];"));
+  const auto expect = [&](const Choice& choice, const std::string& reason) {
+    EXPECT_THAT([&] { found({}, choice); }, ThrowsMessage<text::InputError>(HasSubstr(reason)));
+  };
+  expect({.y = {"slop"}}, "measures.csv: no measure 'slop'; did you mean 'slope'?");
+  expect({.x = "rech"}, "no varied key or measure 'rech'; did you mean 'reach'?");
+  expect({.over = {"modl"}}, "no varied key 'modl'; did you mean 'model'?");
+}
+
+TEST_F(SweepFiguresTest, EachHasACaptionOfItsOwnAndThoseThatDifferMostComeFirst) {
+  store::RunSummary one;
+  one.scene = "one";
+  one.derived = {{.name = "own", .value = "=steps", .about = "Duration", .location = {}}};
+  std::filesystem::create_directories(run() / "runs/a");
+  write("runs/a/run.json", store::to_json(one));
+  write("runs.csv", "a,status,folder\n0,done,runs/a\n");
+  write("measures.csv", std::string("a,") + kSweepColumns +
+                            "0,flow,height_mean,10,1,1,4,9,11,9,11\n"
+                            "1,flow,height_mean,11,1,1,4,9,11,10,12\n"
+                            "0,flow,runout_99,10,1,1,4,9,11,9,11\n"
+                            "1,flow,runout_99,90,1,1,4,9,11,89,91\n"
+                            "0,flow,moved_share,0,0,0,4,0,0,0,0\n"
+                            "1,flow,moved_share,0,0,0,4,0,0,0,0\n"
+                            "0,flow,own,1,1,1,4,1,1,1,1\n");
+  std::vector<std::string> captions;
+  for (const Figure& figure : figures_of_readable_tables(run(), templates(), {})) {
+    captions.push_back(figure.description);
+  }
+  EXPECT_THAT(captions,
+              ElementsAre("Duration, against a, at the end of stage flow. A sweep.",
+                          "Run-out of 99 %: how far the 99th percentile of its sites lies beyond "
+                          "its origins, against a, at the end of stage flow. A sweep.",
+                          "Mean height: of the surface, over the columns with particles, against "
+                          "a, at the end of stage flow. A sweep."));
+}
+
+TEST_F(SweepFiguresTest, MeansOverTheSeedsHaveACurveForEachCombination) {
+  write_template("means", "# Means.\n#\n# one figure for each: mean\n");
+  write("measures.csv", std::string("a,model,b,") + kSweepColumns + kTwoKeys);
+  write("mean-series.csv",
+        "a,model,b,stage,step,runs,h,h_se,zero,zero_se\n"
+        "1,automaton,0,flow,0,2,1,0.5,0,0\n1,automaton,0,flow,2,2,2,,0,0\n"
+        "1,automaton,0,end,0,2,1,0.5,0,0\n1,contact,0,flow,0,2,4,1,0,0\n");
+  const auto names = chosen({.y = {"h"}});
+  EXPECT_THAT(names, ElementsAre("mean-series-end-h", "mean-series-flow-h"));
+  const Figure flow = found({"mean-series-flow-h"}).at(0);
+  EXPECT_EQ(flow.description, "h, against Step: flow. Means.");
+  EXPECT_THAT(flow.setting, HasSubstr("array firsts[2] = [0, 3]; array lasts[2] = [1, 3];"));
+  EXPECT_THAT(flow.setting, HasSubstr("x_low = 0; x_high = 2; y_low = 0.5; y_high = 5;"));
+  EXPECT_THAT(flow.setting,
+              HasSubstr("array lines[2] = [\"a=1, model=automaton, b=0\", \"a=1, model=contact, "
+                        "b=0\"];"));
+  EXPECT_THAT(found({}, {.y = {"h"}, .over = {"model"}}).back().setting,
+              HasSubstr("array lines[2] = [\"automaton\", \"contact\"];"));
 }
 
 TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {

@@ -291,7 +291,7 @@ TEST_F(Report, OfARunWithUnitsIsInThese) {
   const auto in_time =
       AllOf(HasSubstr("<dt>Time</dt><dd>0.0150 s</dd>"), HasSubstr("<td>20 (0.0100 s) "),
             HasSubstr("End of <b>packing</b>, step 20, t = 0.0100 s"),
-            HasSubstr("\"time\":\"0.0100 s\""), HasSubstr(">time, s<"), HasSubstr(">sites/s<"),
+            HasSubstr("\"time\":\"0.0100 s\""), HasSubstr(">Time (s)<"), HasSubstr(">sites/s<"),
             HasSubstr(">(m/s)²<"), HasSubstr("energy, (m/s)²"));
   EXPECT_THAT(page(), AllOf(Not(HasSubstr("0.0150 s")), HasSubstr("(spacings/step)²")));
   summary_.units = {

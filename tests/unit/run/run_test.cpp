@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/image/png.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -104,6 +107,53 @@ TEST(Run, ItsResolvedSceneGivesTheSameRunAgain) {
   const auto second =
       run(scene::parse_file(folder.path() / "scene.yaml"), {.folder = folder.path() / "again"});
   EXPECT_EQ(first.state_hash, second.state_hash);
+}
+
+TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
+  const testing::ScratchFolder folder;
+  const auto summary = run(small_scene({"measure={ratio: {value: =runout_99 / 30, about: Reach}, "
+                                        "twice: =2*ratio, rate: =ratio / steps, "
+                                        "none: =repose_left_deg + 1}"}),
+                           {.folder = folder.path() / "out"});
+  const auto& measures = summary.stages.at(1).measures;
+  const auto value = [&](const std::string& name) {
+    const auto found = std::ranges::find(measures, name, &store::NamedMeasure::first);
+    const auto* number = found == measures.end() ? nullptr : std::get_if<double>(&found->second);
+    return number != nullptr ? *number : std::nan("");
+  };
+  EXPECT_GT(value("runout_99"), 0);
+  EXPECT_EQ(value("ratio"), value("runout_99") / 30);
+  EXPECT_EQ(value("twice"), 2 * value("ratio"));
+  EXPECT_EQ(value("rate"), value("ratio") / static_cast<double>(summary.stages[1].steps));
+  EXPECT_EQ(measures.back(), store::NamedMeasure("none", {})) << "the heap has no left flank";
+  const auto read = store::read_summary(folder.path() / "out" / "run.json");
+  EXPECT_EQ(read.derived, summary.derived);
+  EXPECT_EQ(read.stages[1].measures, measures);
+  const KnownQuantities known = known_quantities(read);
+  EXPECT_EQ(known.label("ratio"), "Reach");
+  EXPECT_EQ(known.find("twice")->meaning, "=2*ratio");
+  EXPECT_EQ(known.label("runout_99"), "Run-out of 99 % (spacings)");
+}
+
+TEST(Run, RefusesDerivedMeasuresOfNamesThatThereAreNot) {
+  const auto expect = [](const std::string& measure, const std::string& message) {
+    EXPECT_THAT([&] { check_derived(small_scene({"measure=" + measure})); },
+                ::testing::ThrowsMessage<scene::SceneError>(::testing::EndsWith(message)));
+  };
+  expect("{ratio: =runout_9 / 3}",
+         "error: measure.ratio: unknown measure 'runout_9' in '=runout_9 / 3'; did you mean "
+         "'runout_99'?");
+  expect("[packing, {ratio: =runout_99 / 3}]",
+         "error: measure.ratio: unknown measure 'runout_99' in '=runout_99 / 3'");
+  expect("{ratio: =later, later: =steps}",
+         "error: measure.ratio: unknown measure 'later' in '=later'");
+  expect("{runout_99: =steps}",
+         "error: measure.runout_99: there is a quantity of this name; give it another one");
+  expect("{ratio: =discharged.drain}",
+         "error: measure.ratio: unknown measure 'discharged.drain' in '=discharged.drain'; did you "
+         "mean 'discharged_share'?");
+  EXPECT_NO_THROW(check_derived(small_scene(
+      {"outlets={drain: {region: [40, 0, 50, 5]}}", "measure={ratio: =discharged.drain + time}"})));
 }
 
 TEST(Run, AStageMayHaveRulesAndFrictionOfItsOwn) {

@@ -26,7 +26,7 @@ output: {frames: none, series: none}
 )";
 
 scene::Scene scene_of(const std::string& model) {
-  return scene::parse(kScene, "small.yaml", {"model=" + model});
+  return scene::parse(kScene, "small.yaml", {"model=" + model, "measure={ratio: =runout_99 / 30}"});
 }
 
 TEST(Simulation, HasTheBitsAndTheMeasuresOfARun) {

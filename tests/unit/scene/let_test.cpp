@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bad_scenes.hpp"
+#include "clca/scene/derived.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
@@ -53,6 +54,44 @@ TEST(Let, LargeWholeNumbersHaveNoExponent) {
 TEST(Let, ConstantsHaveAllTheirDigits) {
   EXPECT_EQ(scene_of("rules: {inertia: =_pi/4}").rules.inertia, std::numbers::pi / 4);
   EXPECT_EQ(scene_of("rules: {inertia: =_e/4}").rules.inertia, std::numbers::e / 4);
+}
+
+TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
+  constexpr std::string_view kPart =
+      "let: {L0: 30, power: -2}\n"
+      "measure: {ratio: =runout_99 / L0 ^ power,\n"
+      "          twice: {value: '=min(2*ratio, 1e-3)', unit: spacings, about: Twice it},\n"
+      "          walls: =box.width*rules.inertia + discharged.drain}\n";
+  const Scene scene = scene_of(kPart);
+  ASSERT_EQ(scene.derived.size(), 3U);
+  EXPECT_EQ(scene.derived[0].value, "=runout_99 / 30 ^ (-2)");
+  EXPECT_EQ(scene.derived[0].unit, "1");
+  EXPECT_EQ(scene.derived[1].value, "=min(2*ratio, 1e-3)");
+  EXPECT_EQ(scene.derived[1].about, "Twice it");
+  EXPECT_EQ(scene.derived[2].value, "=100*0.9 + discharged.drain");
+  EXPECT_EQ(scene.measures.size(), 10U) << "beside all others";
+  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+}
+
+TEST(Derived, StandsInTheListOfMeasuresToo) {
+  const Scene scene = scene_of("measure: [runout, {ratio: =runout_99 / 3}, {half: =ratio / 2}]");
+  EXPECT_EQ(scene.measures, std::vector{Measure::runout});
+  ASSERT_EQ(scene.derived.size(), 2U);
+  EXPECT_EQ(scene.derived[1].name, "half");
+  EXPECT_EQ(scene_of("measure: [runout]", {"measure={ratio: =runout_99}"}).derived.size(), 1U);
+}
+
+TEST(Derived, HasAValueWhereAllThatItNamesHasOneAndItIsFinite) {
+  const auto values = [](std::string_view name) -> std::optional<double> {
+    return name == "a" ? std::optional(-3.0) : name == "b.c" ? std::optional(0.1) : std::nullopt;
+  };
+  EXPECT_EQ(value_of("=a^2 + 2*b.c", values), 9.2);
+  EXPECT_EQ(value_of("=sqrt(abs(a)*3)*_pi/_pi", values), 3);
+  EXPECT_EQ(value_of("=a > 0 ? 1 : 2", values), 2);
+  EXPECT_EQ(value_of("=a/(b.c - b.c)", values), std::nullopt);
+  EXPECT_EQ(value_of("=sqrt(a)", values), std::nullopt);
+  EXPECT_EQ(value_of("=a + d", values), std::nullopt);
+  EXPECT_EQ(names_in("=max(a, b.c) + 1.5e-3*a + _pi"), (std::vector<std::string>{"a", "b.c", "a"}));
 }
 
 TEST(Let, ATitleMayBeginWithAnEqualsSign) {

@@ -86,6 +86,28 @@ TEST_F(SweepTest, LeavesARunFolderForEachRunAndTablesOverAll) {
               AllOf(HasSubstr("\n0,flow,steps,"), HasSubstr("\n0.9,packing,packing_fraction,")));
 }
 
+TEST_F(SweepTest, MeansOverTheSeedsComeWithTheTablesAndGoWithWhatTheyAreOf) {
+  run(plan_of(), "out");
+  const auto heights = testing::csv_column(at("out/mean-series.csv"), "mean_height");
+  double mean = 0;
+  for (const char* seed : {"1", "2", "5"}) {
+    mean +=
+        testing::csv_column(at("out/runs/rules.inertia=0,seed=" + std::string(seed)) / "series.csv",
+                            "mean_height")
+            .at(7) /
+        3;
+  }
+  EXPECT_NEAR(heights.at(7), mean, 1e-12);
+  EXPECT_THAT(text("out/mean-profile-flow.csv"),
+              HasSubstr("rules.inertia,x,runs,height_start,height_start_se,height_end,"));
+  std::ofstream(at("out/mean-mine.csv")) << "x\n";
+  std::ofstream(file(), std::ios::app) << "measure: []\n";
+  run(plan_of(), "out");
+  EXPECT_TRUE(fs::exists(at("out/mean-series.csv")));
+  EXPECT_FALSE(fs::exists(at("out/mean-profile-flow.csv")));
+  EXPECT_TRUE(fs::exists(at("out/mean-mine.csv")));
+}
+
 TEST_F(SweepTest, ARunOfASweepIsTheSameAsTheRunAlone) {
   run(plan_of(), "out");
   const auto alone = run::run(plan_of().scene(3), {.folder = at("alone")});

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "clca/store/file.hpp"
+#include "support/runs.hpp"
+#include "sweep/averages.hpp"
 #include "sweep/overview.hpp"
 
 namespace clca::sweep::tables_test {
@@ -80,6 +85,86 @@ TEST(Tables, HaveWhatLeftUntilAClogFromAllRunsAlsoThoseThatDidNotClog) {
   EXPECT_THAT(measures, ::testing::Not(::testing::HasSubstr("until_clog.left")));
   EXPECT_THAT(measures_table(bare_plan(1, 1), {done({{"discharged", 9.0}, {"clogged", false}})}),
               ::testing::Not(::testing::HasSubstr("until_clog")));
+}
+
+/// Of a stage of so many steps and one of six.
+Result with_steps(std::uint64_t packing) {
+  Result result = done({});
+  result.summary.steps = packing + 6;
+  result.summary.stages = {{"packing", packing, "settled", {}}, {"flow", 6, "settled", {}}};
+  return result;
+}
+
+class MeanTablesTest : public ::testing::Test {
+ protected:
+  MeanTablesTest() : plan_(bare_plan(1, 2)) {
+    plan_.variants[0].scene.output.series = scene::Series{2};
+    results_ = {with_steps(3), with_steps(4)};
+  }
+  void write(std::size_t run, const std::string& file, const std::string& text) const {
+    const auto folder = folder_.path() / std::to_string(run);
+    std::filesystem::create_directories(folder);
+    store::write_whole(folder / file, text);
+  }
+  /// NAME: CONTENT of each.
+  std::vector<std::string> tables() {
+    std::vector<std::string> texts;
+    const auto folder_of = [&](std::size_t run) { return folder_.path() / std::to_string(run); };
+    for (const NamedTable& table :
+         mean_tables(plan_, results_, folder_of,
+                     [&](const std::string& line) { warnings_.push_back(line); })) {
+      texts.push_back(table.name + ": " + table.csv);
+    }
+    return texts;
+  }
+
+  testing::ScratchFolder folder_;
+  Plan plan_;
+  std::vector<Result> results_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(MeanTablesTest, OfTimeBeginWithEachStageAndGoAsFarAsAllRunsDo) {
+  // Rows at every second step of the run; those of one stage are at odd steps, so values between.
+  write(0, "series.csv",
+        "step,stage,h,some\n0,packing,0,1\n2,packing,2,\n4,flow,4,1\n6,flow,6,1\n8,flow,8,1\n");
+  write(1, "series.csv",
+        "step,stage,h,some\n0,packing,0,1\n2,packing,2,1\n4,packing,4,1\n6,flow,6,1\n8,flow,8,1\n"
+        "10,flow,10,1\n");
+  EXPECT_THAT(tables(), ::testing::ElementsAre(
+                            "mean-series.csv: rules.inertia,stage,step,runs,h,h_se,some,some_se\n"
+                            "0,packing,0,2,0,0,1,0\n0,packing,2,2,2,0,,\n"
+                            "0,flow,2,2,5.5,0.5,1,0\n0,flow,4,2,7.5,0.5,1,0\n"));
+  results_[1].summary.units = results_[0].summary.units = {
+      .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.5};
+  EXPECT_THAT(tables().front(), ::testing::HasSubstr("stage,step,time,runs,h"));
+  EXPECT_THAT(tables().front(), ::testing::HasSubstr("\n0,flow,4,2,2,7.5,0.5,"));
+}
+
+TEST_F(MeanTablesTest, OfPlacesHaveThoseThatAllRunsHave) {
+  write(0, "profile-flow.csv", "x,height_end\n0,1\n1,2\n2,4\n");
+  write(1, "profile-flow.csv", "x,height_end\n0,3\n2,4\n");
+  write(0, "lines-flow.csv", "line,position,x,y,flux,flux_se\na,0,1,1,1,9\nb,0,5,5,2,9\n");
+  write(1, "lines-flow.csv", "line,position,x,y,flux,flux_se\na,0,1,1,3,9\nb,0,5,5,4,9\n");
+  EXPECT_THAT(tables(),
+              ::testing::ElementsAre(
+                  "mean-profile-flow.csv: rules.inertia,x,runs,height_end,height_end_se\n"
+                  "0,0,2,2,1\n0,2,2,4,0\n",
+                  "mean-lines-flow.csv: rules.inertia,line,position,x,y,runs,flux,flux_se\n"
+                  "0,a,0,1,1,2,2,1\n0,b,0,5,5,2,3,1\n"));
+  EXPECT_THAT(warnings_, ::testing::IsEmpty());
+}
+
+TEST_F(MeanTablesTest, LeaveOutRunsThatFailedAndTablesThatCannotBeRead) {
+  write(0, "series.csv", "step,stage,h\n0,packing,1\n");
+  write(1, "series.csv", "step,stage,h\n0,packing,3");
+  EXPECT_THAT(tables().front(), ::testing::EndsWith("\n0,packing,0,1,1,\n"));
+  EXPECT_THAT(warnings_, ::testing::ElementsAre(::testing::HasSubstr("the file is cut off")));
+  results_[0].status = Status::failed;
+  EXPECT_THAT(tables(), ::testing::IsEmpty());
+  write(1, "series.csv", "step,stage,h\n4,packing,1\n2,packing,1\n");
+  EXPECT_THAT(tables(), ::testing::IsEmpty());
+  EXPECT_THAT(warnings_.back(), ::testing::HasSubstr("line 3: not behind the one before"));
 }
 
 TEST(Overview, ShowsTheFirstSeedsOfEachCombinationUpToABound) {

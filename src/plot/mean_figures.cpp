@@ -1,0 +1,224 @@
+// Figures of the tables of a sweep that are averaged over the seeds.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "clca/run/quantity.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/sweep_figures.hpp"
+
+namespace clca::plot {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The rows of one combination in one figure: from the first to the last.
+struct Block {
+  std::string label;
+  std::size_t first;
+  std::size_t last;
+};
+
+/// mean-series.csv or another one.
+class MeanTable {
+ public:
+  MeanTable(RunTables& tables, const TableFile& file, std::size_t keys, const Choice& choice)
+      : tables_(tables),
+        choice_(choice),
+        file_(file.name),
+        table_(tables.read(file.name)),
+        known_(run::known_quantities(tables.summary())),
+        keys_(keys) {
+    const auto runs = std::ranges::find(table_.names, "runs") - table_.names.begin();
+    values_ = static_cast<std::size_t>(runs) + 1;
+    for (std::size_t column = keys; column + 1 < values_; ++column) {
+      const std::string& name = table_.names[column];
+      (name == "stage" || name == "probe" || name == "line" ? groups_ : places_).push_back(column);
+    }
+  }
+
+  std::vector<Figure> figures(const Template& one) const;
+
+ private:
+  std::string group(std::size_t row) const;
+  /// The group of rows, and the values of keys that have figures of their own.
+  using Part = std::pair<std::string, std::string>;
+  std::map<Part, std::vector<Block>> blocks() const;
+  std::string place() const;
+  /// x_low, x_high, y_low and y_high: where there is something to see.
+  std::string ranges(const std::vector<Block>& blocks, const std::string& column) const;
+  Figure figure(const Template& one, const Part& part, std::size_t number,
+                const std::vector<Block>& blocks, const std::string& column) const;
+
+  const RunTables& tables_;
+  const Choice& choice_;
+  const std::string& file_;
+  const store::ReadTable& table_;
+  run::KnownQuantities known_;
+  std::size_t keys_;
+  std::size_t values_ = 0;  ///< the first column with means
+  std::vector<std::size_t> groups_;
+  std::vector<std::size_t> places_;
+};
+
+std::string MeanTable::group(std::size_t row) const {
+  Words words;
+  for (const std::size_t column : groups_) {
+    words.push_back(table_.cells[column][row]);
+  }
+  return fmt::format("{}", fmt::join(words, "-"));
+}
+
+std::map<MeanTable::Part, std::vector<Block>> MeanTable::blocks() const {
+  std::vector<std::size_t> over;
+  std::vector<std::size_t> apart;
+  for (std::size_t key = 0; key < keys_; ++key) {
+    const bool is_over =
+        choice_.over.empty() || std::ranges::count(choice_.over, table_.names[key]) > 0;
+    (is_over ? over : apart).push_back(key);
+  }
+  const Words labels = labels_of(table_, over, !choice_.over.empty());
+  const Words others = labels_of(table_, apart, false);
+  std::map<Part, std::vector<Block>> result;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    std::vector<Block>& blocks = result[{group(row), others[row]}];
+    const bool goes_on =
+        !blocks.empty() && blocks.back().label == labels[row] && blocks.back().last + 1 == row;
+    if (goes_on) {
+      blocks.back().last = row;
+    } else {
+      blocks.push_back({labels[row], row, row});
+    }
+  }
+  return result;
+}
+
+/// The column of the axis: time where all runs have it.
+std::string MeanTable::place() const {
+  for (const std::size_t column : places_) {
+    const Words& cells = table_.cells[column];
+    if (table_.names[column] == "time" && std::ranges::count(cells, "") == 0) {
+      return "time";
+    }
+  }
+  return table_.names[places_.front()];
+}
+
+std::string MeanTable::ranges(const std::vector<Block>& blocks, const std::string& column) const {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const std::vector<double> xs = table_.numbers(place());
+  const std::vector<double> means = table_.numbers(column);
+  const std::vector<double> errors = table_.numbers(column + "_se");
+  std::array<double, 4> ends = {kMost, -kMost, kMost, -kMost};
+  const auto widen = [&ends](std::size_t axis, double low, double high) {
+    ends[axis] = std::min(ends[axis], low);
+    ends[axis + 1] = std::max(ends[axis + 1], high);
+  };
+  for (const Block& block : blocks) {
+    for (std::size_t row = block.first; row <= block.last; ++row) {
+      const double error = std::isfinite(errors[row]) ? errors[row] : 0;
+      if (std::isfinite(means[row])) {
+        widen(2, means[row] - error, means[row] + error);
+      }
+      if (std::isfinite(means[row]) && means[row] != 0) {
+        widen(0, xs[row], xs[row]);
+      }
+    }
+  }
+  return fmt::format("x_low = {}; x_high = {}; y_low = {}; y_high = {};", ends[0], ends[1], ends[2],
+                     ends[3]);
+}
+
+Figure MeanTable::figure(const Template& one, const Part& part, std::size_t number,
+                         const std::vector<Block>& blocks, const std::string& column) const {
+  const auto& [group, others] = part;
+  Words labels;
+  std::vector<std::size_t> firsts;
+  std::vector<std::size_t> lasts;
+  std::size_t longest = 0;
+  for (const Block& block : blocks) {
+    labels.push_back(block.label);
+    firsts.push_back(block.first);
+    lasts.push_back(block.last);
+    longest = std::max(longest, block.label.size());
+  }
+  const std::string stem = file_.substr(0, file_.rfind('.'));
+  const std::string stage = stem.substr(std::min(stem.find('-', stem.find('-') + 1), stem.size()));
+  const std::string of =
+      (group.empty() ? stage.substr(std::min<std::size_t>(1, stage.size())) : group) +
+      (others.empty() ? "" : ", " + others);
+  const auto known = known_.find(column);
+  return {.name = fmt::format("{}{}{}-{}{}", stem, group.empty() ? "" : "-", group, column,
+                              number > 0 ? fmt::format("-{}", number) : ""),
+          .title = tables_.title(),
+          .description =
+              fmt::format("{}{}{}, against {}: {}. {}", known ? known->name : column,
+                          known && !known->meaning.empty() ? ": " : "", known ? known->meaning : "",
+                          known_.label(place()), of, one.description),
+          .script = one.file,
+          .run = tables_.run(),
+          .setting =
+              fmt::format("known_columns = '|'; time_column = 'step'; x_column = {}; y_column = {};"
+                          "x_label = {}; y_label = {}; part = {}; longest_label = {};"
+                          "log_axes = '{}{}'; array firsts[{}] = [{}]; array lasts[{}] = [{}];",
+                          literal(place()), literal(column), literal(known_.label(place())),
+                          literal(known_.label(column)), literal(of), longest,
+                          choice_.log_x ? "x" : "", choice_.log_y ? "y" : "", firsts.size(),
+                          fmt::join(firsts, ", "), lasts.size(), fmt::join(lasts, ", ")) +
+              ranges(blocks, column) + array_text("files", {file_}) + array_text("groups", {""}) +
+              array_text("quantity_keys", {""}) + array_text("quantity_labels", {""}) +
+              array_text("lines", labels),
+          .rank = one.rank};
+}
+
+std::vector<Figure> MeanTable::figures(const Template& one) const {
+  std::vector<Figure> result;
+  std::map<std::string, std::size_t> numbers;  // by group
+  for (const auto& [part, blocks] : blocks()) {
+    const std::string& group = part.first;
+    const std::size_t number = part.second.empty() ? 0 : ++numbers[group];
+    for (std::size_t at = values_; at < table_.names.size(); at += 2) {
+      const std::string& column = table_.names[at];
+      const auto is_drawn = [&](const Block& block) {
+        return std::any_of(table_.cells[at].begin() + static_cast<long>(block.first),
+                           table_.cells[at].begin() + static_cast<long>(block.last) + 1,
+                           [](const std::string& cell) { return !cell.empty() && cell != "0"; });
+      };
+      const bool is_wanted = choice_.y.empty() || std::ranges::count(choice_.y, column) > 0;
+      if (is_wanted && is_label(column) && (group.empty() || is_label(group)) &&
+          std::ranges::any_of(blocks, is_drawn)) {
+        result.push_back(figure(one, part, number, blocks, column));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Figure> mean_figures(RunTables& tables, const Template& one, const Choice& choice) {
+  std::vector<Figure> result;
+  if (tables.files("measures.csv").empty()) {
+    return result;
+  }
+  const Words& names = tables.read("measures.csv").names;
+  const auto keys = static_cast<std::size_t>(std::ranges::find(names, "stage") - names.begin());
+  for (const TableFile& file : tables.files("mean-*.csv")) {
+    const store::ReadTable& table = tables.read(file.name);
+    if (table.find("runs") != nullptr && keys < table.names.size() && table.rows() > 0) {
+      const std::vector<Figure> more = MeanTable(tables, file, keys, choice).figures(one);
+      result.insert(result.end(), more.begin(), more.end());
+    }
+  }
+  return result;
+}
+
+}  // namespace clca::plot

@@ -1,0 +1,331 @@
+#include "sweep/averages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "clca/statistics/sample.hpp"
+#include "clca/store/file.hpp"
+#include "clca/store/table.hpp"
+#include "sweep/tables.hpp"
+
+namespace clca::sweep {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kErrorEnding = "_se";
+
+/// A table of runs that is averaged. Rows are the same where groups and places are.
+struct Averaged {
+  std::string begin;  ///< of the file name: the table, or what comes before a stage
+  Names groups;       ///< columns of names
+  Names places;       ///< columns of numbers; none: steps
+  Names others = {};  ///< columns that are left out
+};
+
+const std::vector<Averaged>& averaged_tables() {
+  static const std::vector<Averaged> kAll = {{"series", {"stage"}, {}},
+                                             {"probes", {"stage", "probe"}, {}},
+                                             {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
+                                             {"profile-", {}, {"x"}},
+                                             {"lines-", {"line"}, {"position", "x", "y"}}};
+  return kAll;
+}
+
+bool has_name(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The rows of one group, by place. Of steps: those since the stage began.
+struct Curve {
+  std::vector<std::vector<double>> places;  ///< by row
+  std::vector<std::vector<double>> values;  ///< by column, then row
+};
+
+/// A table of one run.
+struct ReadCurves {
+  Names columns = {};  ///< with means
+  std::vector<std::pair<Names, Curve>> curves = {};
+
+  const Curve* find(const Names& group) const {
+    const auto found = std::ranges::find(curves, group, &std::pair<Names, Curve>::first);
+    return found == curves.end() ? nullptr : &found->second;
+  }
+  /// The values of a column of a curve; null if the run has none.
+  const std::vector<double>* values(const Curve& curve, const std::string& column) const {
+    const auto found = std::ranges::find(columns, column);
+    return found == columns.end()
+               ? nullptr
+               : &curve.values[static_cast<std::size_t>(found - columns.begin())];
+  }
+};
+
+/// Steps of the whole run before a stage.
+std::map<std::string, double> stage_starts(const store::RunSummary& summary) {
+  std::map<std::string, double> starts;
+  auto step = static_cast<double>(summary.steps);
+  for (auto stage = summary.stages.rbegin(); stage != summary.stages.rend(); ++stage) {
+    step -= static_cast<double>(stage->steps);
+    starts[stage->name] = step;
+  }
+  return starts;
+}
+
+/// Throws store::StoreError.
+ReadCurves read_curves(const Averaged& what, const fs::path& file,
+                       const store::RunSummary& summary) {
+  const store::ReadTable table = store::read_table(file);
+  const bool by_step = what.places.empty();
+  const Names places = by_step ? Names{"step"} : what.places;
+  ReadCurves result;
+  std::vector<std::vector<double>> values;
+  for (const std::string& name : table.names) {
+    const bool is_time = by_step && name == "time";
+    if (has_name(what.groups, name) || has_name(places, name) || has_name(what.others, name) ||
+        is_time || name.ends_with(kErrorEnding)) {
+      continue;
+    }
+    result.columns.push_back(name);
+    values.push_back(table.numbers(name));
+  }
+  std::vector<std::vector<double>> at;
+  std::ranges::transform(places, std::back_inserter(at),
+                         [&](const std::string& name) { return table.numbers(name); });
+  const std::map<std::string, double> starts = stage_starts(summary);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    Names group;
+    for (const std::string& name : what.groups) {
+      const std::vector<std::string>* cells = table.find(name);
+      group.push_back(cells != nullptr ? (*cells)[row] : "");
+    }
+    Curve* curve = const_cast<Curve*>(result.find(group));
+    if (curve == nullptr) {
+      curve = &result.curves.emplace_back(group, Curve()).second;
+      curve->values.resize(values.size());
+    }
+    std::vector<double> place;
+    for (const std::vector<double>& numbers : at) {
+      const auto start = by_step ? starts.find(group.front()) : starts.end();
+      place.push_back(numbers[row] - (start == starts.end() ? 0 : start->second));
+    }
+    const bool is_behind = curve->places.empty() || curve->places.back() < place;
+    if (!is_behind || !std::isfinite(place.front())) {
+      throw store::StoreError(fmt::format("cannot read {}: line {}: not behind the one before",
+                                          file.string(), row + 2));
+    }
+    curve->places.push_back(std::move(place));
+    for (std::size_t column = 0; column < values.size(); ++column) {
+      curve->values[column].push_back(values[column][row]);
+    }
+  }
+  return result;
+}
+
+/// The value at a place; of steps between two rows by a straight line.
+double value_at(const Curve& curve, const std::vector<double>& values,
+                const std::vector<double>& place) {
+  const auto after = std::ranges::lower_bound(curve.places, place);
+  const auto row = static_cast<std::size_t>(after - curve.places.begin());
+  if (*after == place) {
+    return values[row];
+  }
+  const double before = curve.places[row - 1].front();
+  const double share = (place.front() - before) / (after->front() - before);
+  return values[row - 1] + share * (values[row] - values[row - 1]);
+}
+
+/// The steps since the stage began that all of the curves reach, at the interval of the series.
+std::vector<std::vector<double>> common_steps(const std::vector<const Curve*>& curves,
+                                              double every) {
+  double from = 0;
+  double to = std::numeric_limits<double>::infinity();
+  for (const Curve* curve : curves) {
+    from = std::max(from, curve->places.front().front());
+    to = std::min(to, curve->places.back().front());
+  }
+  std::vector<std::vector<double>> steps;
+  for (double step = std::ceil(from / every) * every; step <= to; step += every) {
+    steps.push_back({step});
+  }
+  return steps;
+}
+
+/// The places that all of the curves have.
+std::vector<std::vector<double>> common_places(const std::vector<const Curve*>& curves) {
+  std::vector<std::vector<double>> places = curves.front()->places;
+  for (const Curve* curve : curves) {
+    const std::set<std::vector<double>> known(curve->places.begin(), curve->places.end());
+    std::erase_if(places, [&](const std::vector<double>& place) { return !known.contains(place); });
+  }
+  return places;
+}
+
+/// Of one combination.
+struct Runs {
+  const Variant* variant = nullptr;
+  std::vector<ReadCurves> tables = {};
+  std::optional<scene::Conversion> units = {};
+};
+
+class MeanTable {
+ public:
+  MeanTable(const Averaged& what, const Plan& plan, const std::vector<Runs>& all);
+  bool is_possible() const;
+  std::string csv() const;
+
+ private:
+  Names heads() const;
+  void add(store::Table& table, const Runs& runs, const Names& group) const;
+
+  const Averaged& what_;
+  const Plan& plan_;
+  const std::vector<Runs>& all_;
+  Names columns_;
+  bool has_time_ = false;
+};
+
+MeanTable::MeanTable(const Averaged& what, const Plan& plan, const std::vector<Runs>& all)
+    : what_(what), plan_(plan), all_(all) {
+  for (const Runs& runs : all) {
+    has_time_ = has_time_ || (what.places.empty() && runs.units);
+    for (const ReadCurves& table : runs.tables) {
+      std::ranges::copy_if(table.columns, std::back_inserter(columns_),
+                           [this](const std::string& name) { return !has_name(columns_, name); });
+    }
+  }
+}
+
+Names MeanTable::heads() const {
+  Names names = plan_.keys();
+  names.insert(names.end(), what_.groups.begin(), what_.groups.end());
+  if (what_.places.empty()) {
+    names.emplace_back("step");
+  }
+  if (has_time_) {
+    names.emplace_back("time");
+  }
+  names.insert(names.end(), what_.places.begin(), what_.places.end());
+  names.emplace_back("runs");
+  for (const std::string& column : columns_) {
+    names.push_back(column);
+    names.push_back(column + std::string(kErrorEnding));
+  }
+  return names;
+}
+
+/// False where a varied number has the name of a column.
+bool MeanTable::is_possible() const {
+  const Names names = heads();
+  return !columns_.empty() && std::set(names.begin(), names.end()).size() == names.size();
+}
+
+void MeanTable::add(store::Table& table, const Runs& runs, const Names& group) const {
+  std::vector<const Curve*> curves;
+  for (const ReadCurves& one : runs.tables) {
+    curves.push_back(one.find(group));
+  }
+  if (std::ranges::count(curves, nullptr) > 0) {
+    return;  // not all runs have come so far
+  }
+  const auto& series = runs.variant->scene.output.series;
+  const auto every = static_cast<double>(series ? series->every : 1);
+  for (const auto& place :
+       what_.places.empty() ? common_steps(curves, every) : common_places(curves)) {
+    std::vector<store::Cell> row = value_cells(runs.variant->values);
+    row.insert(row.end(), group.begin(), group.end());
+    row.insert(row.end(), place.begin(), place.end());
+    if (has_time_) {
+      row.emplace_back(runs.units ? runs.units->time(static_cast<std::uint64_t>(place.front()))
+                                  : kNoMean);
+    }
+    row.emplace_back(std::uint64_t{curves.size()});
+    for (const std::string& column : columns_) {
+      std::vector<double> values;
+      for (std::size_t run = 0; run < curves.size(); ++run) {
+        const std::vector<double>* all = runs.tables[run].values(*curves[run], column);
+        values.push_back(all != nullptr ? value_at(*curves[run], *all, place) : kNoMean);
+      }
+      const statistics::Sample found = statistics::sample(values);
+      const bool is_whole = found.count == values.size();
+      row.emplace_back(is_whole ? found.mean : kNoMean);
+      row.emplace_back(is_whole ? found.standard_error : kNoMean);
+    }
+    table.add_row(std::move(row));
+  }
+}
+
+std::string MeanTable::csv() const {
+  store::Table table(heads());
+  for (const Runs& runs : all_) {
+    if (!runs.tables.empty()) {
+      for (const auto& [group, curve] : runs.tables.front().curves) {
+        add(table, runs, group);
+      }
+    }
+  }
+  return table.to_csv();
+}
+
+/// `series.csv`, or `profile-flow.csv` for each stage of some run.
+std::set<std::string> files_of(const Averaged& what, const std::vector<Result>& results) {
+  if (!what.begin.ends_with('-')) {
+    return {what.begin + ".csv"};
+  }
+  std::set<std::string> files;
+  for (const Result& result : results) {
+    for (const store::StageSummary& stage : result.summary.stages) {
+      files.insert(what.begin + stage.name + ".csv");
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<NamedTable> mean_tables(
+    const Plan& plan, const std::vector<Result>& results,
+    const std::function<std::filesystem::path(std::size_t run)>& folder_of,
+    const std::function<void(const std::string& line)>& warning) {
+  std::vector<NamedTable> tables;
+  const std::size_t seeds = plan.request.seeds.size();
+  for (const Averaged& what : averaged_tables()) {
+    for (const std::string& file : files_of(what, results)) {
+      std::vector<Runs> all;
+      for (const Variant& variant : plan.variants) {
+        all.push_back({.variant = &variant});
+      }
+      for (std::size_t run = 0; run < results.size(); ++run) {
+        const fs::path path = folder_of(run) / file;
+        std::error_code error;
+        if (results[run].status != Status::done || !fs::exists(path, error)) {
+          continue;
+        }
+        Runs& runs = all[run / seeds];
+        try {
+          runs.tables.push_back(read_curves(what, path, results[run].summary));
+          runs.units = results[run].summary.units;
+        } catch (const store::StoreError& unreadable) {
+          warning(unreadable.what());
+        }
+      }
+      const MeanTable table(what, plan, all);
+      if (table.is_possible()) {
+        tables.push_back({"mean-" + file, table.csv()});
+      }
+    }
+  }
+  return tables;
+}
+
+}  // namespace clca::sweep
