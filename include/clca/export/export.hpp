@@ -1,6 +1,6 @@
 #pragma once
 // Exports trajectory frames: VTK for ParaView, GSD and extended XYZ for OVITO, H5MD. See
-// docs/export.md. The namespace is `exports`, since `export` is a keyword.
+// docs/trajectory.md. The namespace is `exports`, since `export` is a keyword.
 
 #include <atomic>
 #include <cstdint>
