@@ -1,4 +1,4 @@
-# What all figures share; run before each template. Set before it is what docs/plots.md lists. For
+# What all figures share; run before each template. Set before it is what docs/rendering.md lists. For
 # gnuplot 5.4 and later.
 set encoding utf8
 scale = dots == 0 ? (width + 1.6 * height) / 1920.0 : format eq 'pdf' ? 0.8 : dots / 96.0 * 8 / 13

@@ -105,7 +105,7 @@ void add_choice_options(Command& command, exports::FrameSelection& choice) {
 
 void add_export_command(CommandLine& command_line) {
   Command command = command_line.command(
-      "export", "The trajectory of a run in a format of ParaView (vtp) or OVITO (gsd, xyz)");
+      "export", "The trajectory of a run for ParaView (vtp), OVITO (gsd, xyz) or readers of H5MD");
   auto options = std::make_shared<ExportOptions>();
   command.option("DIR", &options->run, "Folder that a run with output.trajectory has left")
       .required();
@@ -113,14 +113,15 @@ void add_export_command(CommandLine& command_line) {
       .choice("--format", &options->format,
               {{"vtp", exports::Format::vtp},
                {"gsd", exports::Format::gsd},
-               {"xyz", exports::Format::xyz}},
+               {"xyz", exports::Format::xyz},
+               {"h5md", exports::Format::h5md}},
               "Format")
       .required()
       .type("FORMAT");
   command
       .option("-o,--output", &options->file,
               "File to write, of vtp the .pvd with the others beside it "
-              "[DIR/export/SCENE with .pvd, .gsd or .xyz]")
+              "[DIR/export/SCENE with .pvd, .gsd, .xyz or .h5]")
       .type("FILE");
   add_choice_options(command, options->choice);
   add_memory_limit(command, options->scene);

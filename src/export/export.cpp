@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "export/gsd.hpp"
+#include "export/h5md.hpp"
 #include "export/vtp.hpp"
 #include "export/xyz.hpp"
 
@@ -15,9 +16,11 @@ std::string_view ending(Format format) {
     case Format::gsd:
       return ".gsd";
     case Format::xyz:
+      return ".xyz";
+    case Format::h5md:
       break;
   }
-  return ".xyz";
+  return ".h5";
 }
 
 std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
@@ -28,9 +31,11 @@ std::unique_ptr<Writer> writer(Format format, const store::OutputFile& file,
     case Format::gsd:
       return std::make_unique<GsdWriter>(file, scene, kinds);
     case Format::xyz:
+      return std::make_unique<XyzWriter>(file, scene, kinds);
+    case Format::h5md:
       break;
   }
-  return std::make_unique<XyzWriter>(file, scene, kinds);
+  return std::make_unique<H5mdWriter>(file, scene, kinds);
 }
 
 std::vector<std::size_t> selected_frames(const std::vector<store::Trajectory::Frame>& frames,

@@ -8,7 +8,6 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/measure/contacts.hpp"
 #include "clca/render/body.hpp"
-#include "clca/scene/units.hpp"
 
 namespace clca::exports {
 
@@ -55,9 +54,15 @@ std::vector<Eigen::Vector2d> outline_of(const lattice::Shape& shape) {
 }  // namespace
 
 std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& contact,
-                         double velocity_unit) {
+                         const std::optional<scene::Conversion>& units) {
   const std::vector<double> force = forces(state, contact);
   const auto& velocities = contact.velocities;
+  const double velocity_unit = units ? units->velocity(1) : 1;
+  const double time_step = units ? units->time_step : 1;
+  std::vector<double> radii;
+  for (const grains::Kind& kind : state.kinds) {
+    radii.push_back(kind.shape.diameter() / 2);
+  }
   std::vector<Body> result;
   result.reserve(grains::present_count(state));
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
@@ -67,14 +72,17 @@ std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& 
     }
     const Eigen::Vector2d centre = grains::centre_in_box(state, particle);
     const double beyond = grains::centre(state, particle).x() - centre.x();
-    result.push_back({.centre = centre,
-                      .velocity = velocities.empty() ? last_move(particle.previous)
-                                                     : velocity_unit * velocities[id],
-                      .displacement = lattice::position(particle.site() - state.origins[id]),
-                      .id = static_cast<std::uint32_t>(id),
-                      .image = static_cast<int>(std::lround(beyond / state.lattice.size().x())),
-                      .force = static_cast<float>(force[id]),
-                      .kind = particle.kind});
+    result.push_back(
+        {.centre = centre,
+         .velocity =
+             velocities.empty() ? last_move(particle.previous) : velocity_unit * velocities[id],
+         .displacement = lattice::position(particle.site() - state.origins[id]),
+         .angular_velocity =
+             contact.spins.empty() ? 0 : contact.spins[id] / (radii[particle.kind] * time_step),
+         .id = static_cast<std::uint32_t>(id),
+         .image = static_cast<int>(std::lround(beyond / state.lattice.size().x())),
+         .force = static_cast<float>(force[id]),
+         .kind = particle.kind});
   }
   return result;
 }
@@ -82,11 +90,6 @@ std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& 
 double time_step(const scene::Scene& scene) {
   const auto conversion = scene::conversion(scene);
   return conversion ? conversion->time_step : 1;
-}
-
-double velocity_unit(const scene::Scene& scene) {
-  const auto conversion = scene::conversion(scene);
-  return conversion ? conversion->velocity(1) : 1;
 }
 
 std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,

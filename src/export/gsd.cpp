@@ -8,7 +8,7 @@ namespace clca::exports {
 
 namespace {
 
-/// In the order of chunk_names().
+/// In the order of chunk_names(), in which a frame is written.
 enum class Chunk : std::uint16_t {
   step,
   count,
@@ -22,17 +22,22 @@ enum class Chunk : std::uint16_t {
   dimensions,
   box,
   types,
-  type_shapes
+  type_shapes,
+  angular_velocity  // of the contact model only
 };
 
-std::vector<std::string> chunk_names() {
-  return {"configuration/step",   "particles/N",
-          "particles/position",   "particles/typeid",
-          "particles/velocity",   "particles/image",
-          "log/particles/id",     "log/particles/displacement",
-          "log/particles/force",  "configuration/dimensions",
-          "configuration/box",    "particles/types",
-          "particles/type_shapes"};
+std::vector<std::string> chunk_names(bool is_contact) {
+  std::vector<std::string> names = {"configuration/step",   "particles/N",
+                                    "particles/position",   "particles/typeid",
+                                    "particles/velocity",   "particles/image",
+                                    "log/particles/id",     "log/particles/displacement",
+                                    "log/particles/force",  "configuration/dimensions",
+                                    "configuration/box",    "particles/types",
+                                    "particles/type_shapes"};
+  if (is_contact) {
+    names.emplace_back("log/particles/angular_velocity");
+  }
+  return names;
 }
 
 GsdChunk chunk(Chunk name, GsdType type, std::uint64_t rows, std::uint32_t columns = 1) {
@@ -75,12 +80,12 @@ Bytes column(const std::vector<Body>& all, Append append_to) {
 
 GsdWriter::GsdWriter(const store::OutputFile& file, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
-    : file_(file.create(), chunk_names()),
-      velocity_unit_(velocity_unit(scene)),
+    : file_(file.create(), chunk_names(scene.model == scene::Model::contact)),
+      units_(scene::conversion(scene)),
       kinds_(kind_appearances(scene, kinds)) {}
 
 void GsdWriter::add(const grains::State& state, const store::ContactFrame& contact) {
-  const std::vector<Body> all = bodies(state, contact, velocity_unit_);
+  const std::vector<Body> all = bodies(state, contact, units_);
   file_.write(chunk(Chunk::step, GsdType::uint64, 1), bytes_of(state.step));
   file_.write(chunk(Chunk::count, GsdType::uint32, 1),
               bytes_of(static_cast<std::uint32_t>(all.size())));
@@ -88,6 +93,12 @@ void GsdWriter::add(const grains::State& state, const store::ContactFrame& conta
   if (first_) {
     add_fixed(state.lattice);
     first_ = false;
+  }
+  if (units_) {
+    file_.write(chunk(Chunk::angular_velocity, GsdType::float32, all.size()),
+                column(all, [](Bytes& to, const Body& body) {
+                  append(to, static_cast<float>(body.angular_velocity));
+                }));
   }
   file_.end_frame();
 }

@@ -1,6 +1,8 @@
 #pragma once
 // GSD with the schema of HOOMD (gsd.readthedocs.io, "HOOMD schema").
 
+#include <optional>
+
 #include "clca/export/export.hpp"
 #include "clca/export/frame.hpp"
 #include "export/gsd_file.hpp"
@@ -21,7 +23,7 @@ class GsdWriter : public Writer {
   void add_particles(const lattice::Lattice& lattice, const std::vector<Body>& all);
 
   GsdFile file_;
-  double velocity_unit_;
+  std::optional<scene::Conversion> units_;  // of the contact model
   std::vector<KindAppearance> kinds_;
   bool first_ = true;
 };

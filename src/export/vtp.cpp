@@ -71,7 +71,7 @@ VtpWriter::VtpWriter(store::OutputFile collection, const scene::Scene& scene,
                      const std::vector<grains::Kind>& kinds)
     : collection_(std::move(collection)),
       time_step_(time_step(scene)),
-      velocity_unit_(velocity_unit(scene)),
+      units_(scene::conversion(scene)),
       species_names_(text::names_of<std::string>(scene.species)),
       wall_names_(text::names_of<std::string>(scene.walls)),
       step_digits_(scene::step_digits(scene)),
@@ -120,7 +120,8 @@ void VtpWriter::write_particles(const std::string& file, const grains::State& st
   Bytes velocity;
   Bytes displacement;
   Bytes force;
-  for (const Body& body : bodies(state, contact, velocity_unit_)) {
+  Bytes angular_velocity;
+  for (const Body& body : bodies(state, contact, units_)) {
     const KindAppearance& look = kinds_[body.kind];
     for (const Eigen::Vector2d& corner : look.outline) {
       polygons.add_corner(body.centre + corner);
@@ -131,6 +132,7 @@ void VtpWriter::write_particles(const std::string& file, const grains::State& st
     append_vector(velocity, body.velocity.x(), body.velocity.y());
     append_vector(displacement, body.displacement.x(), body.displacement.y());
     append(force, body.force);
+    append(angular_velocity, static_cast<float>(body.angular_velocity));
   }
   polygons.set_time(time(state.step));
   polygons.set_names("species_names", species_names_);
@@ -139,6 +141,9 @@ void VtpWriter::write_particles(const std::string& file, const grains::State& st
   polygons.add_cell_data("velocity", "Float32", 3, std::move(velocity));
   polygons.add_cell_data("displacement", "Float32", 3, std::move(displacement));
   polygons.add_cell_data("force", "Float32", 1, std::move(force));
+  if (units_) {
+    polygons.add_cell_data("angular_velocity", "Float32", 1, std::move(angular_velocity));
+  }
   polygons.write(collection_.folder.create(file));
 }
 

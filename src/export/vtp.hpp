@@ -36,7 +36,7 @@ class VtpWriter : public Writer {
 
   store::OutputFile collection_;
   double time_step_;
-  double velocity_unit_;
+  std::optional<scene::Conversion> units_;  // of the contact model
   std::vector<std::string> species_names_;
   std::vector<std::string> wall_names_;
   int step_digits_;

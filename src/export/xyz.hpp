@@ -1,7 +1,9 @@
 #pragma once
 // Extended XYZ: frame after frame as text (github.com/libAtoms/extxyz).
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "clca/export/export.hpp"
 #include "clca/export/frame.hpp"
@@ -18,9 +20,8 @@ class XyzWriter : public Writer {
 
  private:
   store::AtomicFile file_;
-  double time_step_;
-  double velocity_unit_;
-  std::vector<std::string> species_;  // by kind
+  std::optional<scene::Conversion> units_;  // of the contact model
+  std::vector<std::string> species_;        // by kind
 };
 
 }  // namespace clca::exports

@@ -34,6 +34,7 @@ py::dtype body_type() {
                       {"position", "(2,)f8", offsetof(Body, centre)},
                       {"velocity", "(2,)f8", offsetof(Body, velocity)},
                       {"displacement", "(2,)f8", offsetof(Body, displacement)},
+                      {"angular_velocity", "f8", offsetof(Body, angular_velocity)},
                       {"image", "i4", offsetof(Body, image)},
                       {"force", "f4", offsetof(Body, force)}},
                      sizeof(Body));
@@ -78,7 +79,7 @@ py::dtype particle_type() {
 FrameData::FrameData(const scene::Scene& scene, const grains::State& state,
                      store::ContactFrame contact)
     : step(state.step),
-      bodies(exports::bodies(state, contact, exports::velocity_unit(scene))),
+      bodies(exports::bodies(state, contact, scene::conversion(scene))),
       forces(std::move(contact.forces)) {
   for (const grains::Wall& wall : state.walls) {
     walls.push_back(wall.present ? std::optional(lattice::position(wall.shift())) : std::nullopt);
@@ -106,10 +107,10 @@ py::list kinds(const scene::Scene& scene, const std::vector<grains::Kind>& kinds
 py::dict units(const scene::Scene& scene) {
   const auto conversion = scene::conversion(scene);
   py::dict result;
-  result["time"] =
-      py::make_tuple(conversion ? conversion->time_unit : "steps", exports::time_step(scene));
+  const std::string time = conversion ? conversion->time_unit : "steps";
+  result["time"] = py::make_tuple(time, exports::time_step(scene));
   result["velocity"] = py::make_tuple(conversion ? conversion->velocity_unit : "spacings/step",
-                                      exports::velocity_unit(scene));
+                                      conversion ? conversion->velocity(1) : 1.0);
   return result;
 }
 

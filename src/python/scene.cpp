@@ -36,15 +36,20 @@ void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
            py::call_guard<py::gil_scoped_release>())
-      .def_property_readonly("name",
-                             [](const LoadedScene& loaded) {
-                               return std::visit(
-                                   [](const auto& scene) { return std::string(scene.name); },
-                                   loaded.scene);
-                             })
-      .def("to_yaml", [](const LoadedScene& loaded) {
-        return std::visit([](const auto& scene) { return scene::to_yaml(scene); }, loaded.scene);
-      });
+      .def_property_readonly(
+          "name",
+          [](const LoadedScene& loaded) {
+            return std::visit([](const auto& scene) { return std::string(scene.name); },
+                              loaded.scene);
+          },
+          "That of its file, without `.yaml`, or as it was given.")
+      .def(
+          "to_yaml",
+          [](const LoadedScene& loaded) {
+            return std::visit([](const auto& scene) { return scene::to_yaml(scene); },
+                              loaded.scene);
+          },
+          "The scene with every default filled in.");
 }
 
 }  // namespace clca::python

@@ -139,6 +139,16 @@ std::vector<Eigen::Vector2d> Model::velocities() const {
   return result;
 }
 
+std::vector<double> Model::spins() const {
+  std::vector<double> result;
+  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
+    for (const auto& velocity : contact->state().velocities) {
+      result.push_back(static_cast<double>(velocity.spin) / contact::kSpacing);
+    }
+  }
+  return result;
+}
+
 contact::Vessel Model::vessel() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact->vessel() : contact::Vessel();

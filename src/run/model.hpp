@@ -57,6 +57,8 @@ class Model {
   std::optional<std::vector<contact::Force>> forces() const;
   /// By id, lattice spacings per step; empty for others.
   std::vector<Eigen::Vector2d> velocities() const;
+  /// Likewise: angular velocities times radii, anticlockwise.
+  std::vector<double> spins() const;
   /// Upright and at rest for others.
   contact::Vessel vessel() const;
   /// See contact::ContactModel::quiet; false for others.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "clca/scene/format.hpp"
+#include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::run {
@@ -137,6 +138,9 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
 }
 
 std::string columns_table(std::string_view table) {
+  if (table == "trajectory") {
+    return store::datasets_table();
+  }
   constexpr std::string_view kGas = "gas.";
   const bool is_gas = table.starts_with(kGas);
   const std::string_view name = is_gas ? table.substr(kGas.size()) : table;
@@ -145,7 +149,7 @@ std::string columns_table(std::string_view table) {
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
                         where.empty() ? "" : "; ", where);
   };
-  std::vector<std::string_view> known;
+  std::vector<std::string_view> known = {"trajectory"};
   for (const TableInfo& info : is_gas ? gas_tables() : all_tables()) {
     known.push_back(info.name);
     if (info.name != name) {

@@ -180,6 +180,7 @@ std::shared_ptr<const grains::State> Simulation::held_grains() const {
 store::ContactFrame Simulation::contact_frame() const {
   const Model& model = impl_->model();
   return {.velocities = model.velocities(),
+          .spins = model.spins(),
           .forces = model.forces().value_or(std::vector<contact::Force>())};
 }
 std::uint64_t Simulation::hash() const {

@@ -53,7 +53,7 @@ void TrajectoryOutput::add(const StageView& now, bool begins) {
   if (!begins && step_ == state.step) {
     return;
   }
-  store::ContactFrame contact{.velocities = now.model.velocities()};
+  store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
   if (scene_.output.trajectory->contacts) {
     contact.forces = now.observers.find<ContactRecord>()->of_frame(now.model);
   }

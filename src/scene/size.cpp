@@ -34,8 +34,8 @@ constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
 // A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
 constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
 constexpr double kTrajectoryRowBytes = 6 * 45;
-// Of the contact model: a velocity, and the contacts of a grain.
-constexpr double kVelocityRowBytes = 6 * 16;
+// Of the contact model: a velocity with a spin, and the contacts of a grain.
+constexpr double kVelocityRowBytes = 6 * 24;
 constexpr double kContactRowBytes = 6 * 4 * 72;
 // Sums of forces over a window, of four contacts a grain: two blocks and their total, each sum with
 // its place in a map.

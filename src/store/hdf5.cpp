@@ -1,9 +1,10 @@
-#include "store/hdf5.hpp"
+#include "store/internal/hdf5.hpp"
 
 #include <fmt/format.h>
 #include <pthread.h>
 
 #include <new>
+#include <string>
 
 #include "clca/store/file.hpp"
 
@@ -28,6 +29,18 @@ std::vector<std::uint8_t> bytes_of(const Handle& file) {
   return bytes;
 }
 
+void add_text(const Handle& object, const char* name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "text");
+  check(H5Tset_size(type.id(), H5T_VARIABLE), "text size");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "encoding");
+  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "extent");
+  const Handle attribute(
+      H5Acreate2(object.id(), name, type.id(), scalar.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+      "attribute");
+  const char* characters = text.c_str();
+  check(H5Awrite(attribute.id(), type.id(), &characters), "attribute");
+}
+
 /// A child process gets the library between two calls, and free.
 std::mutex& library() {
   static std::mutex mutex;
@@ -48,6 +61,11 @@ void fail(const char* what) {
     throw std::bad_alloc();
   }
   throw Error(what);
+}
+
+void describe(const Handle& dataset, std::string_view unit, std::string_view meaning) {
+  add_text(dataset, "units", std::string(unit.empty() ? "1" : unit));
+  add_text(dataset, "description", std::string(meaning));
 }
 
 Session::Session() : lock_(library()) {

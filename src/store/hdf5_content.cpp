@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
-#include "store/hdf5.hpp"
+#include "store/internal/hdf5.hpp"
 #include "store/number_types.hpp"
 
 namespace clca::store::hdf5 {
@@ -44,20 +45,24 @@ Handle open_image(std::span<const std::uint8_t> file) {
   return {H5Fopen("image", H5F_ACC_RDONLY, give_in_place(access, file)), H5Fclose, kNone};
 }
 
-/// Only hard links: others may lead to other files or form cycles.
-Handle open_dataset(const Handle& file, const std::string& path) {
+/// Whether something has this path. Only hard links: others may lead to other files or form
+/// cycles.
+bool is_there(const Handle& file, const std::string& path) {
   for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
     const std::string front = path.substr(0, end);
     H5L_info_t link{};
-    if (H5Lexists(file.id(), front.c_str(), H5P_DEFAULT) <= 0 ||
-        H5Lget_info(file.id(), front.c_str(), &link, H5P_DEFAULT) < 0) {
+    const htri_t exists = H5Lexists(file.id(), front.c_str(), H5P_DEFAULT);
+    if (exists == 0) {
+      return false;
+    }
+    if (exists < 0 || H5Lget_info(file.id(), front.c_str(), &link, H5P_DEFAULT) < 0) {
       fail("is missing");
     }
     if (link.type != H5L_TYPE_HARD) {
       throw Error("is a link to somewhere else");
     }
     if (end == std::string::npos) {
-      return {H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose, "is no dataset"};
+      return true;
     }
   }
 }
@@ -137,8 +142,14 @@ struct CheckedDataset {
   }
 };
 
-CheckedDataset open(const Handle& file, const Hdf5Dataset& wanted) {
-  Handle dataset = open_dataset(file, wanted.path);
+std::optional<CheckedDataset> open(const Handle& file, const Hdf5Dataset& wanted) {
+  if (!is_there(file, wanted.path)) {
+    if (wanted.may_be_missing) {
+      return std::nullopt;
+    }
+    throw Error("is missing");
+  }
+  Handle dataset(H5Dopen2(file.id(), wanted.path.c_str(), H5P_DEFAULT), H5Dclose, "is no dataset");
   Handle type(H5Dget_type(dataset.id()), H5Tclose, "has no type");
   check_type(type, wanted.values);
   const std::size_t item_bytes = H5Tget_size(type.id());
@@ -147,17 +158,21 @@ CheckedDataset open(const Handle& file, const Hdf5Dataset& wanted) {
     throw Error(fmt::format("has {} columns", extent[1]));
   }
   check_layout(dataset, item_bytes);
-  return {.dataset = std::move(dataset),
-          .type = std::move(type),
-          .header = {.rows = extent[0], .item_bytes = item_bytes},
-          .columns = wanted.columns};
+  return CheckedDataset{.dataset = std::move(dataset),
+                        .type = std::move(type),
+                        .header = {.rows = extent[0], .item_bytes = item_bytes},
+                        .columns = wanted.columns};
 }
 
-void send_dataset(const CheckedDataset& opened, const process::Child::Send& send) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(opened.bytes()));
-  check(H5Dread(opened.dataset.id(), opened.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
-        "cannot be read");
-  send({reinterpret_cast<const std::uint8_t*>(&opened.header), sizeof opened.header});
+void send_dataset(const std::optional<CheckedDataset>& opened, const process::Child::Send& send) {
+  const DatasetHeader header = opened ? opened->header : DatasetHeader();
+  std::vector<std::uint8_t> bytes(opened ? static_cast<std::size_t>(opened->bytes()) : 0);
+  if (opened) {
+    check(H5Dread(opened->dataset.id(), opened->type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                  bytes.data()),
+          "cannot be read");
+  }
+  send({reinterpret_cast<const std::uint8_t*>(&header), sizeof header});
   send(bytes);
 }
 
@@ -179,14 +194,15 @@ void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dat
                    double max_bytes, const process::Child::Send& send) {
   const Session session;
   const Handle image = open_image(file);
-  std::vector<CheckedDataset> all;
+  std::vector<std::optional<CheckedDataset>> all;
   all.reserve(datasets.size());
   double sum = 0;
   double largest = 0;
   for_each_named(datasets, [&](std::size_t i) {
     all.push_back(open(image, datasets[i]));
-    sum += all.back().bytes();
-    largest = std::max(largest, all.back().bytes());
+    const double bytes = all.back() ? all.back()->bytes() : 0;
+    sum += bytes;
+    largest = std::max(largest, bytes);
     if (sum + largest > max_bytes) {
       throw Error("needs more memory than the limit");
     }

@@ -22,6 +22,12 @@ concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t>
     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
     std::same_as<T, std::int32_t> || std::same_as<T, double>;
 
+/// What a dataset says of itself; as Quantity.
+struct Meaning {
+  std::string_view unit;  ///< of a pure number, a name or a text empty
+  std::string_view text;  ///< empty: it says nothing
+};
+
 /// Adds datasets to a file. Paths are relative to the root; groups are made as needed. Throws as
 /// hdf5::check.
 class Hdf5Writer {
@@ -31,11 +37,13 @@ class Hdf5Writer {
 
   /// A chunked, compressed dataset of `values` in rows of `columns` numbers (1: a list).
   template <Number T>
-  void add(const std::string& path, std::span<const T> values, std::size_t columns = 1) const;
+  void add(const std::string& path, std::span<const T> values, std::size_t columns = 1,
+           const Meaning& meaning = {}) const;
   /// A string, as UTF-8.
-  void add_text(const std::string& path, std::string_view text) const;
+  void add_text(const std::string& path, std::string_view text, const Meaning& meaning = {}) const;
   /// A list of strings.
-  void add_texts(const std::string& path, const std::vector<std::string>& texts) const;
+  void add_texts(const std::string& path, const std::vector<std::string>& texts,
+                 const Meaning& meaning = {}) const;
 
  private:
   std::int64_t file_;
@@ -54,6 +62,7 @@ struct Hdf5Dataset {
   std::string path;
   Values values;
   std::size_t columns = 1;
+  bool may_be_missing = false;  ///< then there are no values
 };
 
 /// Reads these datasets of a file. `max_bytes`: memory limit for the file, the data, and the

@@ -4,9 +4,9 @@
 
 #include "clca/process/child.hpp"
 #include "clca/store/file.hpp"
-#include "store/hdf5.hpp"
 #include "store/hdf5_content.hpp"
 #include "store/hdf5_file.hpp"
+#include "store/internal/hdf5.hpp"
 
 namespace clca::store {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "store/hdf5.hpp"
 #include "store/hdf5_file.hpp"
+#include "store/internal/hdf5.hpp"
 #include "store/number_types.hpp"
 
 namespace clca::store {
@@ -47,33 +47,39 @@ Handle text_type(std::size_t size) {
 }
 
 void write_dataset(hid_t file, const std::string& path, hid_t type, const Handle& space,
-                   const Handle& create, const void* data) {
+                   const Handle& create, const void* data, const Meaning& meaning) {
   const Handle links = make_links();
   const Handle dataset(
       H5Dcreate2(file, path.c_str(), type, space.id(), links.id(), create.id(), H5P_DEFAULT),
       H5Dclose, "dataset");
   check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write");
+  if (!meaning.text.empty()) {
+    hdf5::describe(dataset, meaning.unit, meaning.text);
+  }
 }
 
 }  // namespace
 
 template <Number T>
-void Hdf5Writer::add(const std::string& path, std::span<const T> values,
-                     std::size_t columns) const {
+void Hdf5Writer::add(const std::string& path, std::span<const T> values, std::size_t columns,
+                     const Meaning& meaning) const {
   const std::array<hsize_t, 2> extent = {values.size() / columns, columns};
   const Handle space(H5Screate_simple(columns == 1 ? 1 : 2, extent.data(), nullptr), H5Sclose,
                      "extent");
   write_dataset(file_, path, number_type<T>(), space, layout(extent[0], extent[1], sizeof(T)),
-                values.data());
+                values.data(), meaning);
 }
 
-void Hdf5Writer::add_text(const std::string& path, std::string_view text) const {
+void Hdf5Writer::add_text(const std::string& path, std::string_view text,
+                          const Meaning& meaning) const {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "extent");
   const std::string copy(text.empty() ? std::string_view("\0", 1) : text);
-  write_dataset(file_, path, text_type(copy.size()).id(), space, layout(1, 1, 1), copy.data());
+  write_dataset(file_, path, text_type(copy.size()).id(), space, layout(1, 1, 1), copy.data(),
+                meaning);
 }
 
-void Hdf5Writer::add_texts(const std::string& path, const std::vector<std::string>& texts) const {
+void Hdf5Writer::add_texts(const std::string& path, const std::vector<std::string>& texts,
+                           const Meaning& meaning) const {
   std::size_t longest = 1;
   for (const std::string& text : texts) {
     longest = std::max(longest, text.size());
@@ -85,7 +91,8 @@ void Hdf5Writer::add_texts(const std::string& path, const std::vector<std::strin
   }
   const hsize_t extent = texts.size();
   const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "extent");
-  write_dataset(file_, path, text_type(longest).id(), space, layout(1, 1, 1), cells.data());
+  write_dataset(file_, path, text_type(longest).id(), space, layout(1, 1, 1), cells.data(),
+                meaning);
 }
 
 std::vector<std::uint8_t> hdf5_file(const std::filesystem::path& path, const FileKind& kind,
@@ -94,14 +101,17 @@ std::vector<std::uint8_t> hdf5_file(const std::filesystem::path& path, const Fil
                      hdf5::image(path, [&](const Handle& file) { add(Hdf5Writer(file.id())); }));
 }
 
-template void Hdf5Writer::add(const std::string&, std::span<const std::uint8_t>, std::size_t) const;
-template void Hdf5Writer::add(const std::string&, std::span<const std::uint16_t>,
-                              std::size_t) const;
-template void Hdf5Writer::add(const std::string&, std::span<const std::uint32_t>,
-                              std::size_t) const;
-template void Hdf5Writer::add(const std::string&, std::span<const std::uint64_t>,
-                              std::size_t) const;
-template void Hdf5Writer::add(const std::string&, std::span<const std::int32_t>, std::size_t) const;
-template void Hdf5Writer::add(const std::string&, std::span<const double>, std::size_t) const;
+template void Hdf5Writer::add(const std::string&, std::span<const std::uint8_t>, std::size_t,
+                              const Meaning&) const;
+template void Hdf5Writer::add(const std::string&, std::span<const std::uint16_t>, std::size_t,
+                              const Meaning&) const;
+template void Hdf5Writer::add(const std::string&, std::span<const std::uint32_t>, std::size_t,
+                              const Meaning&) const;
+template void Hdf5Writer::add(const std::string&, std::span<const std::uint64_t>, std::size_t,
+                              const Meaning&) const;
+template void Hdf5Writer::add(const std::string&, std::span<const std::int32_t>, std::size_t,
+                              const Meaning&) const;
+template void Hdf5Writer::add(const std::string&, std::span<const double>, std::size_t,
+                              const Meaning&) const;
 
 }  // namespace clca::store

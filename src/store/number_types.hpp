@@ -1,8 +1,8 @@
 #pragma once
 // HDF5 number types.
 
-#include "store/hdf5.hpp"
 #include "store/hdf5_file.hpp"
+#include "store/internal/hdf5.hpp"
 
 namespace clca::store {
 

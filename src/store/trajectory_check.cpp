@@ -230,6 +230,9 @@ void check_rows(const PartContext& context, const PartFrames& frames, const Part
   require(
       have_size(layout.velocities ? 2 * particles : 0, rows.velocity) && all_finite(rows.velocity),
       context, "velocities and particles do not go together");
+  require((rows.spin.empty() || have_size(layout.velocities ? particles : 0, rows.spin)) &&
+              all_finite(rows.spin),
+          context, "spins and particles do not go together");
   require(all_below(rows.kind, fixed.kinds.size()), context, "a kind that the scene does not have");
   require(all_below(rows.move, grains::kRest + 1), context, "a move that is none");
   require(all_below(rows.push_direction, lattice::kDirectionCount), context,

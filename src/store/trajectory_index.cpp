@@ -6,7 +6,7 @@
 #include <string>
 
 #include "clca/store/file.hpp"
-#include "store/hdf5.hpp"
+#include "store/internal/hdf5.hpp"
 #include "store/number_types.hpp"
 #include "store/trajectory_files.hpp"
 
@@ -91,6 +91,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
   const Handle dataset(H5Dcreate2(file.id(), column.path, number_type<T>(), whole.id(), links.id(),
                                   creation.id(), H5P_DEFAULT),
                        H5Dclose, "dataset");
+  hdf5::describe(dataset, column.meaning.unit, column.meaning.text);
 }
 
 }  // namespace

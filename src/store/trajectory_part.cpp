@@ -94,6 +94,7 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
     add_point_row(derived.position, grains::centre_in_box(state, particle));
     if (!contact.velocities.empty()) {
       add_point_row(rows.velocity, contact.velocities[id]);
+      rows.spin.push_back(contact.spins[id]);
     }
     if (id >= first_origin) {
       origins.id.push_back(static_cast<std::uint32_t>(id));

@@ -37,12 +37,14 @@ struct Extents {
   bool operator==(const Extents&) const = default;
 };
 
-/// A dataset: path, meaning of its rows, shape of a row (none: one number). The numbers of a row
-/// are contiguous.
+/// A dataset: path, meaning of its rows and numbers, shape of a row (none: one number). The numbers
+/// of a row are contiguous.
 struct Column {
   const char* path;
   Axis axis;
+  Meaning meaning;
   std::vector<std::size_t> row = {};
+  bool may_be_missing = false;  ///< earlier versions did not write it
 
   /// Numbers per row.
   std::size_t width() const;
@@ -95,6 +97,7 @@ struct PartRows {
   std::vector<std::uint8_t> wall_present;  ///< frames x walls
   std::vector<std::int32_t> wall_offset;   ///< frames x walls, sites along the motion
   std::vector<double> velocity;            ///< x, y
+  std::vector<double> spin;
   // Of contacts: see contact::Force.
   std::vector<std::uint32_t> upper;
   std::vector<std::int32_t> other;
@@ -128,60 +131,141 @@ struct TrajectoryPart {
 /// Calls visit(column, vector) for each dataset.
 template <class Frames, class Visit>
 void for_each_frames_column(Frames& frames, const Layout& layout, Visit visit) {
-  visit(Column{"frames/step", Axis::frames}, frames.step);
-  visit(Column{"frames/stage", Axis::frames}, frames.stage);
-  visit(Column{"frames/entered", Axis::frames}, frames.entered);
-  visit(Column{"frames/first", Axis::frames}, frames.particles.first);
-  visit(Column{"frames/particles", Axis::frames}, frames.particles.count);
-  visit(Column{"frames/first_origin", Axis::frames}, frames.origins.first);
-  visit(Column{"frames/origins", Axis::frames}, frames.origins.count);
-  visit(Column{"frames/first_push", Axis::frames}, frames.pushes.first);
-  visit(Column{"frames/pushes", Axis::frames}, frames.pushes.count);
+  constexpr Axis kAxis = Axis::frames;
+  visit(Column{"frames/step", kAxis, {"steps", "of the whole run"}}, frames.step);
+  visit(Column{"frames/stage", kAxis, {"", "which of `scene/stages`, from 0"}}, frames.stage);
+  visit(Column{"frames/entered", kAxis, {"", "particles that had entered; ids are below this"}},
+        frames.entered);
+  visit(Column{"frames/first", kAxis, {"", "the first row of the frame in `particles`"}},
+        frames.particles.first);
+  visit(Column{"frames/particles", kAxis, {"", "rows of the frame in `particles`"}},
+        frames.particles.count);
+  visit(Column{"frames/first_origin", kAxis, {"", "the first row of the frame in `origins`"}},
+        frames.origins.first);
+  visit(Column{"frames/origins", kAxis, {"", "rows of the frame in `origins`"}},
+        frames.origins.count);
+  visit(Column{"frames/first_push", kAxis, {"", "the first row of the frame in `pushes`"}},
+        frames.pushes.first);
+  visit(Column{"frames/pushes", kAxis, {"", "rows of the frame in `pushes`"}}, frames.pushes.count);
   if (layout.contacts) {
-    visit(Column{"frames/first_contact", Axis::frames}, frames.contacts.first);
-    visit(Column{"frames/contacts", Axis::frames}, frames.contacts.count);
+    visit(Column{"frames/first_contact", kAxis, {"", "the first row of the frame in `contacts`"}},
+          frames.contacts.first);
+    visit(Column{"frames/contacts", kAxis, {"", "rows of the frame in `contacts`"}},
+          frames.contacts.count);
   }
 }
 
 template <class Origins, class Visit>
 void for_each_origins_column(Origins& origins, Visit visit) {
-  visit(Column{"origins/id", Axis::origins}, origins.id);
-  visit(Column{"origins/site", Axis::origins, {2}}, origins.site);
+  constexpr Axis kAxis = Axis::origins;
+  visit(Column{"origins/id",
+               kAxis,
+               {"", "of the particle; all in the first frame of a stage, later the new ones"}},
+        origins.id);
+  visit(Column{"origins/site",
+               kAxis,
+               {"sites", "column and row where it was when the stage began or it entered"},
+               {2}},
+        origins.site);
+}
+
+template <class Rows, class Visit>
+void for_each_particles_column(Rows& rows, const Layout& layout, Visit visit) {
+  constexpr Axis kAxis = Axis::particles;
+  visit(Column{"particles/id", kAxis, {"", "for life; ascending in a frame, without those gone"}},
+        rows.id);
+  visit(Column{"particles/site",
+               kAxis,
+               {"sites",
+                "column and row of the reference site; the column, and no other place, counts on "
+                "across a periodic boundary"},
+               {2}},
+        rows.site);
+  visit(Column{"particles/kind", kAxis, {"", "which of `scene/kinds`: species and orientation"}},
+        rows.kind);
+  visit(Column{"particles/move", kAxis, {"", "the last move: 0 to 5 clockwise from up, 6 none"}},
+        rows.move);
+  if (layout.velocities) {
+    visit(Column{"particles/velocity", kAxis, {"spacings/step", "x, y; of the contact model"}, {2}},
+          rows.velocity);
+    visit(Column{"particles/spin",
+                 kAxis,
+                 {"spacings/step",
+                  "angular velocity, anticlockwise, times the radius of a disc of the same area; "
+                  "of the contact model"},
+                 {},
+                 true},
+          rows.spin);
+  }
+}
+
+template <class Rows, class Visit>
+void for_each_contacts_column(Rows& rows, Visit visit) {
+  constexpr Axis kAxis = Axis::contacts;
+  visit(Column{"contacts/upper", kAxis, {"", "id of a particle"}}, rows.upper);
+  visit(
+      Column{"contacts/other",
+             kAxis,
+             {"",
+              "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
+              "-2³¹, -2³¹+1, -2³¹+2, -2³¹+3 for `box.floor`, `box.top`, `box.left`, `box.right`"}},
+      rows.other);
+  visit(Column{"contacts/place", kAxis, {"spacings", "x, y of the contact, in the box"}, {2}},
+        rows.point);
+  visit(Column{"contacts/normal", kAxis, {"", "x, y: unit vector to the upper particle"}, {2}},
+        rows.normal);
+  visit(Column{"contacts/branch",
+               kAxis,
+               {"spacings",
+                "x, y from the other centre, or from the place of contact with what is no "
+                "particle, to the upper centre"},
+               {2}},
+        rows.branch);
+  visit(Column{"contacts/force",
+               kAxis,
+               {"weights of a grain of mean mass",
+                "on the upper particle: along the normal, and along the normal turned "
+                "anticlockwise"},
+               {2}},
+        rows.force);
 }
 
 template <class Rows, class Visit>
 void for_each_rows_column(Rows& rows, const Layout& layout, Visit visit) {
-  visit(Column{"particles/id", Axis::particles}, rows.id);
-  visit(Column{"particles/site", Axis::particles, {2}}, rows.site);
-  visit(Column{"particles/kind", Axis::particles}, rows.kind);
-  visit(Column{"particles/move", Axis::particles}, rows.move);
-  visit(Column{"pushes/pushed", Axis::pushes}, rows.pushed);
-  visit(Column{"pushes/pusher", Axis::pushes}, rows.pusher);
-  visit(Column{"pushes/source", Axis::pushes}, rows.push_source);
-  visit(Column{"pushes/direction", Axis::pushes}, rows.push_direction);
+  for_each_particles_column(rows, layout, visit);
+  constexpr Axis kPushes = Axis::pushes;
+  visit(Column{"pushes/pushed", kPushes, {"", "id of a particle that was pushed"}}, rows.pushed);
+  visit(Column{"pushes/pusher",
+               kPushes,
+               {"", "by whom: a particle, or -2 for the first wall, -3 for the second ..."}},
+        rows.pusher);
+  visit(Column{"pushes/source", kPushes, {"", "the wall where the push began"}}, rows.push_source);
+  visit(Column{"pushes/direction", kPushes, {"", "0 to 5 clockwise from up"}}, rows.push_direction);
   if (layout.walls > 0) {
-    visit(Column{"walls/present", Axis::frames, {layout.walls}}, rows.wall_present);
-    visit(Column{"walls/offset", Axis::frames, {layout.walls}}, rows.wall_offset);
-  }
-  if (layout.velocities) {
-    visit(Column{"particles/velocity", Axis::particles, {2}}, rows.velocity);
+    visit(Column{"walls/present", Axis::frames, {"", "1 where the wall is there"}, {layout.walls}},
+          rows.wall_present);
+    visit(
+        Column{
+            "walls/offset", Axis::frames, {"sites", "from home along its motion"}, {layout.walls}},
+        rows.wall_offset);
   }
   if (layout.contacts) {
-    visit(Column{"contacts/upper", Axis::contacts}, rows.upper);
-    visit(Column{"contacts/other", Axis::contacts}, rows.other);
-    visit(Column{"contacts/place", Axis::contacts, {2}}, rows.point);
-    visit(Column{"contacts/normal", Axis::contacts, {2}}, rows.normal);
-    visit(Column{"contacts/branch", Axis::contacts, {2}}, rows.branch);
-    visit(Column{"contacts/force", Axis::contacts, {2}}, rows.force);
+    for_each_contacts_column(rows, visit);
   }
 }
 
 template <class Derived, class Visit>
 void for_each_derived_column(Derived& derived, std::size_t walls, Visit visit) {
-  visit(Column{"particles/species", Axis::particles}, derived.species);
-  visit(Column{"particles/position", Axis::particles, {2}}, derived.position);
+  visit(Column{"particles/species", Axis::particles, {"", "which of `scene/species`"}},
+        derived.species);
+  visit(Column{"particles/position",
+               Axis::particles,
+               {"spacings", "x, y of the centre of mass, in the box"},
+               {2}},
+        derived.position);
   if (walls > 0) {
-    visit(Column{"walls/position", Axis::frames, {walls, 2}}, derived.wall_position);
+    visit(Column{"walls/position", Axis::frames, {"spacings", "x, y from home"}, {walls, 2}},
+          derived.wall_position);
   }
 }
 
@@ -196,7 +280,10 @@ void for_each_column(Part& part, const Layout& layout, Visit visit) {
 /// Records the destination of each column to be read.
 inline auto add_to(std::vector<Hdf5Dataset>& datasets) {
   return [&datasets](const Column& column, auto& values) {
-    datasets.push_back({.path = column.path, .values = &values, .columns = column.width()});
+    datasets.push_back({.path = column.path,
+                        .values = &values,
+                        .columns = column.width(),
+                        .may_be_missing = column.may_be_missing});
   };
 }
 

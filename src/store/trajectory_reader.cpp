@@ -84,9 +84,12 @@ class Trajectory::Impl {
     ContactFrame result;
     if (layout_.velocities) {
       result.velocities.resize(part.frames.entered[within], Eigen::Vector2d::Zero());
+      result.spins.resize(part.frames.entered[within], 0);
       const RowSpan rows = part.frames.particles.rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         result.velocities[rows_.id[row]] = point_at(rows_.velocity, row);
+        result.spins[rows_.id[row]] =
+            rows_.spin.empty() ? std::numeric_limits<double>::quiet_NaN() : rows_.spin[row];
       }
     }
     if (layout_.contacts) {

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 
 #include "clca/scene/units.hpp"
+#include "clca/store/trajectory.hpp"
 #include "clca/text/names_of.hpp"
+#include "store/trajectory_part.hpp"
 
 namespace clca::store {
 
@@ -19,21 +23,58 @@ std::string units_text(const scene::Scene& scene) {
   return text;
 }
 
-/// Calls visit(path, list, columns) for each dataset that identifies the scene.
+constexpr Meaning kName = {"", "of the scene"};
+constexpr Meaning kUnits = {"", "of all that is in the file, in words"};
+constexpr Meaning kCentre = {"spacings", "of each kind x, y of the centre of mass from its site"};
+
+/// Calls visit(path, list, columns, meaning) for each dataset that identifies the scene.
 template <class Tables, class Visit>
 void for_each_table(Tables& tables, Visit visit) {
-  visit("scene/seed", tables.seed, 1);
-  visit("scene/lattice", tables.lattice, 1);
-  visit("scene/species", tables.species, 1);
-  visit("scene/stages", tables.stages, 1);
-  visit("scene/kinds/species", tables.kind_species, 1);
-  visit("scene/kinds/first", tables.kind_sites.first, 1);
-  visit("scene/kinds/size", tables.kind_sites.size, 1);
-  visit("scene/kinds/sites", tables.kind_sites.sites, 2);
-  visit("scene/walls/name", tables.walls, 1);
-  visit("scene/walls/first", tables.wall_sites.first, 1);
-  visit("scene/walls/size", tables.wall_sites.size, 1);
-  visit("scene/walls/sites", tables.wall_sites.sites, 2);
+  visit("scene/seed", tables.seed, 1, Meaning{"", "of the run"});
+  visit("scene/lattice", tables.lattice, 1, Meaning{"", "columns, rows, 1 if periodic"});
+  visit("scene/species", tables.species, 1, Meaning{"", "names"});
+  visit("scene/stages", tables.stages, 1, Meaning{"", "names"});
+  visit("scene/kinds/species", tables.kind_species, 1,
+        Meaning{"", "of each kind, a species in one orientation, which of `scene/species`"});
+  visit("scene/kinds/first", tables.kind_sites.first, 1,
+        Meaning{"", "of each kind the first row in `scene/kinds/sites`"});
+  visit("scene/kinds/size", tables.kind_sites.size, 1, Meaning{"sites", "of each kind"});
+  visit("scene/kinds/sites", tables.kind_sites.sites, 2,
+        Meaning{"sites", "axial x and q from the reference site"});
+  visit("scene/walls/name", tables.walls, 1, Meaning{"", "of each wall"});
+  visit("scene/walls/first", tables.wall_sites.first, 1,
+        Meaning{"", "of each wall the first row in `scene/walls/sites`"});
+  visit("scene/walls/size", tables.wall_sites.size, 1, Meaning{"sites", "of each wall"});
+  visit("scene/walls/sites", tables.wall_sites.sites, 2,
+        Meaning{"sites", "column and row at home"});
+}
+
+/// Of a row of the table of datasets.
+template <class Item>
+constexpr std::string_view type_name() {
+  if constexpr (std::same_as<Item, std::uint8_t>) {
+    return "u8";
+  } else if constexpr (std::same_as<Item, std::uint16_t>) {
+    return "u16";
+  } else if constexpr (std::same_as<Item, std::uint32_t>) {
+    return "u32";
+  } else if constexpr (std::same_as<Item, std::uint64_t>) {
+    return "u64";
+  } else if constexpr (std::same_as<Item, std::int32_t>) {
+    return "i32";
+  } else {
+    return std::same_as<Item, double> ? "f64" : "text";
+  }
+}
+
+std::string shape_text(const Column& column) {
+  constexpr std::array kAxes = {"frames", "particles", "origins", "pushes", "contacts"};
+  std::string text = kAxes.at(static_cast<std::size_t>(column.axis));
+  for (std::size_t i = 0; i < column.row.size(); ++i) {
+    text +=
+        column.axis == Axis::frames && i == 0 ? " x walls" : fmt::format(" x {}", column.row[i]);
+  }
+  return text;
 }
 
 }  // namespace
@@ -77,24 +118,25 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
 }
 
 void SceneTables::write(const Hdf5Writer& file) const {
-  file.add_text("scene/name", name);
-  file.add_text("scene/units", units);
-  file.add<double>("scene/kinds/centre", kind_centre, 2);
-  for_each_table(
-      *this, [&file]<class T>(const char* path, const std::vector<T>& list, std::size_t columns) {
-        if constexpr (Number<T>) {
-          file.add<T>(path, list, columns);
-        } else {
-          file.add_texts(path, list);
-        }
-      });
+  file.add_text("scene/name", name, kName);
+  file.add_text("scene/units", units, kUnits);
+  file.add<double>("scene/kinds/centre", kind_centre, 2, kCentre);
+  for_each_table(*this, [&file]<class T>(const char* path, const std::vector<T>& list,
+                                         std::size_t columns, const Meaning& meaning) {
+    if constexpr (Number<T>) {
+      file.add<T>(path, list, columns, meaning);
+    } else {
+      file.add_texts(path, list, meaning);
+    }
+  });
 }
 
 std::vector<Hdf5Dataset> SceneTables::datasets() {
   std::vector<Hdf5Dataset> list;
-  for_each_table(*this, [&list](const char* path, auto& values, std::size_t columns) {
-    list.push_back({.path = path, .values = &values, .columns = columns});
-  });
+  for_each_table(*this,
+                 [&list](const char* path, auto& values, std::size_t columns, const Meaning&) {
+                   list.push_back({.path = path, .values = &values, .columns = columns});
+                 });
   return list;
 }
 
@@ -113,6 +155,29 @@ std::string SceneTables::difference(const SceneTables& other) const {
     return "other walls";
   }
   return stages != other.stages ? "other stages" : "";
+}
+
+std::string datasets_table() {
+  std::string table = "| dataset | rows | type | unit | what |\n|---|---|---|---|---|\n";
+  const auto add = [&table](const char* path, const std::string& rows, std::string_view type,
+                            const Meaning& meaning) {
+    table +=
+        fmt::format("| `{}` | {} | {} | {} | {} |\n", path, rows, type, meaning.unit, meaning.text);
+  };
+  const TrajectoryPart none;
+  for_each_column(none, {.walls = 1, .velocities = true, .contacts = true},
+                  [&]<class T>(const Column& column, const std::vector<T>&) {
+                    add(column.path, shape_text(column), type_name<T>(), column.meaning);
+                  });
+  const SceneTables tables;
+  for_each_table(tables, [&]<class T>(const char* path, const std::vector<T>&, std::size_t columns,
+                                      const Meaning& meaning) {
+    add(path, columns == 1 ? "" : fmt::format("x {}", columns), type_name<T>(), meaning);
+  });
+  add("scene/kinds/centre", "x 2", "f64", kCentre);
+  add("scene/name", "", "text", kName);
+  add("scene/units", "", "text", kUnits);
+  return table;
 }
 
 }  // namespace clca::store

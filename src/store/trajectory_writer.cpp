@@ -48,7 +48,8 @@ class TrajectoryWriter::Impl {
   void add(const grains::State& state, std::size_t stage, bool stage_begins,
            const ContactFrame& contact) {
     const std::size_t velocities = layout_.velocities ? state.particles.size() : 0;
-    if (state.walls.size() != layout_.walls || contact.velocities.size() != velocities) {
+    if (state.walls.size() != layout_.walls || contact.velocities.size() != velocities ||
+        contact.spins.size() != velocities) {
       throw std::invalid_argument("a trajectory of another scene");
     }
     unwritten_part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
@@ -68,7 +69,7 @@ class TrajectoryWriter::Impl {
       tables_.write(file);
       for_each_column(unwritten_part_, layout_,
                       [&file]<class T>(const Column& column, const std::vector<T>& values) {
-                        file.add<T>(column.path, values, column.width());
+                        file.add<T>(column.path, values, column.width(), column.meaning);
                       });
     };
     folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));

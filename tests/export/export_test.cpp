@@ -59,6 +59,25 @@ stages:
     until: {steps: 100}
 )";
 
+/// Grains with spins, behind a gate that is taken away, and some that leave.
+constexpr const char* kTurning = R"(clca: 1
+model: contact
+seed: 5
+box: {width: 30, height: 40}
+species:
+  small: {shape: {hexagon: 1}}
+  large: {shape: {hexagon: 2}}
+walls:
+  gate: {box: [18, 0, 19, 40]}
+outlets:
+  drain: {region: [26, 0, 30, 6]}
+stages:
+  - name: packing
+    fill: {region: [0, 0, 18, 40], counts: {small: 15, large: 10}}
+  - name: flow
+    remove: [gate]
+)";
+
 class Export : public ::testing::Test {
  protected:
   void record(const char* scene, int steps = 100, int every = 6) const {
@@ -131,9 +150,18 @@ TEST_P(ReadBack, AnEmptyPeriodicBoxThatFillsAndRunsOutIsWhatItWas) {
   }
 }
 
+TEST_P(ReadBack, ARunOfTheContactModelIsWhatItWas) {
+  record(kTurning, 300, 30);
+  const std::string said = read();
+  EXPECT_THAT(said, HasSubstr("frames="));
+  for (const char* nothing : {" turning=0 ", " moving=0 "}) {
+    EXPECT_THAT(said, Not(HasSubstr(nothing)));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ReadBack,
                          ::testing::Values(Named{"vtp", ".pvd"}, Named{"gsd", ".gsd"},
-                                           Named{"xyz", ".xyz"}),
+                                           Named{"xyz", ".xyz"}, Named{"h5md", ".h5"}),
                          [](const auto& each) { return std::string(each.param.format); });
 
 TEST_F(Export, TakesTheStepsThatAreAskedFor) {
@@ -207,7 +235,7 @@ TEST_F(Export, ADamagedTrajectoryIsWrongInput) {
 
 TEST_F(Export, AFullDiskIsAFailureThatLeavesNothingHalf) {
   record(kPlate);
-  for (const char* format : {"vtp", "gsd", "xyz"}) {
+  for (const char* format : {"vtp", "gsd", "xyz", "h5md"}) {
     const auto result = testing::run_program(
         {"export", "run", "--format", format, "-o", std::string("out/x.") + format},
         {.folder = folder_.path().string(), .file_size_limit = 3000});

@@ -1,6 +1,6 @@
 """Reads an export with a reader that is not ours and compares it with the run's trajectory.
 
-read_exports.py FORMAT RUN FILE: FORMAT is gsd, vtp or xyz, RUN the folder of a run, FILE the export
+read_exports.py FORMAT RUN FILE: FORMAT is gsd, vtp, xyz or h5md, RUN the folder of a run, FILE the export
 of all its frames. Everything that is expected is worked out here, from the sites in trajectory.h5.
 """
 
@@ -57,6 +57,11 @@ class Run:
         self.kind_species = scene["kinds/species"][:]
         self.kinds = self.sets(scene["kinds"])
         self.walls = self.sets(scene["walls"])
+        # Of the contact model: a step in √(spacing/gravity), as none of the scenes has units.
+        self.is_contact = "velocity" in file["particles"]
+        units = scene["units"][()].decode()
+        self.time_step = float(units.partition(" of ")[2].split()[0]) if self.is_contact else 1
+        self.radius = np.sqrt([len(parts) * np.sqrt(3) / (2 * np.pi) for parts in self.kinds])
         origins = {}
         self.frames = []
         for frame in range(len(file["frames/step"])):
@@ -81,7 +86,8 @@ class Run:
             "step": int(file["frames/step"][number]),
             "id": table["id"],
             "kind": table["kind"],
-            "velocity": MOVES[table["move"]],
+            "velocity": table["velocity"] / self.time_step if self.is_contact else MOVES[table["move"]],
+            "spin": table["spin"] / self.radius[table["kind"]] / self.time_step if self.is_contact else None,
             "displacement": place(table["site"]) - place([origins[i] for i in table["id"]]),
             "centre": np.array([place(s).mean(axis=0) for s in sites]).reshape(-1, 2),
             "walls": self.walls_of(file, number),
@@ -174,6 +180,9 @@ def check_gsd_frame(run, found, expected):
     same(found.log["particles/id"], expected["id"], "id")
     same(in_plane(found.log["particles/displacement"]), expected["displacement"], "displacement")
     same(found.log["particles/force"], expected["force"], "force")
+    assert ("particles/angular_velocity" in found.log) == run.is_contact
+    if run.is_contact:
+        same(found.log["particles/angular_velocity"], expected["spin"], "angular velocity")
     names = [name.split("@")[0] for name in particles.types]
     assert names == [run.species[species] for species in run.kind_species], names
     assert len(particles.type_shapes) == len(run.kinds)
@@ -190,8 +199,10 @@ def check_xyz(run, file):
     for expected in run.frames:
         count = int(next(lines))
         comment = dict(word.split("=", 1) for word in shlex.split(next(lines)))
-        assert comment["Properties"] == "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1"
-        assert int(comment["Step"]) == int(comment["Time"]) == expected["step"]
+        properties = "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1"
+        assert comment["Properties"] == properties + ":angular_velocity:R:1" * run.is_contact
+        assert int(comment["Step"]) == expected["step"]
+        same(float(comment["Time"]), expected["step"] * run.time_step, "time", 1e-9)
         assert comment["pbc"] == ("T F F" if run.periodic else "F F F")
         same(comment["Lattice"].split(), [run.period, 0, 0, 0, run.rows + 0.5, 0, 0, 0, 1], "Lattice")
         same(comment["Origin"].split(), [-PITCH / 2, -0.5, -0.5], "Origin")
@@ -199,13 +210,15 @@ def check_xyz(run, file):
         table = [next(lines).split() for _ in range(count)]
         species = [run.species[run.kind_species[kind]] for kind in expected["kind"]]
         assert [row[0] for row in table] == species, "species"
-        numbers = np.array([row[1:] for row in table], dtype=float).reshape(count, 11)
+        numbers = np.array([row[1:] for row in table], dtype=float).reshape(count, 11 + run.is_contact)
         position = in_plane(numbers[:, 0:3])
         same(position, on_found_side(run, expected, position[:, 0])["centre"], "pos")
         same(numbers[:, 3], expected["id"], "id")
         same(in_plane(numbers[:, 4:7]), expected["velocity"], "velo")
         same(in_plane(numbers[:, 7:10]), expected["displacement"], "displacement")
         same(numbers[:, 10], expected["force"], "force")
+        if run.is_contact:
+            same(numbers[:, 11], expected["spin"], "angular velocity")
     assert next(lines, None) is None, "more frames than there are"
 
 
@@ -235,7 +248,7 @@ def check_vtp(run, file):
     times = [float(entry["timestep"]) for entry in particles]
     assert len(set(times)) == len(times) and times == sorted(times), "two frames at one time"
     for entry, expected in zip(particles, run.frames):
-        assert int(float(entry["timestep"])) == expected["step"], "step"
+        assert int(float(entry["timestep"]) / run.time_step + 1e-6) == expected["step"], "step"
         check_vtp_particles(run, Path(file).parent / entry["file"], expected)
     walls = [entry for entry in datasets if entry["part"] == "1"]
     assert len(walls) == (len(run.frames) if run.walls else 0)
@@ -256,6 +269,9 @@ def check_vtp_particles(run, file, expected):
     same(in_plane(column("velocity")), expected["velocity"], "velocity")
     same(in_plane(column("displacement")), expected["displacement"], "displacement")
     same(column("force"), expected["force"], "force")
+    assert bool(data.GetCellData().HasArray("angular_velocity")) == run.is_contact
+    if run.is_contact:
+        same(column("angular_velocity"), expected["spin"], "angular velocity")
     expected = on_found_side(run, expected, np.array([polygon[:, 0].mean() for polygon in polygons]))
     for polygon, kind, sites in zip(polygons, expected["kind"], expected["sites"]):
         same(polygon_area(in_plane(polygon)), body_area(run.kinds[kind]), "area of a particle", 1e-3)
@@ -272,15 +288,72 @@ def check_vtp_walls(file, expected):
         same(area, body_area(axial), "area of a wall", 1e-2)
 
 
+def check_h5md(run, file):
+    """What version 1.1 of the specification requires, and the numbers."""
+    with h5py.File(file, "r") as h5:
+        assert h5["h5md"].attrs["version"].tolist() == [1, 1]
+        assert h5["h5md/author"].attrs["name"] and h5["h5md/creator"].attrs["version"]
+        assert h5["h5md/creator"].attrs["name"] == b"clca"
+        grains = h5["particles/grains"]
+        assert grains["box"].attrs["dimension"] == 3
+        boundary = [b"periodic" if run.periodic else b"none", b"none", b"none"]
+        assert grains["box"].attrs["boundary"].tolist() == boundary
+        steps = [frame["step"] for frame in run.frames]
+        elements = [grains[name] for name in (*grains, "box/edges") if name not in ("box", "mass", "species")]
+        assert len(elements) == 6 + run.periodic + run.is_contact
+        for element in elements:
+            assert element["value"].shape[0] == len(steps)
+            for shared in ("step", "time"):
+                assert element[shared] == grains["position"][shared], f"{element.name}: another {shared}"
+        assert np.issubdtype(grains["position/step"].dtype, np.integer)
+        assert grains["position/step"][:].tolist() == steps
+        same(grains["position/time"], np.array(steps) * run.time_step, "time", 1e-9)
+        same(grains["box/edges/value"], [[run.period, run.rows + 0.5, 1]] * len(steps), "edges")
+        assert grains["id/value"].fillvalue == -1
+        for number, expected in enumerate(run.frames):
+            check_h5md_frame(run, {e.name.split("/")[3]: e["value"][number] for e in elements}, expected)
+        names = {number: name for name, number in h5py.check_enum_dtype(grains["species"].dtype).items()}
+        for expected in run.frames:
+            found = [names[number] for number in grains["species"][:][expected["id"]]]
+            assert found == [run.species[run.kind_species[kind]] for kind in expected["kind"]]
+            same(grains["mass"][:][expected["id"]], [len(run.kinds[kind]) for kind in expected["kind"]], "mass")
+        check_descriptions(h5)
+
+
+def check_h5md_frame(run, found, expected):
+    there = found["id"] != -1
+    assert np.flatnonzero(there).tolist() == found["id"][there].tolist() == expected["id"].tolist(), "id"
+    assert np.isnan(found["position"][~there]).all()
+    position = in_plane(found["position"][there])
+    expected = on_found_side(run, expected, position[:, 0])
+    same(position, expected["centre"], "position")
+    for name in ("velocity", "displacement"):
+        same(in_plane(found[name][there]), expected[name], name)
+    same(found["load"][there], expected["force"], "load")
+    if run.is_contact:
+        same(found["angular_velocity"][there], expected["spin"], "angular velocity")
+    if run.periodic:
+        same(in_plane(found["image"][there])[:, 0], expected["image"], "image")
+
+
+def check_descriptions(h5):
+    def check(name, item):
+        if isinstance(item, h5py.Dataset):
+            assert item.attrs["units"] and item.attrs["description"], f"{name} does not say what it is"
+
+    h5.visititems(check)
+
+
 def main():
     kind, folder, file = sys.argv[1:]
     run = Run(folder)
-    {"gsd": check_gsd, "vtp": check_vtp, "xyz": check_xyz}[kind](run, file)
+    {"gsd": check_gsd, "vtp": check_vtp, "xyz": check_xyz, "h5md": check_h5md}[kind](run, file)
     forced = sum((frame["force"] > 0).sum() for frame in run.frames)
     moving = sum(frame["velocity"].any(axis=1).sum() for frame in run.frames)
     wrapped = sum((frame["image"] != 0).sum() for frame in run.frames)
     empty = sum(len(frame["id"]) == 0 for frame in run.frames)
-    print(f"frames={len(run.frames)} forced={forced} moving={moving} wrapped={wrapped} empty={empty}")
+    turning = sum((frame["spin"] != 0).sum() for frame in run.frames if run.is_contact)
+    print(f"frames={len(run.frames)} forced={forced} moving={moving} wrapped={wrapped} turning={turning} empty={empty}")
 
 
 if __name__ == "__main__":

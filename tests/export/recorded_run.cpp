@@ -22,11 +22,13 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, model.state(), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(model, scene, scene.stages[stage]);
-    writer.add(model.state(), stage, true, {.velocities = model.velocities()});
+    writer.add(model.state(), stage, true,
+               {.velocities = model.velocities(), .spins = model.spins()});
     for (int step = 1; step <= steps; ++step) {
       const bool settled = model.grains().step().settled;
       if (step % every == 0 || step == steps || settled) {
-        writer.add(model.state(), stage, false, {.velocities = model.velocities()});
+        writer.add(model.state(), stage, false,
+                   {.velocities = model.velocities(), .spins = model.spins()});
       }
       if (settled) {
         break;

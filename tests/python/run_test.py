@@ -166,6 +166,7 @@ class FramesTest(ScratchTest):
     def test_frames_are_what_the_file_has(self):
         import h5py
 
+        turning = 0
         for scene in (SCENE, CONTACT):
             run = clca.run(scene, output=f"run-{scene.get('model')}")
             with h5py.File(run.folder / "trajectory.h5") as file:
@@ -184,6 +185,10 @@ class FramesTest(ScratchTest):
                         to_metres = 0.001 * frame.step / frame.time if frame.step else 0
                         numpy.testing.assert_allclose(
                             frame.velocities, to_metres * file["particles/velocity"][rows], rtol=1e-12)
+                        seven = numpy.sqrt(7 * numpy.sqrt(3) / (2 * numpy.pi))  # radius of a disc of seven sites
+                        turns = file["particles/spin"][rows] / seven * (frame.step / frame.time if frame.step else 0)
+                        numpy.testing.assert_allclose(frame.angular_velocities, turns, rtol=1e-12)
+                        turning += numpy.count_nonzero(frame.angular_velocities)
                     if "contacts" in file:
                         first = int(file["frames/first_contact"][place])
                         rows = slice(first, first + int(file["frames/contacts"][place]))
@@ -192,6 +197,7 @@ class FramesTest(ScratchTest):
                             numpy.testing.assert_array_equal(contacts[name], file["contacts"][name][rows])
                         numpy.testing.assert_array_equal(contacts["place"], file["contacts/place"][rows])
             self.assertGreater(len(run.frames), 3)
+        self.assertGreater(turning, 0)
 
     def test_shapes_have_names_and_outlines(self):
         run = clca.run(SCENE, output="run")

@@ -77,7 +77,7 @@ class SimulationTest(ScratchTest):
             simulation.step(int(frames.steps[2]))
             for name in ("step", "stage", "time", "units", "walls"):
                 self.assertEqual(getattr(simulation.frame, name), getattr(frames[2], name))
-            for name in ("ids", "positions", "velocities", "displacements", "species", "orientation"):
+            for name in ("ids", "positions", "velocities", "angular_velocities", "displacements", "species", "orientation"):
                 numpy.testing.assert_array_equal(getattr(simulation.frame, name), getattr(frames[2], name))
             self.assertEqual([kind.name for kind in simulation.kinds], [kind.name for kind in frames._look.kinds])
             self.assertEqual(list(simulation.walls), ["gate"])

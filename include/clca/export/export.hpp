@@ -1,6 +1,6 @@
 #pragma once
-// Exports trajectory frames: VTK for ParaView, GSD and extended XYZ for OVITO. See docs/export.md.
-// The namespace is `exports`, since `export` is a keyword.
+// Exports trajectory frames: VTK for ParaView, GSD and extended XYZ for OVITO, H5MD. See
+// docs/trajectory.md. The namespace is `exports`, since `export` is a keyword.
 
 #include <atomic>
 #include <cstdint>
@@ -25,9 +25,9 @@ class ExportError : public text::InputError {
   using InputError::InputError;
 };
 
-enum class Format : std::uint8_t { vtp, gsd, xyz };
+enum class Format : std::uint8_t { vtp, gsd, xyz, h5md };
 
-/// File ending: .pvd, .gsd or .xyz.
+/// File ending: .pvd, .gsd, .xyz or .h5.
 std::string_view ending(Format format);
 
 /// Writes frames one by one, with one in memory at a time.

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/trajectory.hpp"
 
 namespace clca::exports {
@@ -17,15 +19,16 @@ struct Body {
   Eigen::Vector2d centre;        ///< of mass, in the box
   Eigen::Vector2d velocity;      ///< of the automaton the last move: spacings a step
   Eigen::Vector2d displacement;  ///< from its origin, across a periodic boundary, too
+  double angular_velocity = 0;   ///< anticlockwise, radians a step; of the contact model only
   std::uint32_t id = 0;
   int image = 0;    ///< widths of a periodic box that it has gone to the right
   float force = 0;  ///< of the automaton see measure::force_indices, else contact::loads
   std::uint16_t kind = 0;
 };
 
-/// By id. Velocities of the contact model are multiplied by `velocity_unit`.
+/// By id. With `units`, velocities and angular velocities are in these.
 std::vector<Body> bodies(const grains::State& state, const store::ContactFrame& contact = {},
-                         double velocity_unit = 1);
+                         const std::optional<scene::Conversion>& units = {});
 
 /// Appearance of a kind of particles.
 struct KindAppearance {
@@ -37,8 +40,6 @@ struct KindAppearance {
 
 /// Length of a step in the unit of time of the run; 1 if steps have no length.
 double time_step(const scene::Scene& scene);
-/// One spacing per step in the unit of velocity of the run; 1 likewise.
-double velocity_unit(const scene::Scene& scene);
 
 std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
                                              const std::vector<grains::Kind>& kinds);

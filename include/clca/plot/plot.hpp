@@ -1,7 +1,7 @@
 #pragma once
 // Figures of a run folder, drawn by gnuplot from its tables.
 // A template plots/NAME.gp starts with comments that list what it needs, and reads the tables
-// itself. See docs/plots.md.
+// itself. See docs/rendering.md.
 
 #include <atomic>
 #include <cstdint>

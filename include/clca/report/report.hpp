@@ -1,7 +1,7 @@
 #pragma once
 // The report of a run or a sweep: a self-contained HTML page.
 // Made from the files of the folder alone: run.json or sweep.json, scene.yaml, tables, pictures.
-// See docs/report.md.
+// See docs/rendering.md.
 
 #include <cstddef>
 #include <filesystem>

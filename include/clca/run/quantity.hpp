@@ -58,8 +58,8 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();
-/// The columns of a table of a run, such as `series`, of a gas `gas.series`, likewise. Throws
-/// text::InputError for one that there is not.
+/// The columns of a table of a run, such as `series`, of a gas `gas.series`, or the datasets of the
+/// `trajectory`, likewise. Throws text::InputError for one that there is not.
 std::string columns_table(std::string_view table);
 
 }  // namespace clca::run

@@ -22,10 +22,16 @@ namespace clca::store {
 /// Additional data of a contact model frame; empty for the automaton.
 struct ContactFrame {
   std::vector<Eigen::Vector2d> velocities = {};  ///< by id, lattice spacings a step
-  std::vector<contact::Force> forces = {};       ///< with scene::TrajectoryOutput::contacts
+  /// By id, lattice spacings a step: see contact::Velocity. NaN if read from a file of an earlier
+  /// version, which has none.
+  std::vector<double> spins = {};
+  std::vector<contact::Force> forces = {};  ///< with scene::TrajectoryOutput::contacts
 
   bool operator==(const ContactFrame&) const = default;
 };
+
+/// The datasets of a trajectory as a table in Markdown: dataset, rows, type, unit, what.
+std::string datasets_table();
 
 /// Writes the trajectory of a run. Not for several threads at once.
 class TrajectoryWriter {
@@ -90,7 +96,7 @@ class Trajectory {
   /// An Automaton can be made of it. Fast for frames in order; not thread-safe. Throws StoreError,
   /// also for data that no run can have written.
   grains::State state(std::size_t frame) const;
-  /// Velocities and forces of a frame; velocity 0 for removed grains. Throws as state().
+  /// Velocities, spins and forces of a frame; 0 for removed grains. Throws as state().
   ContactFrame contact_frame(std::size_t frame) const;
 
  private:

@@ -83,6 +83,11 @@ class Frame:
         return self.particles["velocity"]
 
     @property
+    def angular_velocities(self) -> NDArray[numpy.float64]:
+        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version."""
+        return self.particles["angular_velocity"]
+
+    @property
     def displacements(self) -> NDArray[numpy.float64]:
         """N x 2: since the stage began or the particle entered, across a periodic boundary, too."""
         return self.particles["displacement"]

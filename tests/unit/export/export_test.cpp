@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "clca/export/frame.hpp"
 #include "clca/scene/parse.hpp"
@@ -71,10 +73,17 @@ TEST(Bodies, ArePresentParticlesWithTheirLastMoveAndTheWayFromTheirOrigin) {
 TEST(Bodies, OfTheContactModelHaveTheirVelocityAndTheSumOfTheirNormalForces) {
   const store::ContactFrame contact = {
       .velocities = {{0.25, -0.5}, {0, 0}, {1, 1}},
+      .spins = {0.5, 0, 1},
       .forces = {{.upper = 1, .other = 0, .along_normal = 1.5, .along_shear = 9},
                  {.upper = 0, .other = contact::kFloor, .along_normal = 2.25}}};
-  const std::vector<Body> all = bodies(three_particles(), contact, 4);
+  scene::Conversion units;
+  units.spacing = 2;
+  units.time_step = 0.5;
+  const std::vector<Body> all = bodies(three_particles(), contact, units);
   EXPECT_EQ(all[0].velocity, Eigen::Vector2d(1, -2));
+  const double radius = std::sqrt(std::numbers::sqrt3 / (2 * std::numbers::pi));  // of one site
+  EXPECT_NEAR(all[0].angular_velocity, 0.5 / radius / 0.5, 1e-12);
+  EXPECT_EQ(all[1].angular_velocity, 0);
   EXPECT_EQ(all[0].force, 3.75F);
   EXPECT_EQ(all[1].velocity.norm(), 0);
   EXPECT_EQ(all[1].force, 1.5F);

@@ -5,8 +5,8 @@
 #include <zlib.h>
 
 #include "clca/store/file.hpp"
-#include "store/hdf5.hpp"
 #include "store/hdf5_file.hpp"
+#include "store/internal/hdf5.hpp"
 #include "support/runs.hpp"
 #include "support/sanitizers.hpp"
 

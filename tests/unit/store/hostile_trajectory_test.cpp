@@ -60,7 +60,9 @@ void rewrite(const std::filesystem::path& path, const std::function<void(Traject
                 for_each_column(
                     part, layout,
                     [&file]<class T>(const Column& column, const std::vector<T>& values) {
-                      file.add<T>(column.path, values, column.width());
+                      if (!column.may_be_missing || !values.empty()) {
+                        file.add<T>(column.path, values, column.width());
+                      }
                     });
               }));
 }
@@ -88,19 +90,38 @@ void write_contacts(const std::filesystem::path& run, const scene::Scene& scene)
   contact::Force on_floor = force;
   on_floor.other = contact::kFloor;
   TrajectoryWriter writer(OutputFolder(run), scene, state, {});
-  writer.add(state, 0, true, {.velocities = {{0, 1}, {2, 3}}, .forces = {force, on_floor}});
+  writer.add(state, 0, true,
+             {.velocities = {{0, 1}, {2, 3}}, .spins = {4, 5}, .forces = {force, on_floor}});
   writer.flush();
 }
 
-TEST(HostileTrajectory, ContactsThatCannotBeAreRefused) {
-  const scene::Scene scene = scene::parse(R"(clca: 1
+scene::Scene contact_scene() {
+  return scene::parse(R"(clca: 1
 model: contact
 box: {width: 20, height: 20}
 species: {grain: {shape: {hexagon: 1}}}
 stages: [{name: only, fill: {region: [0, 0, 20, 20], counts: {grain: 2}}}]
 output: {trajectory: {contacts: true}}
 )",
-                                          "two.yaml");
+                      "two.yaml");
+}
+
+TEST(HostileTrajectory, FilesOfEarlierVersionsAreReadWithoutSpins) {
+  const testing::ScratchFolder folder;
+  const scene::Scene scene = contact_scene();
+  write_contacts(folder.path(), scene);
+  const auto spins = [&] {
+    const Trajectory trajectory(folder.path(), scene, run::initial_state(scene), kMuch);
+    return trajectory.contact_frame(0).spins;
+  };
+  EXPECT_EQ(spins(), std::vector<double>({4, 5}));
+  rewrite(only_part(folder.path()), [](TrajectoryPart& part) { part.rows.spin.clear(); },
+          {.velocities = true, .contacts = true});
+  EXPECT_THAT(spins(), ::testing::ElementsAre(::testing::IsNan(), ::testing::IsNan()));
+}
+
+TEST(HostileTrajectory, ContactsThatCannotBeAreRefused) {
+  const scene::Scene scene = contact_scene();
   const auto reason_of = [&](const std::function<void(TrajectoryPart&)>& change) {
     const testing::ScratchFolder folder;
     write_contacts(folder.path(), scene);
@@ -119,6 +140,10 @@ output: {trajectory: {contacts: true}}
               EndsWith("a number of a contact that is not finite"));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.velocity[3] = kInfinity; }),
               EndsWith("velocities and particles do not go together"));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.spin[1] = kInfinity; }),
+              EndsWith("spins and particles do not go together"));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.spin.resize(1); }),
+              EndsWith("spins and particles do not go together"));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.normal.resize(2); }),
               EndsWith("contacts and frames do not go together"));
   EXPECT_THAT(reason_of([](auto& part) { part.frames.contacts.count[0] = 1; }),

@@ -119,7 +119,7 @@ output: {trajectory: {contacts: true}}
   state.particles = {testing::particle_at(5, 5)};
   state.origins = {{5, 5}};
   contact::Force force = {.other = contact::kFloor, .point = {5, 5}, .along_normal = 2.5};
-  ContactFrame frame = {.velocities = {{0, 0}}, .forces = {force, force}};
+  ContactFrame frame = {.velocities = {{0, 0}}, .spins = {0}, .forces = {force, force}};
   frame.forces[1].other = contact::kLeftSide;
   TrajectoryWriter writer(OutputFolder(run()), scene, state, {});
   writer.add(state, 0, true, frame);
@@ -142,16 +142,25 @@ def compare(name, item):
         assert item.dtype == of_parts.dtype, name
         assert numpy.array_equal(item[:].reshape(of_parts.shape), of_parts), name
         seen.append(name)
+def describe(name, item):
+    if isinstance(item, h5py.Dataset):
+        assert isinstance(item.attrs["units"], str) and item.attrs["description"], name
+        described.append(name)
+described = []
+for part in parts:
+    part.visititems(describe)
 with h5py.File(run + "/trajectory.h5") as index:
+    index.visititems(describe)
+    assert index["particles/position"].attrs["units"] == "spacings"
     for group in ["frames", "particles", "origins", "pushes", "walls"]:
         index[group].visititems(lambda name, item: compare(group + "/" + name, item))
     assert index["walls/position"].shape == (len(index["frames/step"]), 1, 2)
     assert index["scene/species"][:].tolist() == [b"small", b"large"]
     assert index["pushes/pushed"].shape[0] > 0
-print(len(parts), len(seen))
+print(len(parts), len(seen), len(described))
 )";
   EXPECT_EQ(output_of(fmt::format("/usr/bin/python3 {} {}", script.string(), run().string())),
-            "7 24\n");
+            "7 24 297\n");
 }
 
 TEST_F(TrajectoryInPython, APartThatIsNotThereIsNotTakenForValues) {

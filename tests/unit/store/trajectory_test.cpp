@@ -119,7 +119,8 @@ output: {trajectory: {every: 20, contacts: true}}
   std::vector<ContactFrame> shown;
   for (int step = 0; step <= 200; ++step) {
     if (step % 20 == 0) {
-      ContactFrame frame = {.velocities = model.velocities(), .forces = *model.forces()};
+      ContactFrame frame = {
+          .velocities = model.velocities(), .spins = model.spins(), .forces = *model.forces()};
       const auto& grains = model.state().particles;
       std::erase_if(frame.forces, [&](const contact::Force& force) {
         return !grains[force.upper].present ||
@@ -130,6 +131,7 @@ output: {trajectory: {every: 20, contacts: true}}
       for (std::size_t id = 0; id < frame.velocities.size(); ++id) {
         if (!grains[id].present) {
           frame.velocities[id].setZero();
+          frame.spins[id] = 0;
         }
       }
       shown.push_back(frame);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,9 @@ class Handle {
   hid_t id_;
   Close close_;
 };
+
+/// Adds the attributes `units` and `description` to a dataset, as UTF-8. No unit is written as "1".
+void describe(const Handle& dataset, std::string_view unit, std::string_view meaning);
 
 /// The library, for one thread at a time: no error output, no plugin code. Make one before a child
 /// process that makes one.
