@@ -175,6 +175,9 @@ std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, cons
   if (scene.output.frames->color_by == scene::ColorBy::speed) {
     shown.velocities = model.velocities();
   }
+  if (scene.output.frames->color_by == scene::ColorBy::spin) {
+    shown.spins = model.spins();
+  }
   return shown;
 }
 

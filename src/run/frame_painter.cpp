@@ -84,6 +84,16 @@ std::vector<double> speeds(const View& view, const PictureHistory& history, doub
   return result;
 }
 
+/// Angular velocities by id, radians per unit of time. `time_step`: in that unit.
+std::vector<double> spins(const View& view, double time_step) {
+  std::vector<double> result = view.contact->spins;
+  for (std::size_t id = 0; id < result.size(); ++id) {
+    const double radius = view.state.shape(view.state.particles[id]).diameter() / 2;
+    result[id] /= radius * time_step;
+  }
+  return result;
+}
+
 /// By id, grain weights per lattice spacing: the normal forces over the circumference of a disc of
 /// the grain's area.
 std::vector<double> pressures(const View& view) {
@@ -207,6 +217,12 @@ render::Coloring FramePainter::plain_coloring(const View& view,
       return render::color_by_value(speeds(view, history, scales_.step_velocity),
                                     fmt::format("speed ({})", scales_.velocity_unit.several),
                                     range(kFastest * scales_.highest_velocity));
+    case scene::ColorBy::spin: {
+      const double high = kFastest * scales_.highest_spin;
+      const auto ends = frames_.range ? range(high) : render::ColorBarEnds{-high, high};
+      return render::color_by_value(spins(view, conversion_->time_step),
+                                    fmt::format("spin (radians/{})", conversion_->time_unit), ends);
+    }
     case scene::ColorBy::coordination: {
       const std::vector<int> touched = measure::coordination(state, view.occupancy);
       return render::color_by_value({touched.begin(), touched.end()}, "grains and walls touched",

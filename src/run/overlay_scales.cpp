@@ -65,6 +65,10 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   }
   scales.highest_velocity =
       frames.velocity_scale.value_or(rounded_down(scales.step_velocity * default_velocity(scene)));
+  if (const auto conversion = scene::conversion(scene)) {
+    scales.highest_spin =
+        2 * scales.highest_velocity / (mean_diameter(scene) * conversion->spacing);
+  }
   return scales;
 }
 

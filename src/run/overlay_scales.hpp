@@ -15,6 +15,9 @@ struct OverlayScales {
   double velocity_cell = 1;
   /// Drawn as the longest arrow, in `velocity_unit`.
   double highest_velocity = 1;
+  /// Contact model: of a grain of mean diameter that rolls at the highest velocity, radians per
+  /// unit of time.
+  double highest_spin = 1;
   /// A lattice spacing per step, in `velocity_unit`.
   double step_velocity = 1;
   render::UnitName velocity_unit;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -192,10 +193,18 @@ void RunDrawing::look_at(std::size_t place, Show show) {
   const grains::State state = trajectory_.state(place);
   const grains::Occupancy occupancy(state);
   std::optional<store::ContactFrame> contact;
-  if (scene::pictures_show_forces(scene_) ||
-      (scene_.model == scene::Model::contact &&
-       scene_.output.frames->color_by == scene::ColorBy::speed)) {
+  const scene::ColorBy colors = scene_.output.frames->color_by;
+  if (scene_.model == scene::Model::contact &&
+      (scene::pictures_show_forces(scene_) || colors == scene::ColorBy::speed ||
+       colors == scene::ColorBy::spin)) {
     contact = trajectory_.contact_frame(place);
+    const std::vector<double>& spins = contact->spins;
+    if (colors == scene::ColorBy::spin &&
+        std::any_of(spins.begin(), spins.end(), [](double spin) { return std::isnan(spin); })) {
+      throw RedrawError(
+          fmt::format("{}: color_by: the trajectory is of an earlier version and holds no spins",
+                      scene_.output.frames->location));
+    }
   }
   show({.state = state,
         .occupancy = occupancy,

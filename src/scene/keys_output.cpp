@@ -38,9 +38,11 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
     require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
   }
-  if (frames.color_by == ColorBy::pressure && scene.model != Model::contact) {
+  const bool of_contact = frames.color_by == ColorBy::pressure || frames.color_by == ColorBy::spin;
+  if (of_contact && scene.model != Model::contact) {
     fail(fields.at("color_by").location,
-         fmt::format("{}: pressure goes with model: contact", fields.path("color_by")));
+         fmt::format("{}: {} goes with model: contact", fields.path("color_by"),
+                     name_of(kColorByNames, frames.color_by)));
   }
   constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id};
   if (frames.range &&
@@ -106,7 +108,8 @@ Type<Frames> frames_type() {
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
                 "the speed drawn as the longest arrow, 0.9 cells; the colours of `speed` end at "
-                "twice it: spacings per step, or "
+                "twice it, those of `spin` where grains of mean diameter roll at twice it: "
+                "spacings per step, or "
                 "with `model: contact` m/s (√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),

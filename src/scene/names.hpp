@@ -61,11 +61,12 @@ inline constexpr std::array<Named<Measure>, 11> kMeasureNames = {
      {"intruder", Measure::intruder},
      {"convection", Measure::convection},
      {"mixing", Measure::mixing}}};
-inline constexpr std::array<Named<ColorBy>, 8> kColorByNames = {
+inline constexpr std::array<Named<ColorBy>, 9> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},
      {"displacement", ColorBy::displacement},
      {"speed", ColorBy::speed},
+     {"spin", ColorBy::spin},
      {"coordination", ColorBy::coordination},
      {"id", ColorBy::id},
      {"force", ColorBy::force},

@@ -53,6 +53,7 @@ enum class ColorBy : std::uint8_t {
   stage_layer,
   displacement,
   speed,
+  spin,
   coordination,
   id,
   force,

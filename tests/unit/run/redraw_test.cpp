@@ -148,8 +148,8 @@ output:
 )";
 
 TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
-  for (const char* key : {"color_by=force", "color_by=pressure", "color_by=speed", "overlay=forces",
-                          "overlay=velocity"}) {
+  for (const char* key : {"color_by=force", "color_by=pressure", "color_by=speed", "color_by=spin",
+                          "overlay=forces", "overlay=velocity"}) {
     const testing::ScratchFolder scratch;
     const fs::path folder = scratch.path() / "run";
     const fs::path again = scratch.path() / "again";

@@ -221,7 +221,7 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "1000000000000, found '0'"},
     {"a misspelt colouring", "output: {frames: {color_by: specis}}",
      "scene.yaml:12:29: error: output.frames.color_by: expected one of species, stage_layer, "
-     "displacement, speed, coordination, id, force, pressure, found 'specis'; did you mean "
+     "displacement, speed, spin, coordination, id, force, pressure, found 'specis'; did you mean "
      "'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
@@ -263,6 +263,9 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      Judge::parser},
     {"the pressure of the automaton", "output: {frames: {color_by: pressure}}",
      "scene.yaml:12:29: error: output.frames.color_by: pressure goes with model: contact",
+     Judge::parser},
+    {"the spin of the automaton", "output: {frames: {color_by: spin}}",
+     "scene.yaml:12:29: error: output.frames.color_by: spin goes with model: contact",
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, "
