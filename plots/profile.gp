@@ -24,10 +24,10 @@ if (height_is_free) {
   @set_terminal
 }
 if (dots > 0) {
-  set xtics few(x_high - x_low)
+  set xtics few((x_high - x_low) / 2)
 }
 if (dots > 0 || tall < 0.4 * (x_high - x_low)) {
-  set ytics few(tall)
+  set ytics few(tall / 2)
 }
 plot for [i = 1:|files|] files[i] using (column('x')):(column('height_end')) \
          with lines linewidth 2 linecolor rgb color(i, |files|) title 'end of ' . labels[i]

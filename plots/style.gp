@@ -34,7 +34,7 @@ set autoscale xfix
 set key outside right top vertical Left reverse noenhanced samplen 2.5 spacing 1.25 width 1
 if (dots > 0 || format eq 'svg' || longest_label > line_length / 4) {
   # As many side by side as fit.
-  key_columns = floor(line_length / (longest_label + 6.0))
+  key_columns = floor((line_length - 8) / (longest_label + 6.0))
   set key outside top left horizontal samplen 2
   set key maxcols (key_columns > 1 ? key_columns : 1)
 }

@@ -131,8 +131,9 @@ OptionValues length_of_figure() {
     const bool is_length = found && (is_mm || found->unit.empty()) && text.front() != '0' &&
                            found->number >= (is_mm ? 20 : 100) &&
                            found->number <= (is_mm ? 1000 : 10'000);
-    return is_length ? std::string()
-                     : expected("pixels from 100 to 10000, or 20mm to 1000mm", text);
+    return is_length
+               ? std::string()
+               : expected("a whole number of pixels from 100 to 10000, or 20mm to 1000mm", text);
   };
   return {check, "in [100 - 10000] or [20mm - 1000mm]"};
 }

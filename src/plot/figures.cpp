@@ -86,17 +86,17 @@ std::string measure_text(const store::RunSummary& summary, const std::string& na
   return fmt::format("{} = {};", name, value);
 }
 
-/// Of what may stand in a legend; in characters.
+/// Of what may stand in a legend; in characters, with a word beside it.
 std::size_t longest_of(const std::vector<std::string>& groups,
                        const std::vector<std::string>& labels) {
-  constexpr std::size_t kWords = 10;  // beside them
+  constexpr std::size_t kWord = 7;
   std::size_t longest = 0;
   for (const auto* texts : {&groups, &labels}) {
     for (const std::string& text : *texts) {
       longest = std::max(longest, text.size());
     }
   }
-  return longest + kWords;
+  return longest + kWord;
 }
 
 /// Columns that a pattern of the first table stands for, and what its `*` does.
@@ -123,9 +123,11 @@ std::string quantities_text(RunTables& tables, const std::vector<TableFile>& fil
   std::vector<std::string> names = {""};
   for (const TableFile& file : files) {
     for (const std::string& column : tables.read(file.name).names) {
-      if (std::ranges::count(keys, column) == 0) {
-        keys.push_back(column);
-        names.push_back(known.label(column));
+      for (const std::string& key : {column, column.substr(0, column.find('.'))}) {
+        if (std::ranges::count(keys, key) == 0) {
+          keys.push_back(key);
+          names.push_back(known.label(key));
+        }
       }
     }
   }

@@ -171,110 +171,101 @@ std::vector<std::vector<double>> common_places(const std::vector<const Curve*>& 
   return places;
 }
 
+struct MeanRow {
+  Names group;
+  std::vector<double> place;
+  std::uint64_t runs;
+  std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
+};
+
 /// Of one combination.
-struct Runs {
+struct Means {
   const Variant* variant = nullptr;
-  std::vector<ReadCurves> tables = {};
   std::optional<scene::Conversion> units = {};
+  Names columns = {};
+  std::vector<MeanRow> rows = {};
 };
 
-class MeanTable {
- public:
-  MeanTable(const Averaged& what, const Plan& plan, const std::vector<Runs>& all);
-  bool is_possible() const;
-  std::string csv() const;
-
- private:
-  Names heads() const;
-  void add(store::Table& table, const Runs& runs, const Names& group) const;
-
-  const Averaged& what_;
-  const Plan& plan_;
-  const std::vector<Runs>& all_;
-  Names columns_;
-  bool has_time_ = false;
-};
-
-MeanTable::MeanTable(const Averaged& what, const Plan& plan, const std::vector<Runs>& all)
-    : what_(what), plan_(plan), all_(all) {
-  for (const Runs& runs : all) {
-    has_time_ = has_time_ || (what.places.empty() && runs.units);
-    for (const ReadCurves& table : runs.tables) {
-      std::ranges::copy_if(table.columns, std::back_inserter(columns_),
-                           [this](const std::string& name) { return !has_name(columns_, name); });
-    }
-  }
+/// Over the finite values of all runs; none if one has none.
+std::pair<double, double> mean_of(const std::vector<double>& values) {
+  const statistics::Sample found = statistics::sample(values);
+  return found.count == values.size() ? std::pair(found.mean, found.standard_error)
+                                      : std::pair(kNoMean, kNoMean);
 }
 
-Names MeanTable::heads() const {
-  Names names = plan_.keys();
-  names.insert(names.end(), what_.groups.begin(), what_.groups.end());
-  if (what_.places.empty()) {
-    names.emplace_back("step");
-  }
-  if (has_time_) {
-    names.emplace_back("time");
-  }
-  names.insert(names.end(), what_.places.begin(), what_.places.end());
-  names.emplace_back("runs");
-  for (const std::string& column : columns_) {
-    names.push_back(column);
-    names.push_back(column + std::string(kErrorEnding));
-  }
-  return names;
-}
-
-/// False where a varied number has the name of a column.
-bool MeanTable::is_possible() const {
-  const Names names = heads();
-  return !columns_.empty() && std::set(names.begin(), names.end()).size() == names.size();
-}
-
-void MeanTable::add(store::Table& table, const Runs& runs, const Names& group) const {
+void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>& runs,
+              const Names& group) {
   std::vector<const Curve*> curves;
-  for (const ReadCurves& one : runs.tables) {
-    curves.push_back(one.find(group));
+  for (const ReadCurves& run : runs) {
+    curves.push_back(run.find(group));
   }
   if (std::ranges::count(curves, nullptr) > 0) {
     return;  // not all runs have come so far
   }
-  const auto& series = runs.variant->scene.output.series;
+  const auto& series = means.variant->scene.output.series;
   const auto every = static_cast<double>(series ? series->every : 1);
   for (const auto& place :
-       what_.places.empty() ? common_steps(curves, every) : common_places(curves)) {
-    std::vector<store::Cell> row = value_cells(runs.variant->values);
-    row.insert(row.end(), group.begin(), group.end());
-    row.insert(row.end(), place.begin(), place.end());
-    if (has_time_) {
-      row.emplace_back(runs.units ? runs.units->time(static_cast<std::uint64_t>(place.front()))
-                                  : kNoMean);
-    }
-    row.emplace_back(std::uint64_t{curves.size()});
-    for (const std::string& column : columns_) {
+       what.places.empty() ? common_steps(curves, every) : common_places(curves)) {
+    MeanRow row = {.group = group, .place = place, .runs = curves.size(), .means = {}};
+    for (const std::string& column : means.columns) {
       std::vector<double> values;
       for (std::size_t run = 0; run < curves.size(); ++run) {
-        const std::vector<double>* all = runs.tables[run].values(*curves[run], column);
+        const std::vector<double>* all = runs[run].values(*curves[run], column);
         values.push_back(all != nullptr ? value_at(*curves[run], *all, place) : kNoMean);
       }
-      const statistics::Sample found = statistics::sample(values);
-      const bool is_whole = found.count == values.size();
-      row.emplace_back(is_whole ? found.mean : kNoMean);
-      row.emplace_back(is_whole ? found.standard_error : kNoMean);
+      row.means.push_back(mean_of(values));
     }
-    table.add_row(std::move(row));
+    means.rows.push_back(std::move(row));
   }
 }
 
-std::string MeanTable::csv() const {
-  store::Table table(heads());
-  for (const Runs& runs : all_) {
-    if (!runs.tables.empty()) {
-      for (const auto& [group, curve] : runs.tables.front().curves) {
-        add(table, runs, group);
+void add_new(Names& names, const Names& more) {
+  std::ranges::copy_if(more, std::back_inserter(names),
+                       [&names](const std::string& name) { return !has_name(names, name); });
+}
+
+/// The table; none if a varied number has the name of a column, or there is nothing.
+std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
+                                       const std::vector<Means>& all) {
+  const bool has_time = what.places.empty() && std::ranges::any_of(all, [](const Means& means) {
+                          return means.units.has_value();
+                        });
+  Names columns;
+  std::ranges::for_each(all, [&](const Means& means) { add_new(columns, means.columns); });
+  Names heads = keys;
+  heads.insert(heads.end(), what.groups.begin(), what.groups.end());
+  const Names times = has_time ? Names{"step", "time"} : Names{"step"};
+  const Names& places = what.places.empty() ? times : what.places;
+  heads.insert(heads.end(), places.begin(), places.end());
+  heads.emplace_back("runs");
+  for (const std::string& column : columns) {
+    heads.insert(heads.end(), {column, column + std::string(kErrorEnding)});
+  }
+  if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
+    return std::nullopt;
+  }
+  store::Table table(heads);
+  for (const Means& means : all) {
+    for (const MeanRow& row : means.rows) {
+      std::vector<store::Cell> cells = value_cells(means.variant->values);
+      cells.insert(cells.end(), row.group.begin(), row.group.end());
+      cells.insert(cells.end(), row.place.begin(), row.place.end());
+      if (has_time) {
+        const auto step = static_cast<std::uint64_t>(row.place.front());
+        cells.emplace_back(means.units ? means.units->time(step) : kNoMean);
       }
+      cells.emplace_back(row.runs);
+      for (const std::string& column : columns) {
+        const auto at = std::ranges::find(means.columns, column) - means.columns.begin();
+        const bool is_there = static_cast<std::size_t>(at) < means.columns.size();
+        const auto [mean, error] =
+            is_there ? row.means[static_cast<std::size_t>(at)] : std::pair(kNoMean, kNoMean);
+        cells.insert(cells.end(), {mean, error});
+      }
+      table.add_row(std::move(cells));
     }
   }
-  return table.to_csv();
+  return table;
 }
 
 /// `series.csv`, or `profile-flow.csv` for each stage of some run.
@@ -299,29 +290,38 @@ std::vector<NamedTable> mean_tables(
     const std::function<void(const std::string& line)>& warning) {
   std::vector<NamedTable> tables;
   const std::size_t seeds = plan.request.seeds.size();
+  const auto means_of = [&](const Averaged& what, const std::string& file, std::size_t variant) {
+    Means means = {.variant = &plan.variants[variant]};
+    std::vector<ReadCurves> runs;
+    for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
+      const fs::path path = folder_of(run) / file;
+      std::error_code error;
+      if (results[run].status != Status::done || !fs::exists(path, error)) {
+        continue;
+      }
+      try {
+        runs.push_back(read_curves(what, path, results[run].summary));
+        add_new(means.columns, runs.back().columns);
+        means.units = results[run].summary.units;
+      } catch (const store::StoreError& unreadable) {
+        warning(unreadable.what());
+      }
+    }
+    if (!runs.empty()) {
+      for (const auto& [group, curve] : runs.front().curves) {
+        add_rows(means, what, runs, group);
+      }
+    }
+    return means;
+  };
   for (const Averaged& what : averaged_tables()) {
     for (const std::string& file : files_of(what, results)) {
-      std::vector<Runs> all;
-      for (const Variant& variant : plan.variants) {
-        all.push_back({.variant = &variant});
+      std::vector<Means> all;
+      for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
+        all.push_back(means_of(what, file, variant));
       }
-      for (std::size_t run = 0; run < results.size(); ++run) {
-        const fs::path path = folder_of(run) / file;
-        std::error_code error;
-        if (results[run].status != Status::done || !fs::exists(path, error)) {
-          continue;
-        }
-        Runs& runs = all[run / seeds];
-        try {
-          runs.tables.push_back(read_curves(what, path, results[run].summary));
-          runs.units = results[run].summary.units;
-        } catch (const store::StoreError& unreadable) {
-          warning(unreadable.what());
-        }
-      }
-      const MeanTable table(what, plan, all);
-      if (table.is_possible()) {
-        tables.push_back({"mean-" + file, table.csv()});
+      if (const auto table = mean_table(what, plan.keys(), all)) {
+        tables.push_back({"mean-" + file, table->to_csv()});
       }
     }
   }
