@@ -202,8 +202,10 @@ class H5mdWriter::Content {
   void add_list(const char* name, hid_t type, const void* list, const char* unit,
                 const char* meaning) const {
     const Handle space(H5Screate_simple(1, &rows_, nullptr), H5Sclose, "extent");
+    const Handle create(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+    check(H5Pset_obj_track_times(create.id(), false), "times");
     const Handle dataset(H5Dcreate2(file_.id(), path(name).c_str(), type, space.id(), H5P_DEFAULT,
-                                    H5P_DEFAULT, H5P_DEFAULT),
+                                    create.id(), H5P_DEFAULT),
                          H5Dclose, "dataset");
     check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, list), "write");
     describe(dataset, unit, meaning);
