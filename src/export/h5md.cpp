@@ -36,10 +36,10 @@ std::string path(const std::string& name) {
 /// Whole numbers with the names of the species.
 Handle species_type(const std::vector<scene::Species>& species) {
   Handle type(H5Tenum_create(H5T_NATIVE_INT32), H5Tclose, "species");
-  std::int32_t number = 0;
+  std::int32_t value = 0;
   for (const scene::Species& one : species) {
-    check(H5Tenum_insert(type.id(), one.name.c_str(), &number), "species");
-    ++number;
+    check(H5Tenum_insert(type.id(), one.name.c_str(), &value), "species");
+    ++value;
   }
   return type;
 }
@@ -190,9 +190,9 @@ class H5mdWriter::Content {
     const hsize_t columns = element.columns;
     std::vector<float> row(rows_ * columns, kNone);
     for (const Body& body : all) {
-      const Numbers numbers = element.of(body);
+      const Numbers in_plane = element.of(body);
       for (hsize_t column = 0; column < columns; ++column) {
-        row[body.id * columns + column] = column < numbers.size() ? numbers.at(column) : 0;
+        row[body.id * columns + column] = column < in_plane.size() ? in_plane.at(column) : 0;
       }
     }
     values.append(columns > 1 ? Dimensions{rows_, columns} : Dimensions{rows_}, row.data());
