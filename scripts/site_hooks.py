@@ -1,8 +1,11 @@
-"""Hooks of mkdocs.yml: the site also has what its pages link to outside of docs/, and all its links lead somewhere."""
+"""Hooks of mkdocs.yml: the site also has what its pages link to outside of docs/, sources as pages of their own, and
+all its links lead somewhere.
+"""
 
 import logging
 import posixpath
 import re
+import tempfile
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
@@ -10,10 +13,13 @@ from urllib.parse import unquote
 from mkdocs.structure.files import File
 
 ROOT = Path(__file__).resolve().parent.parent
-LINK = re.compile(r'(?P<before>\]\(|src=")(?P<target>[^)"#:\s]+)(?P<after>[^)"\s]*[)"])')
+LINK = re.compile(r'(?P<before>\]\(|src=")(?!\w+:)(?P<target>[^)"#:\s]+)(?P<after>[^)"\s]*[)"])')
 TEXT_LINK = re.compile(r"\[(?P<text>[^\[\]]*)\]\((?P<target>[^)#:\s]+)\)")
+LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".yaml": "yaml", ".csv": "text", ".gp": "gnuplot",
+             ".txt": "text", "": "text"}  # of sources, by the end of their names
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 
+pages_of_sources = tempfile.TemporaryDirectory()
 log = logging.getLogger("mkdocs.plugins.site")
 
 
@@ -23,8 +29,18 @@ def source_of(site_path):
 
 
 def place_of(source):
-    """The reverse. The start page stands for README.md."""
+    """The reverse. The start page stands for README.md, and a source is a page."""
+    if Path(source).suffix in LANGUAGES:
+        return f"{source}.md"
     return "index.md" if source == "README.md" else source.removeprefix("docs/")
+
+
+def page_of_source(source, config):
+    page = Path(pages_of_sources.name, place_of(source))
+    page.parent.mkdir(parents=True, exist_ok=True)
+    text = (ROOT / source).read_text()
+    page.write_text(f"# `{source}`\n\n~~~~~~ {LANGUAGES[Path(source).suffix]}\n{text}\n~~~~~~\n")
+    return File(place_of(source), pages_of_sources.name, config["site_dir"], config["use_directory_urls"])
 
 
 def target_of(source, link):
@@ -51,7 +67,9 @@ def on_files(files, config):
         if source in seen or source == "README.md":
             continue
         seen.add(source)
-        if not source.startswith("docs/"):
+        if Path(source).suffix in LANGUAGES:
+            files.append(page_of_source(source, config))
+        elif not source.startswith("docs/"):
             files.append(File(source, str(ROOT), config["site_dir"], config["use_directory_urls"]))
         if source.endswith(".md"):
             waiting += linked_files(source)
@@ -61,6 +79,8 @@ def on_files(files, config):
 def on_page_markdown(markdown, page, config, files):
     """Makes links in the source tree links in the site. A link to a folder becomes its text."""
     source = source_of(page.file.src_path)
+    if not (ROOT / source).exists():  # made here
+        return markdown
     here = posixpath.dirname(place_of(source))
 
     def without_folder(link):

@@ -80,7 +80,8 @@ void add_explain_command(CommandLine& command_line) {
       .option("--format", &options->format,
               "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
               "measures), or "
-              "columns (of a table of a run: KEY is its name, such as series or gas.series)")
+              "columns (of a table of a run: KEY is its name, such as series or gas.series; of the "
+              "trajectory its datasets)")
       .type("FORMAT")
       .values(one_of({"text", "markdown", "schema", "quantities", "columns"}))
       .show_default();

@@ -36,10 +36,10 @@ std::string path(const std::string& name) {
 /// Whole numbers with the names of the species.
 Handle species_type(const std::vector<scene::Species>& species) {
   Handle type(H5Tenum_create(H5T_NATIVE_INT32), H5Tclose, "species");
-  std::int32_t number = 0;
+  std::int32_t value = 0;
   for (const scene::Species& one : species) {
-    check(H5Tenum_insert(type.id(), one.name.c_str(), &number), "species");
-    ++number;
+    check(H5Tenum_insert(type.id(), one.name.c_str(), &value), "species");
+    ++value;
   }
   return type;
 }
@@ -190,9 +190,9 @@ class H5mdWriter::Content {
     const hsize_t columns = element.columns;
     std::vector<float> row(rows_ * columns, kNone);
     for (const Body& body : all) {
-      const Numbers numbers = element.of(body);
+      const Numbers in_plane = element.of(body);
       for (hsize_t column = 0; column < columns; ++column) {
-        row[body.id * columns + column] = column < numbers.size() ? numbers.at(column) : 0;
+        row[body.id * columns + column] = column < in_plane.size() ? in_plane.at(column) : 0;
       }
     }
     values.append(columns > 1 ? Dimensions{rows_, columns} : Dimensions{rows_}, row.data());
@@ -202,8 +202,10 @@ class H5mdWriter::Content {
   void add_list(const char* name, hid_t type, const void* list, const char* unit,
                 const char* meaning) const {
     const Handle space(H5Screate_simple(1, &rows_, nullptr), H5Sclose, "extent");
+    const Handle create(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+    check(H5Pset_obj_track_times(create.id(), false), "times");
     const Handle dataset(H5Dcreate2(file_.id(), path(name).c_str(), type, space.id(), H5P_DEFAULT,
-                                    H5P_DEFAULT, H5P_DEFAULT),
+                                    create.id(), H5P_DEFAULT),
                          H5Dclose, "dataset");
     check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, list), "write");
     describe(dataset, unit, meaning);

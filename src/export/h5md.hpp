@@ -17,6 +17,8 @@ class H5mdWriter : public Writer {
   H5mdWriter(const store::OutputFile& file, const scene::Scene& scene,
              const std::vector<grains::Kind>& kinds);
   ~H5mdWriter() override;
+  H5mdWriter(const H5mdWriter&) = delete;
+  H5mdWriter& operator=(const H5mdWriter&) = delete;
 
   void add(const grains::State& state, const store::ContactFrame& contact) override;
   void finish() override;
