@@ -281,8 +281,7 @@ TEST_F(Faults, WhatACommandWritesIsOnTheDiskBeforeItReplacesWhatWasThere) {
     SCOPED_TRACE(command.front());
     fs::remove(log);
     const auto result = testing::run_program(
-        command,
-        {.environment = {{"LD_PRELOAD", CLCA_FAULT_INJECTION}, {"CLCA_FAULT_LOG", log}}});
+        command, {.environment = {{"LD_PRELOAD", CLCA_FAULT_INJECTION}, {"CLCA_FAULT_LOG", log}}});
     ASSERT_EQ(result.code, 0) << result.err;
     const auto [too_early, named] = named_too_early(log);
     EXPECT_GE(named, 1);
