@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "clca/store/file.hpp"
 #include "export/h5md_file.hpp"
@@ -85,9 +86,11 @@ std::vector<Element> elements_of(const scene::Scene& scene) {
 
 class H5mdWriter::Content {
  public:
-  Content(const std::string& file, const scene::Scene& scene,
-          const std::vector<grains::Kind>& kinds)
-      : file_(new_file(file)), scene_(scene), kinds_(kinds), elements_(elements_of(scene)) {
+  Content(const std::string& file, const scene::Scene& scene, std::vector<grains::Kind> kinds)
+      : file_(new_file(file)),
+        scene_(scene),
+        kinds_(std::move(kinds)),
+        elements_(elements_of(scene)) {
     const std::array<std::int32_t, 2> version = {1, 1};
     add_attribute(new_group(file_, "/h5md"), "version", H5T_NATIVE_INT32, {version.size()},
                   version.data());

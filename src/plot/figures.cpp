@@ -246,8 +246,8 @@ std::vector<Figure> figures_of(RunTables& tables, const Template& one) {
 /// The first table that has all these columns: the series, else in alphabetical order.
 std::string table_with(RunTables& tables, const std::vector<std::string>& columns) {
   std::vector<TableFile> files = tables.files("*.csv");
-  std::ranges::stable_partition(files,
-                                [](const TableFile& file) { return file.name == "series.csv"; });
+  std::stable_partition(files.begin(), files.end(),
+                        [](const TableFile& file) { return file.name == "series.csv"; });
   std::vector<std::string> known;
   for (const TableFile& file : files) {
     const std::vector<std::string>& names = tables.read(file.name).names;

@@ -247,14 +247,11 @@ void SweepTable::divide_keys() {
     if (one == axis) {
       continue;
     }
-    if (is_over(one)) {
-      over_.push_back(one);
-    } else if (vary_together(table_.cells[axis], table_.cells[one])) {
-      along_.push_back(one);
-    } else if (choice_.over.empty()) {
+    const bool goes_along = vary_together(table_.cells[axis], table_.cells[one]);
+    if (is_over(one) || (choice_.over.empty() && !goes_along)) {
       over_.push_back(one);
     } else {
-      (x_is_key_ ? apart_ : along_).push_back(one);
+      (goes_along || !x_is_key_ ? along_ : apart_).push_back(one);
     }
   }
 }

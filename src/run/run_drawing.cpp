@@ -80,6 +80,12 @@ std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& optio
   std::erase_if(result, [&](std::size_t i) {
     return frames[i].step < options.from || frames[i].step > options.to;
   });
+  const bool has_no_end = options.to == RedrawOptions().to;
+  if (options.from > frames.back().step && has_no_end) {
+    throw RedrawError(
+        fmt::format("{}: no picture in that range; the trajectory goes from step {} to {}",
+                    run.folder.string(), frames.front().step, frames.back().step));
+  }
   if (result.empty()) {
     result.push_back(nearest_frame(frames, options));
   }

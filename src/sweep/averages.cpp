@@ -62,6 +62,14 @@ struct ReadCurves {
     const auto found = std::ranges::find(curves, group, &std::pair<Names, Curve>::first);
     return found == curves.end() ? nullptr : &found->second;
   }
+  /// A new one, with so many columns, if there is none.
+  Curve& of(const Names& group, std::size_t width) {
+    const auto found = std::ranges::find(curves, group, &std::pair<Names, Curve>::first);
+    return found != curves.end()
+               ? found->second
+               : curves.emplace_back(group, Curve{{}, std::vector<std::vector<double>>(width)})
+                     .second;
+  }
   /// The values of a column of a curve; null if the run has none.
   const std::vector<double>* values(const Curve& curve, const std::string& column) const {
     const auto found = std::ranges::find(columns, column);
@@ -75,9 +83,12 @@ struct ReadCurves {
 std::map<std::string, double> stage_starts(const store::RunSummary& summary) {
   std::map<std::string, double> starts;
   auto step = static_cast<double>(summary.steps);
-  for (auto stage = summary.stages.rbegin(); stage != summary.stages.rend(); ++stage) {
-    step -= static_cast<double>(stage->steps);
-    starts[stage->name] = step;
+  for (const auto& stage : summary.stages) {
+    step -= static_cast<double>(stage.steps);
+  }
+  for (const auto& stage : summary.stages) {
+    starts[stage.name] = step;
+    step += static_cast<double>(stage.steps);
   }
   return starts;
 }
@@ -109,24 +120,20 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
       const std::vector<std::string>* cells = table.find(name);
       group.push_back(cells != nullptr ? (*cells)[row] : "");
     }
-    Curve* curve = const_cast<Curve*>(result.find(group));
-    if (curve == nullptr) {
-      curve = &result.curves.emplace_back(group, Curve()).second;
-      curve->values.resize(values.size());
-    }
+    Curve& curve = result.of(group, values.size());
     std::vector<double> place;
     for (const std::vector<double>& numbers : at) {
       const auto start = by_step ? starts.find(group.front()) : starts.end();
       place.push_back(numbers[row] - (start == starts.end() ? 0 : start->second));
     }
-    const bool is_behind = curve->places.empty() || curve->places.back() < place;
+    const bool is_behind = curve.places.empty() || curve.places.back() < place;
     if (!is_behind || !std::isfinite(place.front())) {
       throw store::StoreError(fmt::format("cannot read {}: line {}: not behind the one before",
                                           file.string(), row + 2));
     }
-    curve->places.push_back(std::move(place));
+    curve.places.push_back(std::move(place));
     for (std::size_t column = 0; column < values.size(); ++column) {
-      curve->values[column].push_back(values[column][row]);
+      curve.values[column].push_back(values[column][row]);
     }
   }
   return result;
@@ -155,8 +162,9 @@ std::vector<std::vector<double>> common_steps(const std::vector<const Curve*>& c
     to = std::min(to, curve->places.back().front());
   }
   std::vector<std::vector<double>> steps;
-  for (double step = std::ceil(from / every) * every; step <= to; step += every) {
-    steps.push_back({step});
+  const auto first = static_cast<std::uint64_t>(std::ceil(from / every));
+  for (std::uint64_t row = first; static_cast<double>(row) * every <= to; ++row) {
+    steps.push_back({static_cast<double>(row) * every});
   }
   return steps;
 }

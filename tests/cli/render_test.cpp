@@ -233,7 +233,10 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   expect_refused(render({"bare"}), 2, HasSubstr("output.trajectory"));
   expect_refused(render({"run", "--from", "100000"}), 2, HasSubstr("no picture in that range"));
   expect_refused(render({"run", "--movie", "a.avi"}), 2,
-                 AllOf(HasSubstr("a.avi"), HasSubstr(".mp4, .webm and .png")));
+                 AllOf(HasSubstr("a.avi"), HasSubstr(".mp4, .webm, .webp, .gif or .png")));
+  expect_refused(render({"run", "--duration", "5"}), 2, HasSubstr("--duration needs --movie"));
+  expect_refused(render({"run", "--movie", "a.mp4", "--duration", "0"}), 2,
+                 HasSubstr("expected 0.1 to 86400 seconds, found 0"));
   expect_refused(render({"run", "--sheet", "a.jpg"}), 2, HasSubstr("ends in .png"));
   expect_refused(render({"run", "--sheet", "a.png", "--movie", "./a.png"}), 2,
                  HasSubstr("both movie and contact sheet"));

@@ -53,7 +53,7 @@ TEST(Completion, NamesCommandsOptionsAndTheirWords) {
               ElementsAre("words", "vtp", "gsd", "xyz", "h5md"));
   EXPECT_THAT(completions({"export", "--format=g"}), ElementsAre("words", "--format=gsd"));
   EXPECT_THAT(completions({"render", "--color-by", "sp"}),
-              ElementsAre("words", "species", "speed"));
+              ElementsAre("words", "species", "speed", "spin"));
   EXPECT_THAT(completions({"no-command", ""}), ElementsAre("words"));
   EXPECT_THAT(completions({}), Contains("run"));
 }
