@@ -4,6 +4,8 @@
 
 namespace clca::run {
 
+// Where many sources are one, the functions may come before.
+// NOLINTBEGIN(readability-redundant-declaration)
 ObserverKind cycles_observer();
 ObserverKind fields_observer();
 ObserverKind lines_observer();
@@ -16,6 +18,7 @@ ObserverKind series_observer();
 ObserverKind trajectory_observer();
 ObserverKind profile_observer();
 ObserverKind force_tables_observer();
+// NOLINTEND(readability-redundant-declaration)
 
 const std::vector<ObserverKind>& observer_kinds() {
   static const std::vector<ObserverKind> kAll = {
