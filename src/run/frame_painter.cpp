@@ -19,6 +19,7 @@ namespace {
 constexpr int kMaxForceIndex = 8;  // overlapped sites
 constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
 constexpr double kFastest = 2;     // in longest arrows
+constexpr double kSpinning = 0.5;  // in spins of grains that roll as fast as the longest arrow
 constexpr double kNeighbours = 6;  // of discs of one size
 
 render::Drawing drawing_of(scene::Drawing drawing) {
@@ -218,7 +219,7 @@ render::Coloring FramePainter::plain_coloring(const View& view,
                                     fmt::format("speed ({})", scales_.velocity_unit.several),
                                     range(kFastest * scales_.highest_velocity));
     case scene::ColorBy::spin: {
-      const double high = kFastest * scales_.highest_spin;
+      const double high = kSpinning * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : render::ColorBarEnds{-high, high};
       return render::color_by_value(spins(view, conversion_->time_step),
                                     fmt::format("spin (radians/{})", conversion_->time_unit), ends);

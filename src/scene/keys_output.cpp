@@ -108,7 +108,7 @@ Type<Frames> frames_type() {
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
                 "the speed drawn as the longest arrow, 0.9 cells; the colours of `speed` end at "
-                "twice it, those of `spin` where grains of mean diameter roll at twice it: "
+                "twice it, those of `spin` where grains of mean diameter roll at half of it: "
                 "spacings per step, or "
                 "with `model: contact` m/s (√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),

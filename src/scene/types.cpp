@@ -53,8 +53,8 @@ ColorBarEnds read_color_bar_ends(const Value& value, const std::string& path,
                                  const Scene& /*scene*/) {
   constexpr double kMost = 1e9;
   const std::vector<Value>& ends = read_list(value, path, 2, 2);
-  const ColorBarEnds range = {read_number(ends[0], path, 0, kMost),
-                              read_number(ends[1], path, 0, kMost)};
+  const ColorBarEnds range = {read_number(ends[0], path, -kMost, kMost),
+                              read_number(ends[1], path, -kMost, kMost)};
   if (range.low >= range.high) {
     fail(value.location, fmt::format("{}: expected [low, high] with low < high, found [{}, {}]",
                                      path, range.low, range.high));
