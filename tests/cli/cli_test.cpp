@@ -15,6 +15,7 @@
 #include "clca/store/file.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
+#include "support/sanitizers.hpp"
 
 namespace clca::cli_test {
 namespace {
@@ -438,6 +439,7 @@ TEST_F(CliTest, AFolderThatCannotBeMadeIsAFailedRun) {
 }
 
 TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
+  CLCA_SKIP_IF_THREAD_SANITIZED();
   write("small.yaml", kScene);
   // Room for run.json and scene.yaml, not for a picture.
   const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=1280",

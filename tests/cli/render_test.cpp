@@ -17,6 +17,7 @@
 #include "support/missing.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"
+#include "support/sanitizers.hpp"
 #include "support/stored_run.hpp"
 
 namespace clca::render_test {
@@ -197,6 +198,7 @@ TEST_F(RenderCommandTest, WithoutFfmpegThereIsNoMovieAndWithTroubleItsReason) {
 }
 
 TEST_F(RenderCommandTest, AFullDiskLeavesNoMovie) {
+  CLCA_SKIP_IF_THREAD_SANITIZED();
   if (!process::find_program("ffmpeg")) {
     CLCA_SKIP_AS_MISSING("there is no ffmpeg");
   }

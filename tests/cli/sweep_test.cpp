@@ -10,6 +10,7 @@
 
 #include "support/program.hpp"
 #include "support/runs.hpp"
+#include "support/sanitizers.hpp"
 
 namespace clca::sweep_test {
 namespace {
@@ -159,6 +160,7 @@ TEST_F(SweepCommandTest, FailedRunsAreNamedAndCountedAndTheExitCodeIsOne) {
 }
 
 TEST_F(SweepCommandTest, AFullDiskIsOneLineAndExitCodeOne) {
+  CLCA_SKIP_IF_THREAD_SANITIZED();
   // Room for run.json and scene.yaml, not for a picture.
   expect_refused(sweep({"small.yaml", "-o", "out", "--set", "output.frames.width=1280"},
                        {.file_size_limit = 3000}),

@@ -12,6 +12,7 @@
 #include "support/program.hpp"
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
+#include "support/sanitizers.hpp"
 
 namespace clca::kill_test {
 namespace {
@@ -123,6 +124,7 @@ TEST_F(Killed, AtRandomMomentsARunEndsAsIfNobodyHadDisturbedIt) {
 
 // A table that grows meets the end of the disk first; the checkpoints before it are whole.
 TEST(FullDisk, EndsARunWithACheckpointThatCanBeGoneOnWith) {
+  CLCA_SKIP_IF_THREAD_SANITIZED();
   const testing::ScratchFolder folder;
   const std::string scene = (folder.path() / "long.yaml").string();
   std::ofstream(scene) << R"(clca: 1
