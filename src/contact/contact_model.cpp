@@ -24,7 +24,7 @@ std::unique_ptr<grains::Mechanics> make_steps(State state, const Parameters& par
   if (options.reference) {
     return std::make_unique<Reference>(std::move(state), parameters);
   }
-  return std::make_unique<Engine>(std::move(state), parameters, options, profile);
+  return std::make_unique<Engine>(std::move(state), parameters, profile);
 }
 
 }  // namespace

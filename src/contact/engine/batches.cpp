@@ -25,17 +25,14 @@ void for_each_number(ABatch& batch, Content& content, Visit visit) {
   visit(batch.pair.other_turning, content.pair.other_turning);
 }
 
-/// Number of a wall or side among the bodies that are no grains.
-std::int32_t fixed_body(grains::Owner owner) {
-  return is_side(owner) ? kRestingBody
-                        : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
-}
-
 }  // namespace
 
-std::size_t Batches::body(grains::Owner owner) const {
-  return static_cast<std::size_t>(grains::is_particle(owner) ? first_grain_ + owner
-                                                             : fixed_body(owner));
+std::int32_t Batches::body(grains::Owner owner) const {
+  if (grains::is_particle(owner)) {
+    return first_grain_ + owner;
+  }
+  return is_side(owner) ? kRestingBody
+                        : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
 }
 
 void Batches::clear(std::size_t grains) {
@@ -43,17 +40,6 @@ void Batches::clear(std::size_t grains) {
   used_.clear();
   next_batch_.assign(grains, 0);
   first_not_full_ = 0;
-  first_fixed_ = 0;
-  rounds_ = {{Group()}};
-}
-
-void Batches::begin_group(bool after) {
-  first_not_full_ = batches_.size();
-  first_fixed_ += fixed_body_count_;
-  if (after) {
-    rounds_.emplace_back();
-  }
-  rounds_.back().push_back({.first = batches_.size(), .count = 0});
 }
 
 std::int32_t Batches::add(const LaneContent& content) {
@@ -68,12 +54,8 @@ std::int32_t Batches::add(const LaneContent& content) {
     ++at;
   }
   if (at >= batches_.size()) {
-    Batch empty;
-    empty.upper.fill(first_fixed_);
-    empty.other.fill(first_fixed_);
-    batches_.resize(at + 1, empty);
+    batches_.resize(at + 1);
     used_.resize(at + 1, 0);
-    rounds_.back().back().count = batches_.size() - rounds_.back().back().first;
   }
   const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
   while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
@@ -87,11 +69,8 @@ std::int32_t Batches::add(const LaneContent& content) {
 void Batches::set(std::int32_t lane, const LaneContent& content) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
-  batch.upper[i] = first_grain_ + static_cast<std::int32_t>(content.contact.upper);
-  batch.other[i] = grains::is_particle(content.contact.other)
-                       ? first_grain_ + content.contact.other
-                       : batch.other[i] / fixed_body_count_ * fixed_body_count_ +
-                             fixed_body(content.contact.other);
+  batch.upper[i] = body(static_cast<grains::Owner>(content.contact.upper));
+  batch.other[i] = body(content.contact.other);
   for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "clca/parallel/split.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/step.hpp"
@@ -18,11 +17,8 @@ namespace clca::contact {
 /// grains that have moved.
 class ContactFinder {
  public:
-  /// All outlive the finder.
-  ContactFinder(const grains::Box& box, const Rule& rule, const parallel::Threads& threads);
-
-  /// Groups of contacts that sort() may make.
-  static std::size_t max_groups(const lattice::Lattice& lattice, const parallel::Threads& threads);
+  /// Both outlive the finder.
+  ContactFinder(const grains::Box& box, const Rule& rule);
 
   /// The direction of the lattice nearest to gravity: what is above what.
   lattice::Direction down() const { return down_; }
@@ -44,36 +40,31 @@ class ContactFinder {
   bool checked_with(std::uint32_t partner, std::uint32_t id) const {
     return moved_[partner] != 0 && partner < id;
   }
-  void check_contacts(std::uint32_t id, ContactSlots& slots, std::size_t part);
-  void look_around(std::uint32_t id, const ContactSlots& slots, std::size_t part);
+  void check_contacts(std::uint32_t id, ContactSlots& slots);
+  void look_around(std::uint32_t id, const ContactSlots& slots);
   void add_found(const Touch& touch);
   void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
   LaneContent content(const Contact& contact) const;
-  Touch touch(std::uint32_t first, std::uint32_t second, std::size_t part);
+  Touch touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
-  bool may_share_grains(int strip, int other) const;
-  void begin_strip(int strip, std::vector<int>& round, Batches& batches) const;
 
   const grains::State& state_;
   const grains::Box& box_;
   const Rule& rule_;
-  parallel::Threads threads_;
   lattice::Direction down_ = lattice::Direction::down;
   bool has_moving_walls_;
   WallVelocities walls_;
   // Grains at two walls or sides, or more. How they touch these may change as walls move, also
   // where no site next to the grain changes.
   std::vector<std::uint32_t> at_several_bodies_;
-  std::vector<NormalTable> normals_;                 // by thread
+  NormalTable normals_;
   std::vector<std::vector<lattice::Offset>> rings_;  // around each kind, by parity as footprints
-  int widest_ = 0;                                   // columns of a kind
   std::vector<std::uint32_t> ids_;                   // of those that have moved, once each
   std::vector<std::uint8_t> moved_;                  // by id
-  parallel::PartLists<Touch> touches_;               // that are new
-  parallel::PartLists<std::int32_t> changed_;        // slots that end, or whose upper grain changes
-  parallel::PartLists<std::uint32_t> at_walls_;      // grains
-  parallel::PartLists<grains::Owner> partners_;      // of the grain that is looked at
+  std::vector<std::int32_t> changed_;                // slots that end, or whose upper grain changes
+  std::vector<std::uint32_t> at_walls_;              // grains
+  std::vector<grains::Owner> partners_;              // of the grain that is looked at
   std::vector<std::pair<Touch::Key, Touch>> found_;  // that are new, with their order
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
   std::vector<std::uint8_t> listed_;                            // by id: whether it is in order_

@@ -22,7 +22,7 @@ struct Slot {
 /// Slots in order, linked by grain. Their numbers are in batches.
 class ContactSlots {
  public:
-  ContactSlots(std::size_t walls, std::size_t groups) : batches_(walls, groups) {}
+  explicit ContactSlots(std::size_t walls) : batches_(walls) {}
 
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.

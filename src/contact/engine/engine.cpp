@@ -1,7 +1,6 @@
 #include "contact/engine/engine.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <utility>
 
@@ -12,32 +11,17 @@
 
 namespace clca::contact {
 
-namespace {
-
-/// Fewer grains are not worth a thread.
-constexpr std::size_t kSplitFrom = 1024;
-
-parallel::Threads threads_for(const grains::Options& options) {
-  return {.count = options.threads, .min_per_thread = options.parallel_from.value_or(kSplitFrom)};
-}
-
-}  // namespace
-
-Engine::Engine(State initial, const Parameters& parameters, const grains::Options& options,
-               Profile* profile)
+Engine::Engine(State initial, const Parameters& parameters, Profile* profile)
     : Steps(std::move(initial), parameters),
       state_(own_state()),
       rule_(rule()),
-      threads_(threads_for(options)),
       profile_(profile),
       clock_(profile),
       batch_(fastest_functions()),
-      finder_(box(), rule_, threads_),
-      slots_(state_.grains.walls.size(),
-             ContactFinder::max_groups(state_.grains.lattice, threads_)),
-      mover_(state_, box(), threads_),
-      first_grain_(slots_.batches().first_grain()),
-      may_move_(threads_) {
+      finder_(box(), rule_),
+      slots_(state_.grains.walls.size()),
+      mover_(state_, box()),
+      first_grain_(slots_.batches().first_grain()) {
   load();
 }
 
@@ -121,10 +105,7 @@ void Engine::update_contacts() {
 
 void Engine::set_walls() {
   for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
-    for (std::size_t at = kFirstWallBody + wall; at < first_grain_;
-         at += slots_.batches().fixed_body_count()) {
-      bodies_[at].velocity = wall_velocity(state_, wall);
-    }
+    bodies_[kFirstWallBody + wall].velocity = wall_velocity(state_, wall);
   }
 }
 
@@ -160,43 +141,20 @@ void Engine::collide() {
 void Engine::accelerate_all() {
   const Acceleration by =
       acceleration(state_.vessel, rule_.gravity, state_.grains.lattice.periodic());
-  parallel::split(threads_, state_.grains.particles.size(),
-                  [&, particles = std::span(state_.grains.particles), motions = grain_bodies()](
-                      std::size_t /*part*/, std::size_t first, std::size_t last) {
-                    for (std::size_t id = first; id < last; ++id) {
-                      if (particles[id].present) {
-                        accelerate(motions[id].velocity, particles[id].site(), by);
-                      }
-                    }
-                  });
-}
-
-/// Calls work(batches, count) for each group of contacts, at the same time for those of a round.
-template <class Work>
-void Engine::in_rounds(bool backwards, Work work) {
-  std::vector<Batch>& batches = slots_.batches().all();
-  const std::vector<std::vector<Group>>& rounds = slots_.batches().rounds();
-  for (std::size_t i = 0; i < rounds.size(); ++i) {
-    const std::vector<Group>& round = rounds[backwards ? rounds.size() - 1 - i : i];
-    parallel::split({.count = threads_.count}, round.size(),
-                    [&](std::size_t /*part*/, std::size_t first, std::size_t last) {
-                      for (std::size_t group = first; group < last; ++group) {
-                        work(batches.data() + round[group].first, round[group].count);
-                      }
-                    });
+  const std::vector<grains::Particle>& particles = state_.grains.particles;
+  for (std::size_t id = 0; id < particles.size(); ++id) {
+    if (particles[id].present) {
+      accelerate(velocity(id), particles[id].site(), by);
+    }
   }
 }
 
 void Engine::sweep_contacts() {
-  in_rounds(false, [&](Batch* batches, std::size_t count) {
-    batch_.apply(batches, count, bodies_.data(), rule_.law.turns);
-  });
+  std::vector<Batch>& batches = slots_.batches().all();
+  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.law.turns);
   clock_.end(&Profile::warm_start);
   for (int i = 0; i < rule_.sweeps; ++i) {
-    const bool backwards = i % 2 != 0;
-    in_rounds(backwards, [&](Batch* batches, std::size_t count) {
-      batch_.sweep(batches, count, bodies_.data(), rule_.law, backwards);
-    });
+    batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.law, i % 2 != 0);
   }
   for (const std::int32_t slot : new_slots_) {
     slots_.batches().bounce(slots_.at(slot).lane) = 0;
@@ -208,35 +166,21 @@ void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
-  std::atomic<bool> at_rest = true;
-  may_move_.clear();
-  parallel::split(threads_, state_.grains.particles.size(),
-                  [&, particles = std::span(state_.grains.particles), motions = grain_bodies(),
-                   remainders = std::span(state_.remainders)](std::size_t part, std::size_t first,
-                                                              std::size_t last) {
-                    bool part_rests = true;
-                    std::vector<std::uint32_t>& near = may_move_.of(part);
-                    near.resize(last - first);
-                    std::size_t count = 0;
-                    for (std::size_t id = first; id < last; ++id) {
-                      if (!particles[id].present) {
-                        continue;
-                      }
-                      part_rests =
-                          contact::advance(remainders[id], motions[id].velocity,
-                                           slots_.touches_anything(static_cast<std::uint32_t>(id)),
-                                           slow) &&
-                          part_rests;
-                      near[count] = static_cast<std::uint32_t>(id);  // overwritten unless counted
-                      count += squared(remainders[id]) > kNear * kNear ? 1 : 0;
-                    }
-                    near.resize(count);
-                    if (!part_rests) {
-                      at_rest = false;
-                    }
-                  });
-  candidates_.clear();
-  may_move_.for_each([&](std::uint32_t id) { candidates_.push_back(id); });
+  const std::vector<grains::Particle>& particles = state_.grains.particles;
+  bool at_rest = true;
+  candidates_.resize(particles.size());
+  std::size_t count = 0;
+  for (std::uint32_t id = 0; id < particles.size(); ++id) {
+    if (!particles[id].present) {
+      continue;
+    }
+    Vector& remainder = state_.remainders[id];
+    at_rest =
+        contact::advance(remainder, velocity(id), slots_.touches_anything(id), slow) && at_rest;
+    candidates_[count] = id;  // overwritten unless counted
+    count += squared(remainder) > kNear * kNear ? 1 : 0;
+  }
+  candidates_.resize(count);
   clock_.end(&Profile::motion);
   std::vector<WallMove> walls = advance_walls(state_);
   mover_.move_all(finder_.down(), candidates_, walls);

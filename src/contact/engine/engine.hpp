@@ -2,7 +2,6 @@
 // Steps as Reference gives them, at a cost that follows what changes.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "clca/contact/profile.hpp"
@@ -18,8 +17,7 @@ namespace clca::contact {
 
 class Engine final : public Steps {
  public:
-  Engine(State initial, const Parameters& parameters, const grains::Options& options,
-         Profile* profile);
+  Engine(State initial, const Parameters& parameters, Profile* profile);
 
   void write_back() override;
   void write_back_velocities() override;
@@ -36,10 +34,9 @@ class Engine final : public Steps {
   Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   VelocityOf velocity_of() {
     return [this](grains::Owner body) -> Velocity<std::int32_t>& {
-      return bodies_[slots_.batches().body(body)].velocity;
+      return bodies_[static_cast<std::size_t>(slots_.batches().body(body))].velocity;
     };
   }
-  std::span<Body> grain_bodies() { return std::span(bodies_).subspan(first_grain_); }
   void load();
   void load_bodies();
   void update_contacts();
@@ -48,14 +45,11 @@ class Engine final : public Steps {
   void collide();
   void accelerate_all();
   void sweep_contacts();
-  template <class Work>
-  void in_rounds(bool backwards, Work work);
   void advance_and_move();
   void look_at_all();
 
   State& state_;
   const Rule& rule_;
-  parallel::Threads threads_;
   Profile* profile_;
   grains::PhaseClock<Profile> clock_;  // of this step
   BatchFunctions batch_;
@@ -64,11 +58,10 @@ class Engine final : public Steps {
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> new_slots_;  // contacts that are new in this step
-  std::vector<ImpactContact> impacts_;   // of this step, in the order of the slots
-  std::vector<std::uint32_t> moved_;     // in the last step, once each
-  std::vector<std::uint32_t> changed_;   // grains that may touch other bodies than they did
-  parallel::PartLists<std::uint32_t> may_move_;
+  std::vector<std::int32_t> new_slots_;    // contacts that are new in this step
+  std::vector<ImpactContact> impacts_;     // of this step, in the order of the slots
+  std::vector<std::uint32_t> moved_;       // in the last step, once each
+  std::vector<std::uint32_t> changed_;     // grains that may touch other bodies than they did
   std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
   bool written_back_ = true;
 };

@@ -9,9 +9,6 @@ namespace clca::contact {
 
 using lattice::Direction;
 
-Mover::Mover(State& state, grains::Box& box, const parallel::Threads& threads)
-    : state_(state), threads_(threads), moves_(state, box), tries_(threads) {}
-
 void Mover::clear() {
   waiting_.clear();
   first_.clear();
@@ -44,20 +41,17 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
   tries_.clear();
-  parallel::split(threads_, ids_.size(),
-                  [&](std::size_t part, std::size_t first, std::size_t last) {
-                    for (const std::uint32_t id : std::span(ids_).subspan(first, last - first)) {
-                      if (!waits(id, direction) && is_move_due(state_.remainders[id], direction)) {
-                        tries_.of(part).emplace_back(id, moves_.in_the_way(id, direction));
-                      }
-                    }
-                  });
+  for (const std::uint32_t id : ids_) {
+    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction)) {
+      tries_.emplace_back(id, moves_.in_the_way(id, direction));
+    }
+  }
   for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
-    tries_.for_each([&](const auto& one) {
-      if ((one.second == grains::kFree) == is_free) {
-        try_move(one.first, one.second, direction);
+    for (const auto& [id, in_the_way] : tries_) {
+      if ((in_the_way == grains::kFree) == is_free) {
+        try_move(id, in_the_way, direction);
       }
-    });
+    }
   }
   do {
     move_ready(direction);

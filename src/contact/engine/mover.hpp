@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "clca/parallel/split.hpp"
 #include "contact/rule/moves.hpp"
 
 namespace clca::contact {
@@ -16,7 +15,7 @@ namespace clca::contact {
 class Mover {
  public:
   /// Both outlive the mover.
-  Mover(State& state, grains::Box& box, const parallel::Threads& threads);
+  Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
 
   /// Nobody waits any more: there are other grains, or walls.
   void clear();
@@ -57,14 +56,13 @@ class Mover {
   void wake(std::size_t obstacle, lattice::Direction direction);
 
   State& state_;
-  parallel::Threads threads_;
   SiteMoves moves_;
   std::vector<std::uint32_t> ids_;
-  parallel::PartLists<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
-  std::vector<std::uint32_t> ready_;                                    // to be tried
-  std::vector<std::uint8_t> waiting_;                                   // by id: directions as bits
-  std::vector<Waiting> first_;                                          // by obstacle
-  std::vector<Waiting> next_;                                           // of the same obstacle
+  std::vector<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
+  std::vector<std::uint32_t> ready_;                            // to be tried
+  std::vector<std::uint8_t> waiting_;                           // by id: directions as bits
+  std::vector<Waiting> first_;                                  // by obstacle
+  std::vector<Waiting> next_;                                   // of the same obstacle
   std::vector<Waiting> previous_;  // the same; of the first one -1 - obstacle
   std::vector<std::uint32_t> pushed_;
 };
