@@ -40,22 +40,6 @@ RC_GTEST_PROP(ContactProperty, EveryStepEqualsTheReference, ()) {
   RC_ASSERT(contact::hash(fast.state()) == contact::hash(reference.state()));
 }
 
-RC_GTEST_PROP(ContactProperty, SeveralThreadsChangeNothing, ()) {
-  constexpr int kTogether = 10;  // contacts are put in order every eighth step
-  const ContactRun run = any_contact_run(true, kSteps, true);
-  const int alone = testing::within(0, kSteps);
-  ContactModel one = run.model();
-  for (int step = 0; step < alone; ++step) {
-    run.step(one, step);
-  }
-  ContactModel several =
-      run.model_from(one.state(), {.threads = testing::within(2, 4), .parallel_from = 1});
-  for (int step = alone; step < alone + kTogether; ++step) {
-    RC_ASSERT(run.step(one, step).moved == run.step(several, step).moved);
-    RC_ASSERT(one.state() == several.state());
-  }
-}
-
 RC_GTEST_PROP(ContactProperty, AFreshStartFromACopyChangesNothing, ()) {
   const ContactRun run = any_contact_run(true, kSteps);
   const int fresh_start = testing::within(0, kSteps);

@@ -128,20 +128,16 @@ inline contact::Vessel any_vessel() {
 }
 
 /// `open`: grains may enter and leave, be in motion from the beginning, and the vessel may move.
-/// `wide`: the box is a few strips of columns wide.
-inline ContactRun any_contact_run(bool open, int steps, bool wide = false) {
+inline ContactRun any_contact_run(bool open, int steps) {
   const bool periodic = *rc::gen::arbitrary<bool>();
-  const bool narrow = wide || within(0, 4) == 0;
+  const bool narrow = within(0, 4) == 0;
   const bool hexagons = narrow || within(0, 3) != 0;
-  const int half_columns = wide     ? within(contact::kStripColumns / 2, 3 * contact::kStripColumns)
-                           : narrow ? within(2, 5)
-                                    : within(6, 20);
+  const int half_columns = narrow ? within(2, 5) : within(6, 20);
   std::vector<grains::Kind> kinds = any_kinds(hexagons, narrow);
   const int columns = std::max(2 * half_columns, periodic ? contact::needed_columns(kinds) : 0);
-  grains::State grains{
-      .lattice = lattice::Lattice(columns, wide ? within(6, 16) : within(12, 50), periodic),
-      .seed = *rc::gen::arbitrary<std::uint64_t>(),
-      .kinds = std::move(kinds)};
+  grains::State grains{.lattice = lattice::Lattice(columns, within(12, 50), periodic),
+                       .seed = *rc::gen::arbitrary<std::uint64_t>(),
+                       .kinds = std::move(kinds)};
   add_static_walls(grains);
   const int moving = open ? *rc::gen::inRange(0, 3) : 0;
   for (int i = 0; i < moving; ++i) {
@@ -165,8 +161,8 @@ inline ContactRun any_contact_run(bool open, int steps, bool wide = false) {
       model.set_motion(wall, within(0, 8) != 0);
     }
   }
-  model.fill({0, 0, 1e3, 1e3}, std::vector<std::size_t>(run.state.grains.kinds.size(),
-                                                        within<std::size_t>(1, wide ? 400 : 60)));
+  model.fill({0, 0, 1e3, 1e3},
+             std::vector<std::size_t>(run.state.grains.kinds.size(), within<std::size_t>(1, 60)));
   run.state = model.state();
   if (open && within(0, 3) == 0) {
     stir(run.state);

@@ -4,29 +4,6 @@
 
 namespace clca::contact {
 
-namespace {
-
-/// Calls `visit` with each list of a batch and the number of the content that goes there.
-template <class ABatch, class Content, class Visit>
-void for_each_number(ABatch& batch, Content& content, Visit visit) {
-  visit(batch.normal_x, content.contact.normal.x);
-  visit(batch.normal_y, content.contact.normal.y);
-  visit(batch.impulse.normal, content.contact.impulse.normal);
-  visit(batch.impulse.shear, content.contact.impulse.shear);
-  visit(batch.impulse.rolling, content.contact.impulse.rolling);
-  visit(batch.friction, content.friction);
-  visit(batch.pair.mass, content.pair.mass);
-  visit(batch.pair.shear_mass, content.pair.shear_mass);
-  visit(batch.pair.upper_inverse_mass, content.pair.upper_inverse_mass);
-  visit(batch.pair.other_inverse_mass, content.pair.other_inverse_mass);
-  visit(batch.pair.upper_rolling_mass, content.pair.upper_rolling_mass);
-  visit(batch.pair.other_rolling_mass, content.pair.other_rolling_mass);
-  visit(batch.pair.upper_turning, content.pair.upper_turning);
-  visit(batch.pair.other_turning, content.pair.other_turning);
-}
-
-}  // namespace
-
 std::int32_t Batches::body(grains::Owner owner) const {
   if (grains::is_particle(owner)) {
     return first_grain_ + owner;
@@ -42,13 +19,12 @@ void Batches::clear(std::size_t grains) {
   first_not_full_ = 0;
 }
 
-std::int32_t Batches::add(const LaneContent& content) {
-  std::uint32_t& batch_after_upper = next_batch_[content.contact.upper];
+std::int32_t Batches::add(const Contact& contact) {
+  std::uint32_t& batch_after_upper = next_batch_[contact.upper];
   std::uint32_t unused = 0;
-  std::uint32_t& batch_after_other =
-      grains::is_particle(content.contact.other)
-          ? next_batch_[static_cast<std::size_t>(content.contact.other)]
-          : unused;
+  std::uint32_t& batch_after_other = grains::is_particle(contact.other)
+                                         ? next_batch_[static_cast<std::size_t>(contact.other)]
+                                         : unused;
   auto at = std::max<std::size_t>({batch_after_upper, batch_after_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
@@ -62,31 +38,49 @@ std::int32_t Batches::add(const LaneContent& content) {
     ++first_not_full_;
   }
   batch_after_upper = batch_after_other = static_cast<std::uint32_t>(at + 1);
-  set(lane, content);
+  set(lane, contact);
   return lane;
 }
 
-void Batches::set(std::int32_t lane, const LaneContent& content) {
+void Batches::set(std::int32_t lane, const Contact& contact) {
   Batch& batch = this->batch(lane);
-  const std::size_t i = in_batch(lane);
-  batch.upper[i] = body(static_cast<grains::Owner>(content.contact.upper));
-  batch.other[i] = body(content.contact.other);
-  for_each_number(batch, content, [i](auto& all, std::int32_t value) { all[i] = value; });
+  batch.upper[in_batch(lane)] = body(static_cast<grains::Owner>(contact.upper));
+  batch.other[in_batch(lane)] = body(contact.other);
+  set_numbers(lane, contact, rule_->friction_with(contact.other),
+              rule_->bodies.pair(*grains_, contact.upper, contact.other));
 }
 
 void Batches::remove(std::int32_t lane) {
   Batch& batch = this->batch(lane);
-  const std::int32_t grain = batch.upper[in_batch(lane)];  // of no other lane of the batch
-  set(lane, {});
-  batch.upper[in_batch(lane)] = grain;
-  batch.other[in_batch(lane)] = grain;
+  batch.other[in_batch(lane)] = batch.upper[in_batch(lane)];  // of no other lane of the batch
+  set_numbers(lane, {}, 0, {});
 }
 
-LaneContent Batches::content(std::int32_t lane) const {
-  LaneContent result;
-  for_each_number(batch(lane), result,
-                  [i = in_batch(lane)](const auto& all, std::int32_t& value) { value = all[i]; });
-  return result;
+void Batches::set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction,
+                          const Pair& pair) {
+  Batch& batch = this->batch(lane);
+  const std::size_t i = in_batch(lane);
+  batch.normal_x[i] = contact.normal.x;
+  batch.normal_y[i] = contact.normal.y;
+  batch.impulse.normal[i] = contact.impulse.normal;
+  batch.impulse.shear[i] = contact.impulse.shear;
+  batch.impulse.rolling[i] = contact.impulse.rolling;
+  batch.friction[i] = friction;
+  batch.pair.mass[i] = pair.mass;
+  batch.pair.shear_mass[i] = pair.shear_mass;
+  batch.pair.upper_inverse_mass[i] = pair.upper_inverse_mass;
+  batch.pair.other_inverse_mass[i] = pair.other_inverse_mass;
+  batch.pair.upper_rolling_mass[i] = pair.upper_rolling_mass;
+  batch.pair.other_rolling_mass[i] = pair.other_rolling_mass;
+  batch.pair.upper_turning[i] = pair.upper_turning;
+  batch.pair.other_turning[i] = pair.other_turning;
+}
+
+Contact Batches::contact(std::int32_t lane) const {
+  const Batch& batch = this->batch(lane);
+  const std::size_t i = in_batch(lane);
+  return {.normal = {batch.normal_x[i], batch.normal_y[i]},
+          .impulse = {batch.impulse.normal[i], batch.impulse.shear[i], batch.impulse.rolling[i]}};
 }
 
 ContactState<std::int32_t> Batches::touching(std::int32_t lane,

@@ -5,22 +5,19 @@
 #include <vector>
 
 #include "contact/engine/batch.hpp"
+#include "contact/rule/rule.hpp"
 
 namespace clca::contact {
-
-/// What a lane holds of a contact.
-struct LaneContent {
-  Contact contact = {};
-  std::int32_t friction = 0;
-  Pair pair = {};
-};
 
 /// Batches that give what a sweep over the contacts, in the order in which they were added, would
 /// give: each contact is in a later batch than those before it that it shares a grain with.
 class Batches {
  public:
-  explicit Batches(std::size_t walls)
-      : first_grain_(kFirstWallBody + static_cast<std::int32_t>(walls)) {}
+  /// Both outlive the batches.
+  Batches(const grains::State& grains, const Rule& rule)
+      : grains_(&grains),
+        rule_(&rule),
+        first_grain_(kFirstWallBody + static_cast<std::int32_t>(grains.walls.size())) {}
 
   /// The body of the grain with id 0. Those before it are no grains.
   std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
@@ -32,13 +29,13 @@ class Batches {
   /// There are more grains.
   void add_grains(std::size_t grains) { next_batch_.resize(grains, 0); }
   /// Adds a contact behind the others. Returns its lane, counted through all batches.
-  std::int32_t add(const LaneContent& content);
-  /// Changes what a lane holds; the grains stay the same two, maybe turned over.
-  void set(std::int32_t lane, const LaneContent& content);
+  std::int32_t add(const Contact& contact);
+  /// Changes the contact of a lane; the grains stay the same two, maybe turned over.
+  void set(std::int32_t lane, const Contact& contact);
   /// Empties a lane.
   void remove(std::int32_t lane);
-  /// The numbers of a lane, without its bodies.
-  LaneContent content(std::int32_t lane) const;
+  /// The contact of a lane, without its bodies.
+  Contact contact(std::int32_t lane) const;
 
   void set_normal(std::int32_t lane, UnitVector normal) {
     batch(lane).normal_x[in_batch(lane)] = normal.x;
@@ -57,7 +54,11 @@ class Batches {
   const Batch& batch(std::int32_t lane) const {
     return batches_[static_cast<std::size_t>(lane) / kLanes];
   }
+  void set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction,
+                   const Pair& pair);
 
+  const grains::State* grains_;  // pointers: batches are swapped
+  const Rule* rule_;
   std::int32_t first_grain_;
   std::vector<Batch> batches_;
   std::vector<std::uint8_t> used_;         // lanes by batch

@@ -31,12 +31,11 @@ bool is_wall_or_side(grains::Owner owner) {
 ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
     : state_(box.state),
       box_(box),
-      rule_(rule),
       has_moving_walls_(
           std::any_of(state_.walls.begin(), state_.walls.end(),
                       [](const grains::Wall& wall) { return wall.motion.has_value(); })),
       normals_(state_.kinds),
-      sorted_(state_.walls.size()) {
+      sorted_(state_, rule) {
   for (const grains::Kind& kind : state_.kinds) {
     for (const bool odd : {false, true}) {
       std::vector<lattice::Offset>& offsets = rings_.emplace_back();
@@ -50,10 +49,9 @@ ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
   slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
-    slots.add(content(contact),
-              grains::is_particle(contact.other)
-                  ? apart(contact.upper, static_cast<std::uint32_t>(contact.other))
-                  : lattice::Axial());
+    slots.add(contact, grains::is_particle(contact.other)
+                           ? apart(contact.upper, static_cast<std::uint32_t>(contact.other))
+                           : lattice::Axial());
   }
 }
 
@@ -92,7 +90,7 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, WallVelo
             [](const auto& one, const auto& other) { return one.first < other.first; });
   const std::size_t first = slots.all().size();
   for (const auto& [key, touch] : found_) {
-    slots.add(content(touch.contact), touch.apart);
+    slots.add(touch.contact, touch.apart);
   }
   return first;
 }
@@ -172,8 +170,8 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
     slots.remove(at);
     return;
   }
-  now.contact.impulse = turned_over(slots.content(at).contact.impulse);
-  slots.set(at, content(now.contact), now.apart);
+  now.contact.impulse = turned_over(slots.contact(at).impulse);
+  slots.set(at, now.contact, now.apart);
 }
 
 void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
@@ -184,7 +182,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
   std::vector<std::pair<Contact, std::int32_t>> before;
   slots.for_each(id, [&](std::int32_t at) {
     if (is_wall_or_side(slots.at(at).other)) {
-      before.emplace_back(slots.content(at).contact, at);
+      before.emplace_back(slots.contact(at), at);
     }
   });
   std::sort(before.begin(), before.end(),
@@ -201,7 +199,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
     }
     Contact contact = now[next[i]].contact;
     contact.impulse = contacts[i].impulse;
-    slots.set(before[i].second, content(contact), {});
+    slots.set(before[i].second, contact, {});
     is_new[next[i]] = false;
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -243,19 +241,13 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
     std::sort(of_one_.begin(), of_one_.end(),
               [&](std::int32_t one, std::int32_t other) { return key(one) < key(other); });
     for (const std::int32_t at : of_one_) {
-      sorted_.add(slots.content(at), slots.at(at).apart);
+      sorted_.add(slots.contact(at), slots.at(at).apart);
       if (static_cast<std::size_t>(at) >= first_new) {
         new_slots.push_back(static_cast<std::int32_t>(sorted_.all().size()) - 1);
       }
     }
   }
   std::swap(slots, sorted_);
-}
-
-LaneContent ContactFinder::content(const Contact& contact) const {
-  return {.contact = contact,
-          .friction = rule_.friction_with(contact.other),
-          .pair = rule_.bodies.pair(state_, contact.upper, contact.other)};
 }
 
 Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {

@@ -45,13 +45,11 @@ class ContactFinder {
   void add_found(const Touch& touch);
   void change_contact(std::int32_t at, ContactSlots& slots);
   void check_walls(std::uint32_t id, ContactSlots& slots);
-  LaneContent content(const Contact& contact) const;
   Touch touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
 
   const grains::State& state_;
   const grains::Box& box_;
-  const Rule& rule_;
   lattice::Direction down_ = lattice::Direction::down;
   bool has_moving_walls_;
   WallVelocities walls_;
@@ -66,8 +64,8 @@ class ContactFinder {
   std::vector<std::uint32_t> at_walls_;              // grains
   std::vector<grains::Owner> partners_;              // of the grain that is looked at
   std::vector<std::pair<Touch::Key, Touch>> found_;  // that are new, with their order
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // keys and grains
-  std::vector<std::uint8_t> listed_;                            // by id: whether it is in order_
+  std::vector<std::pair<std::int64_t, std::uint32_t>> order_;  // keys and grains
+  std::vector<std::uint8_t> listed_;                           // by id: whether it is in order_
   std::vector<std::int32_t> of_one_;  // slots in which a grain is the upper one
   ContactSlots sorted_;
 };

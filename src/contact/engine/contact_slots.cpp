@@ -10,11 +10,11 @@ void ContactSlots::clear(std::size_t grains) {
   batches_.clear(grains);
 }
 
-void ContactSlots::add(const LaneContent& content, lattice::Axial apart) {
+void ContactSlots::add(const Contact& contact, lattice::Axial apart) {
   const auto at = static_cast<std::int32_t>(slots_.size());
-  Slot slot = {.upper = content.contact.upper,
-               .other = content.contact.other,
-               .lane = batches_.add(content),
+  Slot slot = {.upper = contact.upper,
+               .other = contact.other,
+               .lane = batches_.add(contact),
                .apart = apart};
   slot.next_upper = std::exchange(first_[slot.upper], at);
   if (grains::is_particle(slot.other)) {
@@ -32,22 +32,22 @@ void ContactSlots::remove(std::int32_t at) {
   batches_.remove(std::exchange(slot.lane, -1));
 }
 
-void ContactSlots::set(std::int32_t at, const LaneContent& content, lattice::Axial apart) {
+void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial apart) {
   Slot& slot = slots_[static_cast<std::size_t>(at)];
-  if (slot.upper != content.contact.upper) {
+  if (slot.upper != contact.upper) {
     std::swap(slot.next_upper, slot.next_other);
   }
-  slot.upper = content.contact.upper;
-  slot.other = content.contact.other;
+  slot.upper = contact.upper;
+  slot.other = contact.other;
   slot.apart = apart;
-  batches_.set(slot.lane, content);
+  batches_.set(slot.lane, contact);
 }
 
-LaneContent ContactSlots::content(std::int32_t at) const {
+Contact ContactSlots::contact(std::int32_t at) const {
   const Slot& slot = this->at(at);
-  LaneContent result = batches_.content(slot.lane);
-  result.contact.upper = slot.upper;
-  result.contact.other = slot.other;
+  Contact result = batches_.contact(slot.lane);
+  result.upper = slot.upper;
+  result.other = slot.other;
   return result;
 }
 

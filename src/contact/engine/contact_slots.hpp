@@ -22,7 +22,8 @@ struct Slot {
 /// Slots in order, linked by grain. Their numbers are in batches.
 class ContactSlots {
  public:
-  explicit ContactSlots(std::size_t walls) : batches_(walls) {}
+  /// Both outlive the slots.
+  ContactSlots(const grains::State& grains, const Rule& rule) : batches_(grains, rule) {}
 
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.
@@ -30,17 +31,17 @@ class ContactSlots {
     first_.resize(grains, -1);
     batches_.add_grains(grains);
   }
-  void add(const LaneContent& content, lattice::Axial apart);
+  void add(const Contact& contact, lattice::Axial apart);
   /// Empties a slot. It keeps its place in the order.
   void remove(std::int32_t at);
-  /// Changes the numbers of a contact. The other grain may have become the upper one.
-  void set(std::int32_t at, const LaneContent& content, lattice::Axial apart);
+  /// Changes a contact. The other grain may have become the upper one.
+  void set(std::int32_t at, const Contact& contact, lattice::Axial apart);
   /// The grains have moved, and the upper one still is.
   void set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal) {
     slots_[static_cast<std::size_t>(at)].apart = apart;
     batches_.set_normal(this->at(at).lane, normal);
   }
-  LaneContent content(std::int32_t at) const;
+  Contact contact(std::int32_t at) const;
 
   std::span<const Slot> all() const { return slots_; }
   const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }

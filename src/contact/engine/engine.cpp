@@ -1,6 +1,7 @@
 #include "contact/engine/engine.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -19,7 +20,7 @@ Engine::Engine(State initial, const Parameters& parameters, Profile* profile)
       clock_(profile),
       batch_(fastest_functions()),
       finder_(box(), rule_),
-      slots_(state_.grains.walls.size()),
+      slots_(state_.grains, rule_),
       mover_(state_, box()),
       first_grain_(slots_.batches().first_grain()) {
   load();
@@ -120,22 +121,29 @@ void Engine::bounce_new() {
 
 void Engine::collide() {
   impacts_.clear();
-  const auto bounce = [&](std::size_t slot) -> std::int32_t& {
-    return slots_.batches().bounce(slots_.at(static_cast<std::int32_t>(slot)).lane);
+  const auto bounce = [&](std::int32_t slot) -> std::int32_t& {
+    return slots_.batches().bounce(slots_.at(slot).lane);
   };
   for (const std::int32_t slot : new_slots_) {
-    if (bounce(static_cast<std::size_t>(slot)) == 0) {
+    if (bounce(slot) == 0) {
       continue;
     }
-    std::vector<ImpactContact> impact = isolated_impact(slots_, slot);
-    solve_impact(impact, state_.grains, rule_, velocity_of());
-    for (const ImpactContact& one : impact) {
-      bounce(one.at) = 0;
+    const std::vector<std::int32_t> impact = isolated_impact(slots_, slot);
+    std::vector<Touch> touches;
+    for (const std::int32_t at : impact) {
+      touches.push_back({.contact = slots_.contact(at), .bounce = bounce(at)});
     }
-    impacts_.insert(impacts_.end(), impact.begin(), impact.end());
+    std::vector<Touch*> contacts;
+    std::transform(touches.begin(), touches.end(), std::back_inserter(contacts),
+                   [](Touch& touch) { return &touch; });
+    solve_impact(contacts, state_.grains, rule_, velocity_of());
+    for (std::size_t i = 0; i < impact.size(); ++i) {
+      bounce(impact[i]) = touches[i].bounce;
+      impacts_.emplace_back(impact[i], touches[i].contact.impact);
+    }
   }
   std::sort(impacts_.begin(), impacts_.end(),
-            [](const ImpactContact& one, const ImpactContact& other) { return one.at < other.at; });
+            [](const auto& one, const auto& other) { return one.first < other.first; });
 }
 
 void Engine::accelerate_all() {
@@ -215,13 +223,13 @@ template <class Chosen>
 std::vector<Contact> Engine::contacts(Chosen chosen) const {
   std::vector<Contact> result;
   auto impact = impacts_.begin();
-  for (std::size_t at = 0; at < slots_.all().size(); ++at) {
-    const Slot& slot = slots_.all()[at];
-    const bool is_impact = impact != impacts_.end() && impact->at == at;
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
+    const Slot& slot = slots_.at(at);
+    const bool is_impact = impact != impacts_.end() && impact->first == at;
     if (slot.lane >= 0 && chosen(slot)) {
-      result.push_back(slots_.content(static_cast<std::int32_t>(at)).contact);
+      result.push_back(slots_.contact(at));
       if (is_impact) {
-        result.back().impact = impact->contact.impact;
+        result.back().impact = impact->second;
       }
     }
     impact += is_impact ? 1 : 0;

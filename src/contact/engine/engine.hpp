@@ -2,6 +2,7 @@
 // Steps as Reference gives them, at a cost that follows what changes.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "clca/contact/profile.hpp"
@@ -58,8 +59,9 @@ class Engine final : public Steps {
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> new_slots_;    // contacts that are new in this step
-  std::vector<ImpactContact> impacts_;     // of this step, in the order of the slots
+  std::vector<std::int32_t> new_slots_;  // contacts that are new in this step
+  // Slots and impulses of the impacts of this step, in the order of the slots.
+  std::vector<std::pair<std::int32_t, Impulse<std::int32_t>>> impacts_;
   std::vector<std::uint32_t> moved_;       // in the last step, once each
   std::vector<std::uint32_t> changed_;     // grains that may touch other bodies than they did
   std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move

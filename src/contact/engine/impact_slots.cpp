@@ -26,7 +26,7 @@ bool find_connected(const ContactSlots& slots, std::vector<std::uint32_t>& near)
 
 }  // namespace
 
-std::vector<ImpactContact> isolated_impact(ContactSlots& slots, std::int32_t at) {
+std::vector<std::int32_t> isolated_impact(const ContactSlots& slots, std::int32_t at) {
   std::vector<std::uint32_t> near = {slots.at(at).upper};
   if (!find_connected(slots, near)) {
     return {};
@@ -38,12 +38,7 @@ std::vector<ImpactContact> isolated_impact(ContactSlots& slots, std::int32_t at)
   // Both grains of a contact list it.
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::vector<ImpactContact> result;
-  for (const std::int32_t one : found) {
-    result.push_back({static_cast<std::size_t>(one), slots.content(one).contact,
-                      slots.batches().bounce(slots.at(one).lane)});
-  }
-  return result;
+  return found;
 }
 
 }  // namespace clca::contact

@@ -8,8 +8,8 @@
 
 namespace clca::contact {
 
-/// The contacts that an impact reaches, in their order, as isolated_impacts() finds them; none if
-/// there are too many grains. `at`: the slot that bounces.
-std::vector<ImpactContact> isolated_impact(ContactSlots& slots, std::int32_t at);
+/// The slots of the contacts that an impact reaches, in their order, as isolated_impacts() finds
+/// them; none if there are too many grains. `at`: the slot that bounces.
+std::vector<std::int32_t> isolated_impact(const ContactSlots& slots, std::int32_t at);
 
 }  // namespace clca::contact

@@ -8,10 +8,6 @@ namespace clca::contact {
 
 namespace {
 
-auto sorting_key(const grains::State& state, lattice::Direction down, const Touch& touch) {
-  return std::tuple(order_key(state, down, touch.contact.upper), touch.apart, touch.contact.other);
-}
-
 /// Finds the touch of the two bodies of a contact, in either order.
 const Touch* find(const std::vector<Touch>& touches, std::uint32_t upper, grains::Owner other) {
   const auto touch =
@@ -92,15 +88,10 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
       all.push_back(now[i]);
     }
   }
-  if (sorted) {
-    std::sort(all.begin(), all.end(), [&](const Touch& one, const Touch& other) {
-      return sorting_key(state, down, one) < sorting_key(state, down, other);
-    });
-  } else {
-    std::sort(all.begin() + first_new, all.end(), [&](const Touch& one, const Touch& other) {
-      return one.key(state, down) < other.key(state, down);
-    });
-  }
+  std::sort(all.begin() + (sorted ? 0 : first_new), all.end(),
+            [&](const Touch& one, const Touch& other) {
+              return one.key(state, down) < other.key(state, down);
+            });
   return all;
 }
 

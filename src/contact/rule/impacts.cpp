@@ -46,35 +46,33 @@ class Groups {
 
 }  // namespace
 
-std::vector<std::vector<ImpactContact>> isolated_impacts(std::span<const Touch> contacts,
-                                                         std::span<const std::int32_t> bounces,
-                                                         std::size_t grains) {
+std::vector<std::vector<Touch*>> isolated_impacts(std::span<Touch> contacts, std::size_t grains) {
   Groups groups(grains);
   for (const Touch& touch : contacts) {
     if (grains::is_particle(touch.contact.other)) {
       groups.connect(touch.contact.upper, static_cast<std::size_t>(touch.contact.other));
     }
   }
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (bounces[i] > 0) {
-      groups.hit(contacts[i].contact.upper);
+  for (const Touch& touch : contacts) {
+    if (touch.bounce > 0) {
+      groups.hit(touch.contact.upper);
     }
   }
-  std::map<std::size_t, std::vector<ImpactContact>> by_group;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::size_t group = groups.of(contacts[i].contact.upper);
+  std::map<std::size_t, std::vector<Touch*>> by_group;
+  for (Touch& touch : contacts) {
+    const std::size_t group = groups.of(touch.contact.upper);
     if (groups.is_isolated_impact(group)) {
-      by_group[group].push_back({i, contacts[i].contact, bounces[i]});
+      by_group[group].push_back(&touch);
     }
   }
-  std::vector<std::vector<ImpactContact>> result;
+  std::vector<std::vector<Touch*>> result;
   for (auto& [group, impact] : by_group) {
     result.push_back(std::move(impact));
   }
   return result;
 }
 
-void solve_impact(std::span<ImpactContact> contacts, const grains::State& grains, const Rule& rule,
+void solve_impact(std::span<Touch* const> contacts, const grains::State& grains, const Rule& rule,
                   const VelocityOf& velocity_of) {
   // A column of eight grains needs some 200. Rounding keeps some from an exact end.
   constexpr int kMostSweeps = 256;
@@ -83,16 +81,19 @@ void solve_impact(std::span<ImpactContact> contacts, const grains::State& grains
   for (int i = 0; i < kMostSweeps && change > kSmallChange; ++i) {
     change = 0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      ImpactContact& one = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
-      Contact& contact = one.contact;
+      Touch& touch = *contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
+      Contact& contact = touch.contact;
       const Impulse<std::int32_t> before = contact.impact;
       at_contact(contact, grains, rule, velocity_of, [&](ContactState<std::int32_t>& touching) {
-        solve(contact.impact, touching, one.bounce, rule.friction_with(contact.other), rule.law);
+        solve(contact.impact, touching, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
       change = std::max({change, std::abs(contact.impact.normal - before.normal),
                          std::abs(contact.impact.shear - before.shear),
                          std::abs(contact.impact.rolling - before.rolling)});
     }
+  }
+  for (Touch* touch : contacts) {
+    touch->bounce = 0;
   }
 }
 

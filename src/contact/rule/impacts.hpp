@@ -16,21 +16,12 @@ namespace clca::contact {
 /// many. Otherwise the sweeps of the step solve it with everything else.
 inline constexpr std::size_t kMostGrains = 8;
 
-/// A contact of grains that an impact reaches.
-struct ImpactContact {
-  std::size_t at = 0;       ///< its place in the list of contacts
-  Contact contact = {};     ///< its `impact` is what solve_impact() sets
-  std::int32_t bounce = 0;  ///< the velocity with which its bodies are to separate
-};
+/// The contacts of each impact that is solved on its own, in their order.
+std::vector<std::vector<Touch*>> isolated_impacts(std::span<Touch> contacts, std::size_t grains);
 
-/// The contacts of each impact that is solved on its own, in their order. `bounces`: by contact.
-std::vector<std::vector<ImpactContact>> isolated_impacts(std::span<const Touch> contacts,
-                                                         std::span<const std::int32_t> bounces,
-                                                         std::size_t grains);
-
-/// Sets the impulses of an impact and changes the velocities, by sweeps until the impulses hardly
-/// change any more. `contacts`: all contacts of their grains.
-void solve_impact(std::span<ImpactContact> contacts, const grains::State& grains, const Rule& rule,
+/// Sets `impact` of the contacts and changes the velocities, by sweeps until the impulses hardly
+/// change any more. The contacts do not bounce once more. `contacts`: all of their grains.
+void solve_impact(std::span<Touch* const> contacts, const grains::State& grains, const Rule& rule,
                   const VelocityOf& velocity_of);
 
 }  // namespace clca::contact

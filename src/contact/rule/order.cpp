@@ -9,29 +9,11 @@ namespace clca::contact {
 
 using lattice::Direction;
 
-bool is_above(const grains::State& state, Direction down, std::uint32_t one, std::uint32_t other) {
-  const auto key = [&](std::uint32_t id) {
-    const grains::Particle& grain = state.particles[id];
-    const int column = state.lattice.wrapped(grain.column);
-    return std::pair(place_along(down, {column, grain.row}), column);
-  };
-  return key(one) < key(other);
-}
-
-std::uint64_t order_key(const grains::State& state, Direction down, std::uint32_t id) {
-  constexpr int kDepthBits = 31;
-  constexpr int kStripBits = 24;
-  const lattice::Lattice& lattice = state.lattice;
+std::int64_t order_key(const grains::State& state, Direction down, std::uint32_t id) {
+  constexpr std::int64_t kColumns = std::int64_t{1} << 31;
   const grains::Particle& grain = state.particles[id];
-  const int wrapped = lattice.wrapped(grain.column);
-  const Slope along = slope(down);
-  const int highest = std::min(0, along.column * lattice.columns()) +
-                      std::min(0, 2 * along.height * lattice.rows());
-  const auto depth = static_cast<std::uint64_t>(place_along(down, {wrapped, grain.row}) - highest);
-  const auto strip = static_cast<std::uint64_t>(strip_of(lattice, wrapped));
-  const std::uint64_t strip_order = strip % 2 << (kStripBits - 1) | strip / 2;
-  return (strip_order << kDepthBits | depth) * kStripColumns |
-         static_cast<std::uint64_t>(wrapped % kStripColumns);
+  const int column = state.lattice.wrapped(grain.column);
+  return place_along(down, {column, grain.row}) * kColumns + column;
 }
 
 std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state,

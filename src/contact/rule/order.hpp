@@ -24,19 +24,14 @@ inline int place_along(lattice::Direction direction, lattice::Site site) {
   return along.column * site.column + along.height * lattice::doubled_height(site);
 }
 
-/// Whether a grain is the upper one of two; at equal height the left one counts as upper.
-bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
-              std::uint32_t other);
+/// Sort key of a grain: from the top down, at equal height from the left.
+std::int64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
 
-/// Strips of columns, numbered from the left, for sorting contacts.
-inline constexpr int kStripColumns = 128;
-inline int strip_of(const lattice::Lattice& lattice, int column) {
-  return lattice.wrapped(column) / kStripColumns;
+/// Whether a grain is the upper one of two.
+inline bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
+                     std::uint32_t other) {
+  return order_key(state, down, one) < order_key(state, down, other);
 }
-
-/// Sort key of a grain as the upper one of contacts: by strips, even ones first, within a strip
-/// from the top down, from the left.
-std::uint64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
 
 /// Order of move directions in a step: down first, up last; a coin decides between two at the same
 /// angle.

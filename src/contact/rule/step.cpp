@@ -39,33 +39,26 @@ class Velocities {
   Velocity<std::int32_t> side_;
 };
 
-/// Target separation velocities of contacts: only new contacts bounce.
-std::vector<std::int32_t> bounces(const std::vector<Touch>& contacts, const grains::State& grains,
-                                  const Rule& rule, const VelocityOf& velocity_of) {
-  std::vector<std::int32_t> result(contacts.size(), 0);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].is_new) {
-      at_contact(contacts[i].contact, grains, rule, velocity_of, [&](const auto& touching) {
-        result[i] = bounce(-separation_velocity(touching), rule.restitution);
+/// Only new contacts bounce.
+void bounce_new(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
+                const VelocityOf& velocity_of) {
+  for (Touch& touch : contacts) {
+    if (touch.is_new) {
+      at_contact(touch.contact, grains, rule, velocity_of, [&](const auto& touching) {
+        touch.bounce = bounce(-separation_velocity(touching), rule.restitution);
       });
     }
   }
-  return result;
 }
 
-/// Solves the impacts among few grains. Their contacts do not bounce once more.
-void collide(std::vector<Touch>& contacts, std::vector<std::int32_t>& bounces,
-             const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
+/// Solves the impacts among few grains.
+void collide(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
+             const VelocityOf& velocity_of) {
   for (Touch& touch : contacts) {
     touch.contact.impact = {};
   }
-  for (std::vector<ImpactContact>& impact :
-       isolated_impacts(contacts, bounces, grains.particles.size())) {
+  for (const std::vector<Touch*>& impact : isolated_impacts(contacts, grains.particles.size())) {
     solve_impact(impact, grains, rule, velocity_of);
-    for (const ImpactContact& one : impact) {
-      contacts[one.at].contact.impact = one.contact.impact;
-      bounces[one.at] = 0;
-    }
   }
 }
 
@@ -78,14 +71,14 @@ void apply_all(const std::vector<Touch>& contacts, const grains::State& grains, 
 }
 
 /// Sweeps alternate forwards and backwards.
-void sweep(std::vector<Touch>& contacts, const std::vector<std::int32_t>& bounces,
-           const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
+void sweep(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
+           const VelocityOf& velocity_of) {
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const std::size_t at = i % 2 == 0 ? k : contacts.size() - 1 - k;
-      Contact& contact = contacts[at].contact;
+      Touch& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
+      Contact& contact = touch.contact;
       at_contact(contact, grains, rule, velocity_of, [&](auto& touching) {
-        solve(contact.impulse, touching, bounces[at], rule.friction_with(contact.other), rule.law);
+        solve(contact.impulse, touching, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
   }
@@ -227,8 +220,8 @@ std::size_t Reference::move_grains() {
   const VelocityOf velocity_of = std::ref(velocities);
 
   // 2. New contacts bounce: impacts among few grains at once, others in the sweeps.
-  std::vector<std::int32_t> bounce = bounces(contacts, state_.grains, rule_, velocity_of);
-  collide(contacts, bounce, state_.grains, rule_, velocity_of);
+  bounce_new(contacts, state_.grains, rule_, velocity_of);
+  collide(contacts, state_.grains, rule_, velocity_of);
 
   // 3. Gravity and the vessel.
   accelerate_all(state_, rule_);
@@ -237,7 +230,7 @@ std::size_t Reference::move_grains() {
   apply_all(contacts, state_.grains, rule_, velocity_of);
 
   // 5. Sweeps over the contacts change the impulses and the velocities.
-  sweep(contacts, bounce, state_.grains, rule_, velocity_of);
+  sweep(contacts, state_.grains, rule_, velocity_of);
   state_.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state_.contacts),
                  [](const Touch& touch) { return touch.contact; });

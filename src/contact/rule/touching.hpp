@@ -18,13 +18,12 @@ struct Touch {
   Contact contact = {};       ///< with its present normal, and the impulses of the last step
   lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
   bool is_new = true;         ///< not there in the last step
+  std::int32_t bounce = 0;    ///< the velocity with which its bodies are to separate
 
-  /// Order of new contacts: from the top down, at equal height from the left.
-  using Key = std::tuple<int, int, lattice::Axial, grains::Owner>;
+  /// Order of contacts: by the upper grain, then by the vector to the other one.
+  using Key = std::tuple<std::int64_t, lattice::Axial, grains::Owner>;
   Key key(const grains::State& state, lattice::Direction down) const {
-    const grains::Particle& grain = state.particles[contact.upper];
-    const int column = state.lattice.wrapped(grain.column);
-    return {place_along(down, {column, grain.row}), column, apart, contact.other};
+    return {order_key(state, down, contact.upper), apart, contact.other};
   }
 };
 

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
-#include <set>
 
 #include "contact/engine/batches.hpp"
+#include "support/states.hpp"
 #include "touching_pairs.hpp"
 
 namespace clca::contact::batch_test {
@@ -108,14 +108,25 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
   }
 }
 
-LaneContent between(std::uint32_t upper, grains::Owner other) {
-  static const Pair kPair = pair_of(1, 1, Rolling::none);
-  return {.contact = {.upper = upper, .other = other}, .pair = kPair};
+grains::State like_grains(std::size_t count) {
+  grains::State grains = testing::empty_state(30, 40);
+  grains.kinds = {{lattice::Shape::hexagon(1), 0}};
+  grains.particles.resize(count);
+  return grains;
 }
+
+struct Bed {
+  explicit Bed(std::size_t count) : grains(like_grains(count)) {}
+
+  grains::State grains;
+  Rule rule = make_rule(grains, {}, 0.01);
+  Batches batches = Batches(grains, rule);
+};
 
 TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   std::mt19937_64 random(2);
-  Batches batches(0, 1);
+  Bed bed(kGrains);
+  Batches& batches = bed.batches;
   batches.clear(kGrains);
   std::vector<std::int32_t> lanes;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
@@ -124,8 +135,8 @@ TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
     const auto other = static_cast<std::uint32_t>((upper + 1 + random() % (kGrains - 1)) % kGrains);
     const bool on_wall = random() % 4 == 0;
     contacts.emplace_back(upper, on_wall ? upper : other);
-    lanes.push_back(
-        batches.add(between(upper, on_wall ? kFloor : static_cast<grains::Owner>(other))));
+    lanes.push_back(batches.add(
+        {.upper = upper, .other = on_wall ? kFloor : static_cast<grains::Owner>(other)}));
   }
   const auto batch_of = [](std::int32_t lane) { return lane / static_cast<int>(kLanes); };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -139,40 +150,15 @@ TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   }
 }
 
-TEST(Batches, OfGroupsHaveNoBodyInCommon) {
-  Batches batches(2, 3);
-  batches.clear(4);
-  const std::vector<std::int32_t> lanes = {
-      batches.add(between(0, kFloor)),
-      (batches.begin_group(false), batches.add(between(1, kFloor))),
-      (batches.begin_group(true), batches.add(between(2, grains::wall_code(1))))};
-  batches.set(lanes[1], between(1, grains::wall_code(0)));
-  const std::int32_t emptied = batches.add(between(3, kFloor));
-  batches.remove(emptied);
-  ASSERT_THAT(batches.rounds(), ::testing::SizeIs(2));
-  std::set<std::int32_t> seen;
-  for (const std::vector<Group>& round : batches.rounds()) {
-    for (const Group& group : round) {
-      EXPECT_EQ(group.count, 1U);
-      const Batch& batch = batches.all()[group.first];
-      std::set<std::int32_t> bodies(batch.upper.begin(), batch.upper.end());
-      bodies.insert(batch.other.begin(), batch.other.end());
-      for (const std::int32_t body : bodies) {
-        EXPECT_TRUE(seen.insert(body).second) << body;
-      }
-    }
-  }
-}
-
 TEST(Batches, HaveNothingInALaneThatIsEmptied) {
-  Batches batches(0, 1);
+  Bed bed(3);
+  Batches& batches = bed.batches;
   batches.clear(3);
-  LaneContent content = between(0, 1);
-  content.contact.impulse = {100, 20, 3};
-  content.contact.normal = {0, 1 << kUnitBits};
-  const std::int32_t lane = batches.add(content);
-  EXPECT_EQ(batches.content(lane).contact.impulse, content.contact.impulse);
-  EXPECT_EQ(batches.content(lane).contact.normal, content.contact.normal);
+  const Contact contact = {
+      .upper = 0, .other = 1, .normal = {0, 1 << kUnitBits}, .impulse = {100, 20, 3}};
+  const std::int32_t lane = batches.add(contact);
+  EXPECT_EQ(batches.contact(lane).impulse, contact.impulse);
+  EXPECT_EQ(batches.contact(lane).normal, contact.normal);
   batches.remove(lane);
   std::vector<Body> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};

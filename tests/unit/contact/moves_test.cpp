@@ -41,7 +41,7 @@ struct Bench {
     grains::Box box_of_engine(all_of_engine.grains);
     SiteMoves moves(all, box);
     move_all(moves, all, Direction::down, {});
-    Mover mover(all_of_engine, box_of_engine, {});
+    Mover mover(all_of_engine, box_of_engine);
     mover.move_all(Direction::down, ids, {});
     EXPECT_EQ(all, all_of_engine);
     EXPECT_THAT(mover.moves().moved(), ::testing::UnorderedElementsAreArray(moves.moved()));
@@ -88,7 +88,7 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   bench.add(10, 11, kDown);
   State all{.grains = bench.state, .remainders = bench.remainders};
   grains::Box box(all.grains);
-  Mover mover(all, box, {});
+  Mover mover(all, box);
   const auto step = [&](const std::vector<std::uint32_t>& ids) {
     for (grains::Particle& grain : all.grains.particles) {
       grain.previous = grains::kRest;
