@@ -101,7 +101,7 @@ void check_valid(const State& state) {
   for (const Contact& contact : state.contacts) {
     const bool with_grain = grains::is_particle(contact.other);
     const bool there = contact.upper < grains &&
-                       (with_grain ? static_cast<std::size_t>(contact.other) < grains &&
+                       (with_grain ? grains::particle_id(contact.other) < grains &&
                                          contact.upper != static_cast<std::uint32_t>(contact.other)
                                    : is_side(contact.other) || (grains::is_wall(contact.other) &&
                                                                 grains::wall_number(contact.other) <
@@ -119,7 +119,7 @@ void check_valid(const State& state) {
         fail("an impulse is out of range");
       }
     }
-    const auto upper = static_cast<grains::Owner>(contact.upper);
+    const auto upper = grains::as_owner(contact.upper);
     pairs.emplace_back(
         static_cast<std::uint32_t>(with_grain ? std::min(upper, contact.other) : upper),
         with_grain ? std::max(upper, contact.other) : contact.other);

@@ -70,7 +70,7 @@ using Sum = ForceSums::Sum;
 
 /// Key of a pair, the same in either order.
 std::pair<grains::Owner, grains::Owner> bodies(const Sum& sum) {
-  const auto upper = static_cast<grains::Owner>(sum.upper);
+  const auto upper = grains::as_owner(sum.upper);
   return grains::is_particle(sum.other) && sum.other < upper ? std::pair(sum.other, upper)
                                                              : std::pair(upper, sum.other);
 }

@@ -38,8 +38,8 @@ std::vector<std::uint32_t> ids_from(std::size_t first, const State& state) {
 
 void take_out(Box& box, std::uint32_t id) {
   Particle& particle = box.state.particles[id];
-  box.for_each_index(
-      particle, [&](std::size_t index) { box.occupancy.remove(index, static_cast<Owner>(id)); });
+  box.for_each_index(particle,
+                     [&](std::size_t index) { box.occupancy.remove(index, as_owner(id)); });
   particle.present = false;
   particle.previous = kRest;
 }

@@ -10,19 +10,18 @@ namespace {
 /// Whether the particle `id` may overlap `owner`.
 bool may_share(const State& state, std::uint32_t id, Owner owner) {
   return find_push(state, id, owner) != nullptr ||
-         (is_particle(owner) &&
-          find_push(state, static_cast<std::uint32_t>(owner), static_cast<Owner>(id)) != nullptr);
+         (is_particle(owner) && find_push(state, particle_id(owner), as_owner(id)) != nullptr);
 }
 
 void put(OccupancyTable& occupancy, const State& state, std::size_t index, std::uint32_t id) {
   if (!occupancy.taken(index)) {
-    occupancy.take(index, static_cast<Owner>(id));
+    occupancy.take(index, as_owner(id));
     return;
   }
   if (occupancy.second_owner(index) != kFree || !may_share(state, id, occupancy.owner(index))) {
     throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
   }
-  occupancy.add(index, static_cast<Owner>(id));
+  occupancy.add(index, as_owner(id));
 }
 
 void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number) {

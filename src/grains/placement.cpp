@@ -36,7 +36,7 @@ bool lies_inside(const State& state, const Particle& particle, const lattice::Re
 }
 
 void insert(Box& box, const Particle& particle) {
-  const auto id = static_cast<Owner>(box.state.particles.size());
+  const auto id = as_owner(box.state.particles.size());
   box.for_each_index(particle, [&](std::size_t index) { box.occupancy.take(index, id); });
   box.state.particles.push_back(particle);
   box.state.origins.push_back(particle.site());
@@ -60,9 +60,8 @@ void renumber(Box& box, std::size_t first) {
             [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
   for (std::size_t id = first; id < particles.size(); ++id) {
     box.state.origins[id] = particles[id].site();
-    box.for_each_index(particles[id], [&](std::size_t index) {
-      box.occupancy.take(index, static_cast<Owner>(id));
-    });
+    box.for_each_index(particles[id],
+                       [&](std::size_t index) { box.occupancy.take(index, as_owner(id)); });
   }
 }
 

@@ -9,7 +9,7 @@ void PushedCluster::add_owners(std::size_t index) {
 
 void PushedCluster::add(Owner owner) {
   if (is_particle(owner)) {
-    const auto id = static_cast<std::uint32_t>(owner);
+    const auto id = particle_id(owner);
     if (!included_[id]) {
       included_[id] = true;
       ids_.push_back(id);

@@ -87,7 +87,7 @@ void check_wall(const Wall& wall) {
 
 void check_pushes(const State& state) {
   const auto exists = [&](Owner owner) {
-    return is_particle(owner) ? static_cast<std::size_t>(owner) < state.particles.size()
+    return is_particle(owner) ? particle_id(owner) < state.particles.size()
                               : is_wall(owner) && wall_number(owner) < state.walls.size();
   };
   for (const Push& push : state.pushes) {

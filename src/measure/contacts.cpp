@@ -62,7 +62,7 @@ const Push* push_between(const State& state, const OverlapContact& contact) {
   const Push* push = find_push(state, contact.first, contact.second);
   if (push == nullptr && grains::is_particle(contact.second)) {
     push = find_push(state, static_cast<std::uint32_t>(contact.second),
-                     static_cast<Owner>(contact.first));
+                     grains::as_owner(contact.first));
   }
   return push;
 }
@@ -77,7 +77,7 @@ std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupa
     const auto pusher = static_cast<std::uint32_t>(push.pusher);
     const bool swapped = by_particle && pusher < push.pushed;
     OverlapContact contact = shared_by(state, occupancy, swapped ? pusher : push.pushed,
-                                       swapped ? static_cast<Owner>(push.pushed) : push.pusher);
+                                       swapped ? grains::as_owner(push.pushed) : push.pusher);
     contact.depth = depth_of(state, occupancy, contact);
     contact.source = push.source;
     result.push_back(contact);

@@ -15,7 +15,7 @@ std::vector<int> coordination(const grains::State& state, const grains::Occupanc
     if (!particle.present) {
       continue;
     }
-    touched = {grains::kFree, static_cast<grains::Owner>(id)};
+    touched = {grains::kFree, grains::as_owner(id)};
     const auto add = [&](grains::Owner owner) {
       if (std::find(touched.begin(), touched.end(), owner) == touched.end()) {
         touched.push_back(owner);

@@ -175,7 +175,7 @@ void Line::add_covering(const grains::Occupancy& occupancy,
         continue;
       }
       sums.covered += steps;
-      if (const auto& velocity = velocities[static_cast<std::size_t>(owner)]) {
+      if (const auto& velocity = velocities[grains::particle_id(owner)]) {
         sums.followed += steps;
         sums.displacement += steps * turned(*velocity);
       }

@@ -67,7 +67,7 @@ class ParticleSites : public WallSites {
     if (!grains::is_particle(owner)) {
       return WallSites::code(owner);
     }
-    const std::size_t shade = shading_.shade(rule_, static_cast<std::size_t>(owner));
+    const std::size_t shade = shading_.shade(rule_, grains::particle_id(owner));
     return code_of(in_palette(shade, colors_), false);
   }
 

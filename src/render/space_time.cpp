@@ -185,7 +185,7 @@ LineColors line_colors(const grains::State& state, const grains::Occupancy& occu
     const grains::Owner owner =
         state.lattice.contains(site) ? occupancy.owner(state.lattice.index(site)) : grains::kFree;
     if (grains::is_particle(owner)) {
-      result.colors[i] = color(coloring, state, occupancy, static_cast<std::size_t>(owner));
+      result.colors[i] = color(coloring, state, occupancy, grains::particle_id(owner));
     } else if (grains::is_wall(owner)) {
       const bool moving = moves(state.walls[grains::wall_number(owner)]);
       result.colors[i] = moving ? kMovingWallColor : kWallColor;

@@ -141,16 +141,15 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
   std::vector<contact::Force> forces =
       recurring.due && !recurring.window.is_empty() ? recurring.window.means() : at_end(model);
   const auto bodies = [](const contact::Force& force) {
-    return std::minmax({static_cast<grains::Owner>(force.upper), force.other});
+    return std::minmax({grains::as_owner(force.upper), force.other});
   };
   std::set<std::pair<grains::Owner, grains::Owner>> there;
   const auto is_present = [&](grains::Owner body) {
-    return !grains::is_particle(body) ||
-           model.state().particles[static_cast<std::size_t>(body)].present;
+    return !grains::is_particle(body) || model.state().particles[grains::particle_id(body)].present;
   };
   const std::vector<contact::Force> now = *model.forces();
   for (const contact::Force& force : now) {
-    if (is_present(static_cast<grains::Owner>(force.upper)) && is_present(force.other)) {
+    if (is_present(grains::as_owner(force.upper)) && is_present(force.other)) {
       there.insert(bodies(force));
     }
   }

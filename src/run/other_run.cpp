@@ -240,7 +240,7 @@ class ContactTransfer {
         grains_(there.particles.size(), grains::kFree) {
     for (std::size_t id = 0; id < ids.size(); ++id) {
       if (here.particles[id].present) {
-        grains_[ids[id]] = static_cast<grains::Owner>(id);
+        grains_[ids[id]] = grains::as_owner(id);
       }
     }
   }

@@ -98,7 +98,7 @@ bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
   const grains::Owner other = rows.other[row];
   const bool has_other =
       grains::is_particle(other)
-          ? std::binary_search(first, end, static_cast<std::uint32_t>(other))
+          ? std::binary_search(first, end, grains::particle_id(other))
           : contact::is_side(other) ||
                 (grains::is_wall(other) && grains::wall_number(other) < fixed.walls.size());
   if (upper == end || *upper != rows.upper[row] || !has_other) {

@@ -39,7 +39,7 @@ void Engine::vacated(lattice::Site site) {
     const grains::Owner above =
         box().occupancy.owner(state().lattice.index(site + unit(opposite(direction))));
     if (grains::is_particle(above)) {
-      wake(static_cast<std::uint32_t>(above));
+      wake(grains::particle_id(above));
     }
   }
 }
@@ -57,7 +57,7 @@ grains::Move Engine::granted_move(std::uint32_t id) const {
   for (std::size_t i = 0; i < kDownward.size(); ++i) {
     const lattice::Site below = site + unit(kDownward[i]);
     claims[i] = !box().occupancy.taken(state().lattice.index(below)) &&
-                rule().claimed(below) == static_cast<grains::Owner>(id);
+                rule().claimed(below) == grains::as_owner(id);
   }
   return rule().granted(id, claims);
 }

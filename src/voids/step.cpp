@@ -27,7 +27,7 @@ bool Steps::advance(grains::StepReport& report) {
     grain = grains::moved(grain, static_cast<lattice::Direction>(one.move));
     grain.previous = one.move;
     box_.occupancy.release(state_.lattice.index(from));
-    box_.occupancy.take(state_.lattice.index(grain.site()), static_cast<grains::Owner>(one.id));
+    box_.occupancy.take(state_.lattice.index(grain.site()), grains::as_owner(one.id));
     moved_.push_back(one.id);
     vacated(from);
   }

@@ -84,7 +84,7 @@ Sites body_of(const State& state, Owner owner) {
     const std::size_t number = grains::wall_number(owner);
     return wall_body(state, number, state.walls[number].travel.offset);
   }
-  return body(state, state.particles[static_cast<std::size_t>(owner)]);
+  return body(state, state.particles[grains::particle_id(owner)]);
 }
 
 bool inside(const State& state, const Sites& sites) {
@@ -128,7 +128,7 @@ std::map<Site, std::set<Owner>> occupants(const State& state) {
   }
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     if (state.particles[id].present) {
-      put(static_cast<Owner>(id));
+      put(grains::as_owner(id));
     }
   }
   return owners;
@@ -156,7 +156,7 @@ std::string complaint(const State& state) {
   }
   Pairs pushed;
   for (const Push& push : state.pushes) {
-    if (!pushed.insert(std::minmax(static_cast<Owner>(push.pushed), push.pusher)).second) {
+    if (!pushed.insert(std::minmax(grains::as_owner(push.pushed), push.pusher)).second) {
       return "a pair has two pushes";
     }
     if (!state.walls.at(push.source).lets_overlap()) {

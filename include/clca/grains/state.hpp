@@ -55,6 +55,13 @@ inline constexpr Owner kBorder = std::numeric_limits<Owner>::min();  ///< the bo
 constexpr bool is_particle(Owner owner) {
   return owner >= 0;
 }
+/// The id of a particle that owns a site.
+constexpr std::uint32_t particle_id(Owner owner) {
+  return static_cast<std::uint32_t>(owner);
+}
+constexpr Owner as_owner(std::size_t id) {
+  return static_cast<Owner>(id);
+}
 constexpr bool is_wall(Owner owner) {
   return owner <= kFirstWall;
 }

@@ -23,7 +23,7 @@ std::size_t offset_of(std::int32_t offset) {
 void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
   const grains::Owner owner = world.occupancy.owner_shared(place);
   if (grains::is_particle(owner)) {
-    worker.waking.insert(static_cast<std::uint32_t>(owner));
+    worker.waking.insert(grains::particle_id(owner));
   }
 }
 
@@ -53,7 +53,7 @@ void change_sites(World& world, StripWorker& worker, const MoveProposal& proposa
   for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
     for (const Exchange exchange : exchanges) {
       occupancy.set_owner_shared(place + offset_of(exchange.entered),
-                                 static_cast<grains::Owner>(proposal.id));
+                                 grains::as_owner(proposal.id));
       occupancy.set_owner_shared(place + offset_of(exchange.left), grains::kFree);
     }
   }
@@ -71,7 +71,7 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
                            proposal.access);
     }
   };
-  change(footprint.lead[proposal.move], static_cast<grains::Owner>(proposal.id));
+  change(footprint.lead[proposal.move], grains::as_owner(proposal.id));
   change(footprint.trail[proposal.move], grains::kFree);
 }
 

@@ -158,7 +158,7 @@ void Engine::wake_upstream(lattice::Site vacated) {
     const grains::Owner owner =
         lattice.contains(from) ? world_.occupancy.owner(lattice.index(from)) : grains::kFree;
     if (grains::is_particle(owner)) {
-      wake(static_cast<std::uint32_t>(owner));
+      wake(grains::particle_id(owner));
     }
   }
 }

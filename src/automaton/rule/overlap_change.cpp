@@ -26,7 +26,7 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
   }
   for (OverlapChange& change : result) {
     if (grains::is_particle(change.owner)) {
-      const grains::Particle& other = state.particles[static_cast<std::size_t>(change.owner)];
+      const grains::Particle& other = state.particles[grains::particle_id(change.owner)];
       change.depth_before = world.separation.depth(here, other);
       change.depth_after = world.separation.depth(here, other, unit(direction));
     }

@@ -182,13 +182,13 @@ bool PassiveRule::is_within_limits(std::uint32_t id,
     }
     own += change.sites_after;
     grows = grows || change.grows();
-    if (change.grows() && shared_sites(world_, static_cast<std::uint32_t>(change.owner)) +
+    if (change.grows() && shared_sites(world_, grains::particle_id(change.owner)) +
                                   change.sites_after - change.sites_before >
                               limit(shape_of(change.owner))) {
       return false;
     }
   }
-  return !grows || own <= limit(shape_of(static_cast<grains::Owner>(id)));
+  return !grows || own <= limit(shape_of(grains::as_owner(id)));
 }
 
 // Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
@@ -210,8 +210,8 @@ void PassiveRule::record(std::uint32_t id, const grains::Push& cause,
                          const std::vector<OverlapChange>& changes) {
   for (const OverlapChange& change : changes) {
     if (change.deepens()) {
-      world_.pushes.record(world_.state, {.pushed = static_cast<std::uint32_t>(change.owner),
-                                          .pusher = static_cast<grains::Owner>(id),
+      world_.pushes.record(world_.state, {.pushed = grains::particle_id(change.owner),
+                                          .pusher = grains::as_owner(id),
                                           .source = cause.source,
                                           .direction = cause.direction});
     }

@@ -52,7 +52,7 @@ class PassiveRule {
   /// than its limit.
   bool is_within_limits(std::uint32_t id, const std::vector<OverlapChange>& changes) const;
   const lattice::Shape& shape_of(grains::Owner owner) const {
-    return world_.state.shape(world_.state.particles[static_cast<std::size_t>(owner)]);
+    return world_.state.shape(world_.state.particles[grains::particle_id(owner)]);
   }
   void record(std::uint32_t id, const grains::Push& cause,
               const std::vector<OverlapChange>& changes);

@@ -56,7 +56,7 @@ void PushList::record(grains::State& state, const grains::Push& push) {
 
 void PushList::forget(grains::State& state, std::uint32_t id, grains::Owner other) {
   if (!erase(state, id, other) && grains::is_particle(other)) {
-    erase(state, static_cast<std::uint32_t>(other), static_cast<grains::Owner>(id));
+    erase(state, grains::particle_id(other), grains::as_owner(id));
   }
 }
 

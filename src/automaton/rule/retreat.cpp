@@ -31,10 +31,9 @@ std::optional<grains::Move> retreat(World& world, std::uint32_t id) {
   const grains::State& state = world.state;
   std::vector<grains::Push> resting;
   for (const Overlap& one : world.overlaps(id, state.particles[id])) {
-    const auto other = static_cast<std::uint32_t>(one.owner);
-    const grains::Push* push = grains::is_particle(one.owner)
-                                   ? find_push(state, other, static_cast<grains::Owner>(id))
-                                   : nullptr;
+    const auto other = grains::particle_id(one.owner);
+    const grains::Push* push =
+        grains::is_particle(one.owner) ? find_push(state, other, grains::as_owner(id)) : nullptr;
     if (push != nullptr && state.particles[other].previous == grains::kRest) {
       resting.push_back(*push);
     }
@@ -54,7 +53,7 @@ std::optional<grains::Move> retreat(World& world, std::uint32_t id) {
     }
     const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
     const bool shrinks = std::all_of(resting.begin(), resting.end(), [&](const grains::Push& push) {
-      const OverlapChange* change = find(all, static_cast<grains::Owner>(push.pushed));
+      const OverlapChange* change = find(all, grains::as_owner(push.pushed));
       return change != nullptr && change->sites_after < change->sites_before;
     });
     if (shrinks) {

@@ -56,7 +56,7 @@ std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
   for (const std::size_t place : step.enters) {
     const grains::Owner other = world.occupancy.second_owner(place);  // a wall comes first
     if (grains::is_particle(other)) {
-      ids.push_back(static_cast<std::uint32_t>(other));
+      ids.push_back(grains::particle_id(other));
     }
   }
   std::sort(ids.begin(), ids.end());

@@ -46,7 +46,7 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
   std::vector<Overlap> result;
   result.reserve(kUsualOverlaps);
   const auto count = [&](grains::Owner owner) {
-    if (owner == grains::kFree || owner == static_cast<grains::Owner>(id)) {
+    if (owner == grains::kFree || owner == grains::as_owner(id)) {
       return;
     }
     const auto found = std::find_if(result.begin(), result.end(),
@@ -66,7 +66,7 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
 
 void World::move(std::uint32_t id, lattice::Direction direction) {
   grains::Particle& particle = state.particles[id];
-  const auto owner = static_cast<grains::Owner>(id);
+  const auto owner = grains::as_owner(id);
   const std::vector<Overlap> before =
       pushes.overlapping(id) ? overlaps(id, particle) : std::vector<Overlap>();
   const grains::Footprint& footprint = box.footprints.of(particle);
@@ -98,7 +98,7 @@ void World::forget_ended_pushes(std::uint32_t id, const std::vector<Overlap>& be
 void World::forget_push(std::uint32_t id, grains::Owner other) {
   pushes.forget(state, id, other);
   if (grains::is_particle(other)) {
-    changes.particles.push_back(static_cast<std::uint32_t>(other));
+    changes.particles.push_back(grains::particle_id(other));
   }
 }
 
@@ -107,15 +107,14 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
   for (const std::uint32_t id : ids) {
     const grains::Particle& particle = state.particles[id];
     box.for_each_index(particle, box.footprints.of(particle).trail[d], [&](std::size_t place) {
-      occupancy.remove(place, static_cast<grains::Owner>(id));
+      occupancy.remove(place, grains::as_owner(id));
       changes.vacated.push_back(place);
     });
   }
   for (const std::uint32_t id : ids) {
     grains::Particle& particle = state.particles[id];
-    box.for_each_index(particle, box.footprints.of(particle).lead[d], [&](std::size_t place) {
-      occupancy.add(place, static_cast<grains::Owner>(id));
-    });
+    box.for_each_index(particle, box.footprints.of(particle).lead[d],
+                       [&](std::size_t place) { occupancy.add(place, grains::as_owner(id)); });
     particle = moved(particle, direction);
   }
   changes.particles.insert(changes.particles.end(), ids.begin(), ids.end());

@@ -22,9 +22,8 @@ void Batches::clear(std::size_t grains) {
 std::int32_t Batches::add(const Contact& contact) {
   std::uint32_t& batch_after_upper = next_batch_[contact.upper];
   std::uint32_t unused = 0;
-  std::uint32_t& batch_after_other = grains::is_particle(contact.other)
-                                         ? next_batch_[static_cast<std::size_t>(contact.other)]
-                                         : unused;
+  std::uint32_t& batch_after_other =
+      grains::is_particle(contact.other) ? next_batch_[grains::particle_id(contact.other)] : unused;
   auto at = std::max<std::size_t>({batch_after_upper, batch_after_other, first_not_full_});
   while (at < used_.size() && used_[at] == kLanes) {
     ++at;
@@ -44,7 +43,7 @@ std::int32_t Batches::add(const Contact& contact) {
 
 void Batches::set(std::int32_t lane, const Contact& contact) {
   Batch& batch = this->batch(lane);
-  batch.upper[in_batch(lane)] = body(static_cast<grains::Owner>(contact.upper));
+  batch.upper[in_batch(lane)] = body(grains::as_owner(contact.upper));
   batch.other[in_batch(lane)] = body(contact.other);
   set_numbers(lane, contact, rule_->friction_with(contact.other),
               rule_->bodies.pair(*grains_, contact.upper, contact.other));

@@ -106,7 +106,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots) {
   all.for_each(id, [&](std::int32_t at) {
     const Slot& slot = all.at(at);
     const bool with_grain = grains::is_particle(slot.other);
-    const auto other = static_cast<std::uint32_t>(slot.other);
+    const auto other = grains::particle_id(slot.other);
     const std::uint32_t partner = slot.upper == id ? other : slot.upper;
     if (with_grain && checked_with(partner, id)) {
       return;
@@ -132,7 +132,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
   partners_.clear();
   slots.for_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
-    partners_.push_back(slot.upper == id ? slot.other : static_cast<grains::Owner>(slot.upper));
+    partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
   });
   bool at_wall = std::any_of(partners_.begin(), partners_.end(), is_wall_or_side);
   grains::Owner before = grains::kFree;
@@ -144,7 +144,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
     }
     before = owner;
     at_wall = at_wall || is_wall_or_side(owner);
-    const auto other = static_cast<std::uint32_t>(owner);
+    const auto other = grains::particle_id(owner);
     if (grains::is_particle(owner) && !checked_with(other, id) &&
         std::find(partners_.begin(), partners_.end(), owner) == partners_.end()) {
       partners_.push_back(owner);
@@ -162,7 +162,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
 void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
   const Slot& slot = slots.at(at);
   const bool with_grain = grains::is_particle(slot.other);
-  const auto other = static_cast<std::uint32_t>(slot.other);
+  const auto other = grains::particle_id(slot.other);
   const bool present =
       state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
   Touch now = present ? touch(slot.upper, other) : Touch();
@@ -256,7 +256,7 @@ Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
   const std::uint32_t lower = in_order ? second : first;
   const lattice::Axial apart = this->apart(upper, lower);
   return {.contact = {.upper = upper,
-                      .other = static_cast<grains::Owner>(lower),
+                      .other = grains::as_owner(lower),
                       .normal = normals_.normal(state_.particles[upper].kind,
                                                 state_.particles[lower].kind, apart)},
           .apart = apart};

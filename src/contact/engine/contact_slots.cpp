@@ -18,7 +18,7 @@ void ContactSlots::add(const Contact& contact, lattice::Axial apart) {
                .apart = apart};
   slot.next_upper = std::exchange(first_[slot.upper], at);
   if (grains::is_particle(slot.other)) {
-    slot.next_other = std::exchange(first_[static_cast<std::size_t>(slot.other)], at);
+    slot.next_other = std::exchange(first_[grains::particle_id(slot.other)], at);
   }
   slots_.push_back(slot);
 }
@@ -27,7 +27,7 @@ void ContactSlots::remove(std::int32_t at) {
   Slot& slot = slots_[static_cast<std::size_t>(at)];
   unlink(at, slot.upper);
   if (grains::is_particle(slot.other)) {
-    unlink(at, static_cast<std::uint32_t>(slot.other));
+    unlink(at, grains::particle_id(slot.other));
   }
   batches_.remove(std::exchange(slot.lane, -1));
 }

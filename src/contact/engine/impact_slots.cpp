@@ -15,7 +15,7 @@ bool find_connected(const ContactSlots& slots, std::vector<std::uint32_t>& near)
       if (!grains::is_particle(slot.other)) {
         return;
       }
-      const auto next = slot.upper == grain ? static_cast<std::uint32_t>(slot.other) : slot.upper;
+      const auto next = slot.upper == grain ? grains::particle_id(slot.other) : slot.upper;
       if (std::find(near.begin(), near.end(), next) == near.end()) {
         near.push_back(next);
       }

@@ -61,8 +61,7 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
 void Mover::try_move(std::uint32_t id, grains::Owner in_the_way, Direction direction) {
   if (in_the_way != grains::kFree) {
     wait(id, direction,
-         grains::is_particle(in_the_way) ? obstacle(static_cast<std::uint32_t>(in_the_way))
-                                         : kWalls);
+         grains::is_particle(in_the_way) ? obstacle(grains::particle_id(in_the_way)) : kWalls);
     return;
   }
   moves_.move(id, direction);

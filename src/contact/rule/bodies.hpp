@@ -39,7 +39,7 @@ class Bodies {
   /// Of a contact between a grain and another body.
   const Pair& pair(const grains::State& grains, std::uint32_t upper, grains::Owner other) const {
     const auto kind = [&](std::size_t id) { return grains.particles[id].kind; };
-    return grains::is_particle(other) ? pair(kind(upper), kind(static_cast<std::size_t>(other)))
+    return grains::is_particle(other) ? pair(kind(upper), kind(grains::particle_id(other)))
                                       : pair(kind(upper), std::nullopt);
   }
 

@@ -71,8 +71,7 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
     const Touch* touch = with_grain ? find(now, contact.upper, contact.other) : next_at_walls[i];
     const bool turned = touch == nullptr && with_grain;
     if (turned) {
-      touch = find(now, static_cast<std::uint32_t>(contact.other),
-                   static_cast<grains::Owner>(contact.upper));
+      touch = find(now, static_cast<std::uint32_t>(contact.other), grains::as_owner(contact.upper));
     }
     if (touch == nullptr) {
       continue;

@@ -57,7 +57,7 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
       if (other == grains::kFree) {
         return;
       }
-      const Velocity<std::int32_t>& own = velocity_of(static_cast<grains::Owner>(id));
+      const Velocity<std::int32_t>& own = velocity_of(grains::as_owner(id));
       const Velocity<std::int32_t>& its = velocity_of(other);
       const std::int32_t closing = along({own.x - its.x, own.y - its.y}, unit_of(direction));
       if (closing > 0) {
@@ -94,7 +94,7 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
     }
   }
   for (const auto& [id, sum] : sums) {
-    Velocity<std::int32_t>& velocity = velocity_of(static_cast<grains::Owner>(id));
+    Velocity<std::int32_t>& velocity = velocity_of(grains::as_owner(id));
     const auto changed = [inverse = inverse_mass(state, rule, id)](std::int32_t value,
                                                                    std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);

@@ -50,7 +50,7 @@ std::vector<std::vector<Touch*>> isolated_impacts(std::span<Touch> contacts, std
   Groups groups(grains);
   for (const Touch& touch : contacts) {
     if (grains::is_particle(touch.contact.other)) {
-      groups.connect(touch.contact.upper, static_cast<std::size_t>(touch.contact.other));
+      groups.connect(touch.contact.upper, grains::particle_id(touch.contact.other));
     }
   }
   for (const Touch& touch : contacts) {

@@ -41,9 +41,8 @@ void SiteMoves::leave(std::uint32_t id, Direction direction) {
 
 void SiteMoves::enter(std::uint32_t id, Direction direction) {
   grains::Particle& grain = state_.grains.particles[id];
-  box_.for_each_index(
-      grain, box_.footprints.of(grain).lead[lattice::index_of(direction)],
-      [&](std::size_t place) { box_.occupancy.take(place, static_cast<grains::Owner>(id)); });
+  box_.for_each_index(grain, box_.footprints.of(grain).lead[lattice::index_of(direction)],
+                      [&](std::size_t place) { box_.occupancy.take(place, grains::as_owner(id)); });
   grain = grains::moved(grain, direction);
   if (grain.previous == grains::kRest) {
     moved_.push_back(id);
@@ -95,7 +94,7 @@ void SiteMoves::note_neighbours(const std::vector<std::size_t>& places) {
       const grains::Owner owner =
           box_.occupancy.owner(lattice.index(lattice.site(place) + unit(direction)));
       if (grains::is_particle(owner)) {
-        beside_walls_.push_back(static_cast<std::uint32_t>(owner));
+        beside_walls_.push_back(grains::particle_id(owner));
       }
     }
   }

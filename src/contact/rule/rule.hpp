@@ -38,7 +38,7 @@ using VelocityOf = std::function<Velocity<std::int32_t>&(grains::Owner)>;
 template <class Visit>
 void at_contact(const Contact& contact, const grains::State& grains, const Rule& rule,
                 const VelocityOf& velocity_of, Visit visit) {
-  Velocity<std::int32_t>& upper = velocity_of(static_cast<grains::Owner>(contact.upper));
+  Velocity<std::int32_t>& upper = velocity_of(grains::as_owner(contact.upper));
   Velocity<std::int32_t>& other = velocity_of(contact.other);
   ContactState<std::int32_t> touching = {
       .upper = upper,

@@ -28,7 +28,7 @@ class Velocities {
 
   Velocity<std::int32_t>& operator()(grains::Owner body) {
     if (grains::is_particle(body)) {
-      return state_.velocities[static_cast<std::size_t>(body)];
+      return state_.velocities[grains::particle_id(body)];
     }
     return is_side(body) ? side_ : walls_[grains::wall_number(body)];
   }
@@ -99,7 +99,7 @@ bool advance_all(State& state, const Rule& rule) {
   for (const Contact& contact : state.contacts) {
     touching[contact.upper] = true;
     if (grains::is_particle(contact.other)) {
-      touching[static_cast<std::size_t>(contact.other)] = true;
+      touching[grains::particle_id(contact.other)] = true;
     }
   }
   bool at_rest = true;

@@ -152,7 +152,7 @@ std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, Norm
     const std::vector<Touch> at_walls = wall_touches(box, id, walls).touches;
     result.insert(result.end(), at_walls.begin(), at_walls.end());
     for (const auto& [owner, obstacle] : blocking(box, id)) {
-      const auto other = static_cast<std::uint32_t>(owner);
+      const auto other = grains::particle_id(owner);
       if (grains::is_particle(owner) && is_above(state, down, id, other)) {
         const grains::Particle& below = state.particles[other];
         const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());

@@ -35,7 +35,7 @@ State pressed_bed(std::uint64_t seed, int distance) {
 bool overlaps_and_moved(const State& state, std::uint32_t id) {
   return state.particles[id].previous != grains::kRest &&
          std::any_of(state.pushes.begin(), state.pushes.end(), [&](const grains::Push& push) {
-           return push.pushed == id || push.pusher == static_cast<grains::Owner>(id);
+           return push.pushed == id || push.pusher == grains::as_owner(id);
          });
 }
 

@@ -135,8 +135,8 @@ TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
     const auto other = static_cast<std::uint32_t>((upper + 1 + random() % (kGrains - 1)) % kGrains);
     const bool on_wall = random() % 4 == 0;
     contacts.emplace_back(upper, on_wall ? upper : other);
-    lanes.push_back(batches.add(
-        {.upper = upper, .other = on_wall ? kFloor : static_cast<grains::Owner>(other)}));
+    lanes.push_back(
+        batches.add({.upper = upper, .other = on_wall ? kFloor : grains::as_owner(other)}));
   }
   const auto batch_of = [](std::int32_t lane) { return lane / static_cast<int>(kLanes); };
   for (std::size_t i = 0; i < contacts.size(); ++i) {

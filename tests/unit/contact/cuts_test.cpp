@@ -45,7 +45,7 @@ struct Bench {
     const SiteMoves moves(state, box);
     Velocity<std::int32_t> fixed;
     cut_remainders(state, moves, rule, ids, [&](grains::Owner body) -> Velocity<std::int32_t>& {
-      return grains::is_particle(body) ? state.velocities[static_cast<std::size_t>(body)] : fixed;
+      return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
     });
     EXPECT_EQ(fixed, Velocity<std::int32_t>());
   }

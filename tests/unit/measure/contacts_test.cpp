@@ -111,7 +111,7 @@ State crowd(unsigned seed) {
     }
   }
   for (const auto& [pushed, pusher] : pairs) {
-    state.pushes.push_back({.pushed = pushed, .pusher = static_cast<Owner>(pusher)});
+    state.pushes.push_back({.pushed = pushed, .pusher = grains::as_owner(pusher)});
   }
   return state;
 }
@@ -146,7 +146,7 @@ TEST(Contacts, DoNotDependOnTheOrderOfTheParticles) {
   const auto last = static_cast<std::uint32_t>(state.particles.size() - 1);
   for (grains::Push& push : mirrored.pushes) {
     push.pushed = last - push.pushed;
-    push.pusher = static_cast<Owner>(last) - push.pusher;
+    push.pusher = grains::as_owner(last) - push.pusher;
   }
   std::sort(mirrored.pushes.begin(), mirrored.pushes.end(), [](const auto& a, const auto& b) {
     return std::pair(a.pushed, a.pusher) < std::pair(b.pushed, b.pusher);

@@ -29,7 +29,7 @@ inline void add_pair(grains::State& state, int column, int row) {
   const auto upper = static_cast<std::uint32_t>(state.particles.size());
   state.particles.push_back(particle_at(column, row + 1));
   state.particles.push_back(particle_at(column, row - 1));
-  state.pushes.push_back({.pushed = upper + 1, .pusher = static_cast<grains::Owner>(upper)});
+  state.pushes.push_back({.pushed = upper + 1, .pusher = grains::as_owner(upper)});
 }
 
 /// A plate over columns 8 to 12 at row 12, moving down, that has come onto particle 0 at (10, 12),

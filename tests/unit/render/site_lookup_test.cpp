@@ -73,7 +73,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
     if (inside >= 0 && owner != grains::kFree) {
       const bool outlined = projection.outline_strength > 0 && inside < edge;
       if (grains::is_particle(owner)) {
-        const Rgb fill = color(coloring, state, occupancy, static_cast<std::size_t>(owner));
+        const Rgb fill = color(coloring, state, occupancy, grains::particle_id(owner));
         const auto shade = std::find(coloring.palette.begin(), coloring.palette.end(), fill);
         result.code = code_of(static_cast<std::size_t>(shade - coloring.palette.begin()), outlined);
       } else {
