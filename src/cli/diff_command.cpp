@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "clca/image/png.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "clca/store/file.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
@@ -44,7 +44,7 @@ ExitCode diff(const DiffOptions& options) {
               second.height);
     return ExitCode::failed;
   }
-  const render::Difference difference = render::compare(first, second, options.tolerance);
+  const render::Difference difference = render::difference_of(first, second, options.tolerance);
   if (!options.out.empty()) {
     store::write_whole(options.out, image::encode_png(difference.picture, {}));
   }

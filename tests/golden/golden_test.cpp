@@ -14,7 +14,7 @@
 #include "clca/automaton/automaton.hpp"
 #include "clca/image/png.hpp"
 #include "clca/render/coloring.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/run/redraw.hpp"
 #include "clca/run/setup.hpp"
@@ -70,7 +70,8 @@ void compare_or_bless(const std::string& name, const image::Image& image, bool e
   const image::Image expected = image::decode_png(testing::bytes_of(expected_file)).image;
   ASSERT_EQ(image.width, expected.width);
   ASSERT_EQ(image.height, expected.height);
-  const render::Difference difference = render::compare(expected, image, exact ? 0 : kTolerance);
+  const render::Difference difference =
+      render::difference_of(expected, image, exact ? 0 : kTolerance);
   if (difference.pixels <= (exact ? 0 : kPixels)) {
     return;
   }
@@ -212,7 +213,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
     const image::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
     const image::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});
-    EXPECT_GT(render::compare(before, after, kTolerance).pixels, 2 * kPixels);
+    EXPECT_GT(render::difference_of(before, after, kTolerance).pixels, 2 * kPixels);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "clca/render/coloring.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "clca/render/painter.hpp"
 #include "packed_state.hpp"
 #include "render/layout.hpp"
@@ -69,8 +69,9 @@ TEST(Stroke, HasRoundEndsAndItsArea) {
 
 TEST(Stroke, LooksTheSameFromBothEnds) {
   const Image image = drawn({{12.5, 7.25}, {47.5, 32.75}, 3.3, kRed, false});
-  EXPECT_LE(compare(image, half_turned(image), 0).largest, 20);
-  EXPECT_LE(compare(image, drawn({{47.5, 32.75}, {12.5, 7.25}, 3.3, kRed, false}), 0).largest, 4);
+  EXPECT_LE(difference_of(image, half_turned(image), 0).largest, 20);
+  EXPECT_LE(difference_of(image, drawn({{47.5, 32.75}, {12.5, 7.25}, 3.3, kRed, false}), 0).largest,
+            4);
 }
 
 TEST(Stroke, ThatIsThinIsPale) {
@@ -101,7 +102,7 @@ TEST(Stroke, OfAnArrowHasAHeadAtItsEnd) {
 TEST(Stroke, OfAShortArrowIsADot) {
   for (const double length : {0.0, 0.2, 4.5}) {
     const Image image = drawn({{30 - length / 2, 20}, {30 + length / 2, 20}, 5, kRed, true});
-    EXPECT_LE(compare(image, half_turned(image), 0).largest, 20) << length;
+    EXPECT_LE(difference_of(image, half_turned(image), 0).largest, 20) << length;
     EXPECT_EQ(image.at(30, 20), kRed);
     EXPECT_NEAR(area(image), 10, 1) << length;
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "clca/render/coloring.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "packed_state.hpp"
 #include "render/colors.hpp"
 #include "render/wall_appearance.hpp"
@@ -78,7 +78,7 @@ TEST(MovingWall, HasTheFormOfAWallThatStands) {
     for (const Drawing drawing : kBothWays) {
       Image image = seen(state, drawing);
       std::replace(image.pixels.begin(), image.pixels.end(), kMovingWallColor, kWallColor);
-      EXPECT_LE(compare(image, seen(at_rest(state), drawing), 0).pixels, 50U);
+      EXPECT_LE(difference_of(image, seen(at_rest(state), drawing), 0).pixels, 50U);
     }
   }
 }
@@ -202,8 +202,8 @@ TEST(Painter, DrawsOverlappingParticlesTheLowerIdOnTop) {
   const lattice::Rectangle view = {middle.x() - 1.9, middle.y() - 1.3, middle.x() + 1.9,
                                    middle.y() + 1.3};
   for (const Drawing drawing : kBothWays) {
-    EXPECT_LE(compare(picture(state, drawing, 190, 130, 1, view),
-                      picture(alone, drawing, 190, 130, 1, view), 2)
+    EXPECT_LE(difference_of(picture(state, drawing, 190, 130, 1, view),
+                            picture(alone, drawing, 190, 130, 1, view), 2)
                   .pixels,
               20U);
   }
@@ -214,8 +214,8 @@ TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
   state.particles.resize(2);
   state.origins.resize(2);
   state.pushes.resize(1);
-  const Difference difference = compare(picture(state, Drawing::polygons, 480, 440, 1),
-                                        picture(state, Drawing::lookup, 480, 440, 1), 2);
+  const Difference difference = difference_of(picture(state, Drawing::polygons, 480, 440, 1),
+                                              picture(state, Drawing::lookup, 480, 440, 1), 2);
   EXPECT_LE(difference.pixels, 480U * 440 / 200);  // outlines beside the overlap
 }
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "clca/render/coloring.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "packed_state.hpp"
 
 namespace clca::render::painter_test {
@@ -78,7 +78,7 @@ TEST(Painter, DrawsAMirroredStateAsAMirroredPicture) {
       const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
       std::reverse(row, row + image.width);
     }
-    const Difference difference = compare(image, picture(state, drawing, 500, 400, 1), 2);
+    const Difference difference = difference_of(image, picture(state, drawing, 500, 400, 1), 2);
     EXPECT_LE(difference.pixels, 500U * 400 / 400);
   }
 }

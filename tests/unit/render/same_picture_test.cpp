@@ -2,7 +2,7 @@
 // edge, since polygon corners are rounded to 1/256 of a sample and lookup weights to float.
 #include <gtest/gtest.h>
 
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "packed_state.hpp"
 
 namespace clca::render::same_picture_test {
@@ -17,7 +17,7 @@ constexpr std::size_t kMaxPixels = kWidth * kHeight / 1000;
 void expect_same(const grains::State& state, int samples, const lattice::Rectangle& view = {}) {
   const Image polygons = picture(state, Drawing::polygons, kWidth, kHeight, samples, view);
   const Image lookup = picture(state, Drawing::lookup, kWidth, kHeight, samples, view);
-  const Difference difference = compare(polygons, lookup, kTolerance);
+  const Difference difference = difference_of(polygons, lookup, kTolerance);
   EXPECT_LE(difference.pixels, kMaxPixels);
   ::testing::Test::RecordProperty("pixels", static_cast<int>(difference.pixels));
 }

@@ -9,7 +9,7 @@
 #include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
 #include "clca/render/coloring.hpp"
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
@@ -434,7 +434,7 @@ TEST_F(RedrawTest, APdfShowsWhatThePictureShows) {
       const auto means = [](const image::Image& image) {
         return render::scaled(image, image.width / 16, image.height / 16);
       };
-      EXPECT_LE(render::compare(means(page), means(picture), 0).largest, 32) << name;
+      EXPECT_LE(render::difference_of(means(page), means(picture), 0).largest, 32) << name;
     }
     const std::vector<std::uint8_t> once = testing::bytes_of(pdf / "tried-000030.pdf");
     Redraw({{scene, run, store::OutputFolder(pdf)}}, {.pdf = true, .from = 30, .to = 30}).draw();

@@ -1,4 +1,4 @@
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ void include(Difference& difference, int x, int y) {
 
 }  // namespace
 
-Difference compare(const Image& first, const Image& second, int tolerance) {
+Difference difference_of(const Image& first, const Image& second, int tolerance) {
   if (first.width != second.width || first.height != second.height) {
     throw std::invalid_argument(fmt::format("the pictures differ in size: {} x {} and {} x {}",
                                             first.width, first.height, second.width,

@@ -1,15 +1,15 @@
-#include "clca/render/compare.hpp"
+#include "clca/render/difference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-namespace clca::render::compare_test {
+namespace clca::render::difference_test {
 namespace {
 
 TEST(Compare, FindsNothingBetweenEqualPictures) {
   const Image image(5, 4, {10, 20, 30});
-  const Difference difference = compare(image, image, 0);
+  const Difference difference = difference_of(image, image, 0);
   EXPECT_EQ(difference.pixels, 0U);
   EXPECT_EQ(difference.largest, 0);
 }
@@ -19,7 +19,7 @@ TEST(Compare, BoundsThePixelsThatDiffer) {
   Image second = first;
   second.at(2, 3).green = 25;
   second.at(6, 5).blue = 130;
-  const Difference difference = compare(first, second, 0);
+  const Difference difference = difference_of(first, second, 0);
   EXPECT_EQ(difference.pixels, 2U);
   EXPECT_EQ(difference.largest, 100);
   EXPECT_EQ(difference.left, 2);
@@ -33,14 +33,14 @@ TEST(Compare, LetsPassWhatIsWithinTheTolerance) {
   const Image first(3, 3, {10, 20, 30});
   Image second = first;
   second.at(1, 1).red = 14;
-  EXPECT_EQ(compare(first, second, 4).pixels, 0U);
-  EXPECT_EQ(compare(first, second, 4).largest, 4);
-  EXPECT_EQ(compare(first, second, 3).pixels, 1U);
+  EXPECT_EQ(difference_of(first, second, 4).pixels, 0U);
+  EXPECT_EQ(difference_of(first, second, 4).largest, 4);
+  EXPECT_EQ(difference_of(first, second, 3).pixels, 1U);
 }
 
 TEST(Compare, RefusesPicturesOfOtherSizes) {
-  EXPECT_THROW(compare(Image(2, 3, {}), Image(3, 2, {}), 0), std::invalid_argument);
+  EXPECT_THROW(difference_of(Image(2, 3, {}), Image(3, 2, {}), 0), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace clca::render::compare_test
+}  // namespace clca::render::difference_test

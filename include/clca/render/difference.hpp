@@ -15,6 +15,6 @@ struct Difference {
 
 /// Throws std::invalid_argument when the sizes differ. `tolerance`: channel difference, 0 to 255,
 /// up to which two pixels count as alike.
-Difference compare(const Image& first, const Image& second, int tolerance);
+Difference difference_of(const Image& first, const Image& second, int tolerance);
 
 }  // namespace clca::render
