@@ -87,7 +87,7 @@ std::vector<double> displacements(const grains::State& state) {
   return result;
 }
 
-double moved_share(const grains::State& state, double distance) {
+std::optional<double> moved_share(const grains::State& state, double distance) {
   check_origins(state);
   if (std::isnan(distance)) {
     throw std::invalid_argument("a distance must be a number");
@@ -97,7 +97,10 @@ double moved_share(const grains::State& state, double distance) {
     far += displacement(state, id) > distance ? 1U : 0U;
   }
   const std::size_t present = grains::present_count(state);
-  return present > 0 ? static_cast<double>(far) / static_cast<double>(present) : 0;
+  if (present == 0) {
+    return std::nullopt;
+  }
+  return static_cast<double>(far) / static_cast<double>(present);
 }
 
 double smallest_diameter(const grains::State& state) {

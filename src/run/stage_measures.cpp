@@ -67,8 +67,8 @@ Values packing(const StageView& stage) {
 
 Values moved(const StageView& stage) {
   const grains::State& state = stage.model.state();
-  return {measure::moved_share(state, measure::smallest_diameter(state)),
-          measure::moved_share(state, 2)};
+  return {store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
+          store::value_or_null(measure::moved_share(state, 2))};
 }
 
 Values segregation(const StageView& stage) {

@@ -110,14 +110,17 @@ Value TreeBuilder::take() {
 }
 
 void TreeBuilder::explain(const YAML::Exception& error) const {
-  if (error.msg.ends_with("flow not found")) {
-    const auto level = std::find_if(open_.rbegin(), open_.rend(),
-                                    [](const Open& candidate) { return candidate.bracketed; });
-    if (level != open_.rend()) {
-      const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
-      fail(level->value.location,
-           fmt::format("the '{}' is not closed, or a ',' is missing after it", bracket));
-    }
+  const auto level = std::find_if(open_.rbegin(), open_.rend(),
+                                  [](const Open& candidate) { return candidate.bracketed; });
+  if (level != open_.rend() && error.msg.ends_with("flow not found")) {
+    const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
+    fail(level->value.location,
+         fmt::format("the '{}' is not closed, or a ',' is missing after it", bracket));
+  }
+  if (level != open_.rend() && error.msg == "illegal flow end") {
+    const bool brace = rest(error.mark).starts_with('}');
+    fail(location(error.mark),
+         fmt::format("a '{}' while a '{}' is still open", brace ? '}' : ']', brace ? '[' : '{'));
   }
   for (const auto& [theirs, ours] : kPlainWords) {
     if (error.msg == theirs) {

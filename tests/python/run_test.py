@@ -111,7 +111,7 @@ class RunTest(ScratchTest):
         self.assertEqual(series.descriptions["mean_height"], "Mean height of the particles: of their centres, weighted by sites")
         self.assertEqual(series[series["stage"] == "flow"].units["mean_height"], "spacings")
         self.assertIs(type(series["step"]), numpy.ndarray)
-        with self.assertRaisesRegex(clca.Error, "no-such.csv"):
+        with self.assertRaisesRegex(clca.Error, "no table 'no-such'; there are profile-flow"):
             run.table("no-such")
 
     def test_tables_are_data_frames_too(self):

@@ -12,9 +12,9 @@ namespace clca::measure {
 /// Distance of each particle from its origin by id, in lattice spacings; 0 for removed ones.
 std::vector<double> displacements(const grains::State& state);
 
-/// Share of the present particles further than `distance` (lattice spacings) from their origin; 0
-/// if none is present. Throws std::invalid_argument for NaN.
-double moved_share(const grains::State& state, double distance);
+/// Share of the present particles further than `distance` (lattice spacings) from their origin;
+/// none if none is present. Throws std::invalid_argument for NaN.
+std::optional<double> moved_share(const grains::State& state, double distance);
 
 /// Diameter of the smallest kind (lattice::Shape::diameter); infinite if there are none.
 double smallest_diameter(const grains::State& state);

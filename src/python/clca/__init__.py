@@ -4,7 +4,9 @@
     run.measures["flow"]["repose_angle_deg"]
     run.frames[-1].positions
 
-See docs/python.md.
+`clca.open` reads a run folder, `clca.sweep` runs a scene for many seeds and values, `clca.Simulation` takes its steps one
+by one, `clca.Gas` is a gas of spheres, `clca.Scene` a scene from a dictionary. `clca explain` on the command line lists
+all keys of a scene, `clca explain --format quantities` what it can measure.
 """
 
 from ._clca import version

@@ -157,7 +157,9 @@ class Frames(Sequence[Frame]):
     def __getitem__(self, number: int | slice) -> Frame | list[Frame]:
         if isinstance(number, slice):
             return [self[i] for i in range(*number.indices(len(self)))]
-        place = range(len(self))[number]
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"no frame {number}; there are {len(self)}, at() takes steps")
+        place = number % len(self)
         step, stage, _ = self._list[place]
         return Frame(self._look, step, stage, lambda: self._trajectory.frame(place))
 

@@ -12,10 +12,11 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
+from ._error import Error
 from ._frames import Frames, Kind
 from ._picture import Picture, overrides
 from ._scene import AnyScene, Scene, to_yaml
-from ._table import TEXT, Table, Value
+from ._table import TEXT, Named, Table, Value
 
 
 class Stage(NamedTuple):
@@ -44,7 +45,9 @@ class Run:
         self.folder = Path(folder)
         summary = _clca.summary(self.folder)
         self.stages = {
-            name: Stage(steps, ended, {key: Value(number, *what) for key, number, what in measures}, notes)
+            name: Stage(
+                steps, ended, Named("measure", ((key, Value(number, *what)) for key, number, what in measures)), notes
+            )
             for name, steps, ended, measures, notes in summary.pop("stages")
         }
         self.__dict__.update(summary)
@@ -54,8 +57,10 @@ class Run:
 
     @property
     def measures(self) -> dict[str, dict[str, Value]]:
-        """Of each stage."""
-        return {name: stage.measures for name, stage in self.stages.items()}
+        """By stage, then by the names of `run.json`: `measures["flow"]["runout_99"]`. `clca explain --format quantities` lists
+        what a scene can measure.
+        """
+        return Named("stage", ((name, stage.measures) for name, stage in self.stages.items()))
 
     @property
     def tables(self) -> list[str]:
@@ -63,17 +68,21 @@ class Run:
         return sorted(file.stem for file in self.folder.glob("*.csv"))
 
     def table(self, name: str) -> Table:
-        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN."""
+        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN. Throws Error."""
+        if name not in self.tables:
+            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
         return Table(_clca.table(self.folder, name, TEXT, self.folder))
 
     @cached_property
     def series(self) -> Table:
-        """`series.csv`: a row for each step, as `output.series` of the scene says."""
+        """`series.csv`: a row for each step, as `output.series` of the scene says; Error without one."""
         return self.table("series")
 
     @cached_property
     def frames(self) -> Frames:
-        """The trajectory, where the scene has `output.trajectory`."""
+        """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)` that
+        of a step. Throws Error without one.
+        """
         return Frames(_clca.Trajectory(self.folder))
 
     @property

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
+from typing import Any, TypeVar
 
 import numpy
+
+T = TypeVar("T")
 
 # Columns of names, which may look like numbers. Other columns are text where a cell is no number.
 TEXT = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
@@ -27,6 +30,17 @@ class Value(float):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Value, (float(self), self.name, self.unit, self.description)
+
+
+class Named(dict[str, T]):
+    """A dictionary that says what is there when something else is asked for."""
+
+    def __init__(self, what: str, items: Iterable[tuple[str, T]]) -> None:
+        super().__init__(items)
+        self._what = what
+
+    def __missing__(self, name: str) -> T:
+        raise KeyError(f"no {self._what} {name!r}; there are {', '.join(self) or 'none'}")
 
 
 class Table(numpy.ndarray[Any, numpy.dtype[Any]]):

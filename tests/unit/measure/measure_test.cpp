@@ -171,8 +171,12 @@ TEST(Displacement, IsTheDistanceFromTheOrigin) {
   EXPECT_DOUBLE_EQ(moved[0], 3);
   EXPECT_DOUBLE_EQ(moved[1], 0);
   EXPECT_NEAR(moved[2], std::sqrt(3.0), 1e-12);
-  EXPECT_DOUBLE_EQ(moved_share(state, 1.7), 0.5);
-  EXPECT_DOUBLE_EQ(moved_share(state, 3), 0);
+  EXPECT_EQ(moved_share(state, 1.7), 0.5);
+  EXPECT_EQ(moved_share(state, 3), 0);
+  for (grains::Particle& particle : state.particles) {
+    particle.present = false;
+  }
+  EXPECT_EQ(moved_share(state, 3), std::nullopt);
 }
 
 TEST(MovedShare, IsTheSameForEqualDistancesInAllDirections) {
