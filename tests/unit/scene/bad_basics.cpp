@@ -169,7 +169,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "scene.yaml:11:27: error: measure: 'profile' is named twice"},
     {"a misspelt measure", "measure: [profil]",
      "scene.yaml:11:11: error: measure: expected one of profile, repose, runout, packing, "
-     "moved, outflow, force, segregation, intruder, convection, mixing, found 'profil'; did you "
+     "moved, outflow, force, segregation, intruder, convection, mixing, weight_paths, found "
+     "'profil'; did you "
      "mean 'profile'?"},
     {"a measure outside a list", "measure: profile",
      "scene.yaml:11:10: error: measure: expected a list, found 'profile'; write [profile]"},
