@@ -1,6 +1,9 @@
 // weight_paths-STAGE.csv: the pressure below a bed at rest if weight were passed on by rules, and
 // that of the contact model beside it.
 
+#include <cmath>
+#include <numeric>
+
 #include "clca/measure/weight_paths.hpp"
 #include "run/contact_record.hpp"
 
@@ -47,7 +50,7 @@ std::optional<double> share(const BaseRow& row) {
 TableOf<BaseRow> weight_paths_table(const scene::Scene& scene) {
   return {
       {.name = "weight_paths", .kind = TableInfo::Kind::parts},
-      {{{"position", "Position on the base", "", "-1 at its left end, 1 at its right end"},
+      {{{"base_position", "Position on the base", "", "-1 at its left end, 1 at its right end"},
         &BaseRow::position},
        {{"x", "Place", "spacings", "of the middle of the bin"}, &BaseRow::x},
        {{"pressure_inner", "Base pressure, inner", "",
@@ -107,13 +110,26 @@ std::vector<store::MeasureValue> of_rules(const StageView& stage) {
   return result;
 }
 
-std::vector<store::MeasureValue> of_contacts(const StageView& stage) {
-  const auto* contacts = stage.observers.find<ContactRecord>();
-  if (contacts == nullptr) {
+store::MeasureValue deviation(const std::vector<double>& one, const std::vector<double>& other) {
+  if (one.empty() || other.empty()) {
     return {};
   }
-  return {centre_minus_ring(
-      base_pressure(measure::base_of(stage.model.state()), contacts->at_end(stage.model)))};
+  const double squares =
+      std::transform_reduce(one.begin(), one.end(), other.begin(), 0.0, std::plus(),
+                            [](double a, double b) { return (a - b) * (a - b); });
+  return std::sqrt(squares / static_cast<double>(one.size()));
+}
+
+std::vector<store::MeasureValue> of_contacts(const StageView& stage) {
+  if (!is_contact(stage.scene)) {
+    return {};
+  }
+  const BasePressures pressures = base_pressures(stage);
+  std::vector<store::MeasureValue> result = {centre_minus_ring(pressures.shares.back())};
+  for (std::size_t rule = 0; rule < measure::kWeightRules.size(); ++rule) {
+    result.push_back(deviation(pressures.shares[rule], pressures.shares.back()));
+  }
+  return result;
 }
 
 }  // namespace
@@ -138,7 +154,12 @@ ObserverKind weight_paths_observer() {
         of_rules},
        {scene::Measure::weight_paths,
         "model `contact`",
-        {{"centre_minus_ring_contact", "Centre minus ring, contact model", "", "of its forces"}},
+        {{"centre_minus_ring_contact", "Centre minus ring, contact model", "", "of its forces"},
+         {"base_deviation_inner", "Deviation of the base pressure, inner", "",
+          "from that of the forces, over its mean: root mean square over the 13 bins"},
+         {"base_deviation_outer", "Deviation of the base pressure, outer", "", "likewise"},
+         {"base_deviation_pair", "Deviation of the base pressure, pair", "", "likewise"},
+         {"base_deviation_q", "Deviation of the base pressure, q", "", "likewise"}},
         of_contacts}});
 }
 

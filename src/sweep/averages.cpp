@@ -40,7 +40,7 @@ const std::vector<Averaged>& averaged_tables() {
                                              {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
                                              {"profile-", {}, {"x"}},
                                              {"lines-", {"line"}, {"position", "x", "y"}},
-                                             {"weight_paths-", {}, {"position"}, {"x"}}};
+                                             {"weight_paths-", {}, {"base_position"}, {"x"}}};
   return kAll;
 }
 
