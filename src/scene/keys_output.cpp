@@ -54,8 +54,14 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
   }
-  if (frames.overlay >= Overlay::weight_inner) {
+  const bool of_weight = frames.overlay >= Overlay::weight_inner;
+  if (of_weight) {
     check_weight_paths(fields.at("overlay").location, fields.path("overlay"), scene);
+  }
+  if (frames.force_scale && !of_weight && scene.model != Model::contact) {
+    fail(fields.at("force_scale").location,
+         fmt::format("{}: goes with model: contact or an overlay of weight",
+                     fields.path("force_scale")));
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
     fail(fields.at("overlay").location,

@@ -270,7 +270,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, "
-     "velocity, found 'force'; did you mean 'forces'?"},
+     "velocity, weight_inner, weight_outer, weight_pair, weight_q, found 'force'; did you mean "
+     "'forces'?"},
     {"a velocity of nothing as the longest arrow", "output: {frames: {velocity_scale: 0}}",
      "scene.yaml:12:35: error: output.frames.velocity_scale: expected a number above 0 and up to "
      "1000000000, found '0'"},
