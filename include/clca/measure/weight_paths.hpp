@@ -14,10 +14,9 @@
 
 namespace clca::measure {
 
-/// Who takes the force of a grain: two of those that support it, to the left and to the right of
-/// the force, the nearest, the farthest or drawn ones (a reading of the vectorial automaton of
-/// Herrmann, Hemmingsson & Roux 1997), or all of them in drawn shares of the vertical part (`q`,
-/// Coppersmith et al. 1996).
+/// Who takes the force of a grain: the nearest, the farthest or a drawn support to the left of it
+/// and one to the right (after Herrmann, Hemmingsson & Roux 1997), or all, in drawn shares of the
+/// vertical part (`q`, Coppersmith et al. 1996).
 enum class WeightRule : std::uint8_t { inner, outer, pair, q };
 inline constexpr std::array kWeightRules = {WeightRule::inner, WeightRule::outer, WeightRule::pair,
                                             WeightRule::q};
@@ -70,7 +69,8 @@ Base base_of(const grains::State& state);
 /// contacts whose normal points up. Empty if that mean is 0.
 std::vector<double> base_pressure(const Base& base, const std::vector<contact::Force>& forces);
 
-/// Of a base_pressure: the bin in the middle, less the mean of the three next to it on either side.
+/// Of a base_pressure that is not empty: the bin in the middle, less the mean of the three next to
+/// it on either side.
 double centre_minus_ring(const std::vector<double>& pressure);
 
 }  // namespace clca::measure
