@@ -127,7 +127,7 @@ std::map<grains::Owner, lattice::Axial> touched_bodies(const grains::State& stat
     for (const lattice::Direction direction : lattice::kDirections) {
       const lattice::Site site = grain.site() + part + unit(direction);
       const grains::Owner owner = occupancy.owner(state.lattice.index(site));
-      if (owner != grains::kFree && owner != static_cast<grains::Owner>(id) &&
+      if (owner != grains::kFree && owner != grains::as_owner(id) &&
           (owner != contact::kFloor || site.row < 0)) {  // kFloor is the code of the whole border
         lattice::Axial& sum = result[owner];
         sum = sum + unit(direction);
@@ -160,7 +160,7 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
     for (const auto& [body, sum] : touched_bodies(state, occupancy, grain.id)) {
       const bool is_grain = grains::is_particle(body);
       if (sum == lattice::Axial() ||
-          (is_grain && !is_before(grain.id, static_cast<std::uint32_t>(body)))) {
+          (is_grain && !is_before(grain.id, grains::particle_id(body)))) {
         continue;
       }
       const Vector2d direction =
@@ -195,7 +195,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
     draws += static_cast<std::uint32_t>(grain.supports.size());
     for (const Passed& passed : all) {
       if (grains::is_particle(passed.body)) {
-        received[static_cast<std::size_t>(passed.body)] += passed.force;
+        received[grains::particle_id(passed.body)] += passed.force;
       }
       result.forces.push_back(as_contact(state, grain.id, passed));
     }

@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Vector2d;
 using grains::Occupancy;
-using grains::Owner;
 using testing::particle_at;
 
 constexpr int kHalf = 40;  // columns
@@ -126,8 +125,8 @@ TEST(WeightPaths, DirectionsOfAPairAreOpposite) {
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     for (const auto& [body, sum] : touched_bodies(state, occupancy, id)) {
       if (grains::is_particle(body)) {
-        const auto back = touched_bodies(state, occupancy, static_cast<std::uint32_t>(body));
-        EXPECT_EQ(back.at(static_cast<Owner>(id)) + sum, lattice::Axial());
+        const auto back = touched_bodies(state, occupancy, grains::particle_id(body));
+        EXPECT_EQ(back.at(grains::as_owner(id)) + sum, lattice::Axial());
         ++pairs;
       }
     }
