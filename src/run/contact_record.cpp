@@ -77,7 +77,8 @@ bool ContactRecord::Recurring::is_due_within(std::uint64_t steps,
 ContactRecord::ContactRecord(const scene::Scene& scene)
     : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
       most_((sampling_.window + sampling_.every - 1) / sampling_.every),
-      has_tables_(requests(scene, scene::Measure::force)),
+      has_tables_(requests(scene, scene::Measure::force) ||
+                  requests(scene, scene::Measure::weight_paths)),
       pictures_{.every = scene::pictures_show_forces(scene) ? scene.output.frames->every : 0},
       frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
                            ? scene.output.trajectory->every

@@ -18,13 +18,15 @@ ObserverKind series_observer();
 ObserverKind trajectory_observer();
 ObserverKind profile_observer();
 ObserverKind force_tables_observer();
+ObserverKind weight_paths_observer();
 // NOLINTEND(readability-redundant-declaration)
 
 const std::vector<ObserverKind>& observer_kinds() {
   static const std::vector<ObserverKind> kAll = {
-      cycles_observer(),   fields_observer(),     lines_observer(),   mixing_observer(),
-      overlaps_observer(), contacts_observer(),   energy_observer(),  pictures_observer(),
-      series_observer(),   trajectory_observer(), profile_observer(), force_tables_observer()};
+      cycles_observer(),      fields_observer(),     lines_observer(),   mixing_observer(),
+      overlaps_observer(),    contacts_observer(),   energy_observer(),  pictures_observer(),
+      series_observer(),      trajectory_observer(), profile_observer(), force_tables_observer(),
+      weight_paths_observer()};
   return kAll;
 }
 

@@ -10,6 +10,7 @@
 #include "clca/measure/contacts.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
+#include "clca/measure/weight_paths.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::run {
@@ -61,9 +62,10 @@ Eigen::Vector2d to_place(const grains::State& state, const grains::Particle& fir
 }
 
 /// Lines from centre to centre, or to the wall.
-DrawnOverlay contact_forces(const View& view, double strongest) {
+DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
+                            double strongest) {
   std::vector<render::ForceLine> lines;
-  for (const contact::Force& force : view.contact->forces) {
+  for (const contact::Force& force : forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
     const Eigen::Vector2d along =
         grains::is_particle(force.other)
@@ -73,6 +75,11 @@ DrawnOverlay contact_forces(const View& view, double strongest) {
   }
   return {render::force_network(lines, strongest),
           {render::force_key(strongest, fmt::format("{:g} grain weights", strongest))}};
+}
+
+DrawnOverlay weight(const View& view, measure::WeightRule rule, double strongest) {
+  const auto supported = measure::supported_grains(view.state, view.occupancy);
+  return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, strongest);
 }
 
 /// Lines from centre to centre, or to the overlap with a wall.
@@ -169,11 +176,20 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
                         const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return view.contact ? contact_forces(view, scales.strongest_force) : overlaps(view);
+      return view.contact ? contact_forces(view, view.contact->forces, scales.strongest_force)
+                          : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
+    case scene::Overlay::weight_inner:
+      return weight(view, measure::WeightRule::inner, scales.strongest_force);
+    case scene::Overlay::weight_outer:
+      return weight(view, measure::WeightRule::outer, scales.strongest_force);
+    case scene::Overlay::weight_pair:
+      return weight(view, measure::WeightRule::pair, scales.strongest_force);
+    case scene::Overlay::weight_q:
+      return weight(view, measure::WeightRule::q, scales.strongest_force);
     case scene::Overlay::none:
       break;
   }

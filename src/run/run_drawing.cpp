@@ -146,9 +146,7 @@ RunDrawing::Scale RunDrawing::scale() const {
     }
   }
   const OverlayScales scales = overlay_scales(scene_);
-  if (scene_.model == scene::Model::contact) {
-    scale[kForce] = scales.strongest_force;
-  }
+  scale[kForce] = scales.strongest_force;
   scale[scales.velocity_unit.several] = scales.highest_velocity;
   scale[kCell] = scales.velocity_cell;
   return scale;
@@ -159,9 +157,7 @@ void RunDrawing::set_scale(const Scale& scale) {
   if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
     frames.range = {0, scale.at(kDisplacement)};
   }
-  if (scene_.model == scene::Model::contact) {
-    frames.force_scale = scale.at(kForce);
-  }
+  frames.force_scale = scale.at(kForce);
   frames.velocity_scale = scale.at(overlay_scales(scene_).velocity_unit.several);
   frames.velocity_cell = scale.at(kCell);
 }

@@ -136,6 +136,18 @@ void check_vessels(const Scene& scene, const Value& stages) {
 
 }  // namespace
 
+void check_weight_paths(const TextLocation& location, const std::string& path, const Scene& scene) {
+  const bool overlaps = std::ranges::any_of(
+      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
+  const bool turns = std::ranges::any_of(
+      scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
+  if (overlaps || turns) {
+    fail(location, fmt::format("{}: no paths of weight {}", path,
+                               overlaps ? "with a wall that moves with passive: overlap"
+                                        : "in a vessel that tilts or moves"));
+  }
+}
+
 void check_model(const Scene& scene, const Value& root) {
   if (scene.model == Model::contact) {
     check_able(root);

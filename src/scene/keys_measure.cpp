@@ -95,6 +95,9 @@ void read_measures(const KeyedMap& fields, Scene& scene, const Scene& /*scene*/)
     if (std::ranges::count(scene.measures, measure) > 0) {
       fail(item.location, fmt::format("measure: {} is named twice", found(item)));
     }
+    if (measure == Measure::weight_paths) {
+      check_weight_paths(item.location, "measure", scene);
+    }
     scene.measures.push_back(measure);
   }
 }
@@ -144,7 +147,7 @@ Key<Scene> measure_key() {
        .allowed = "list of " + word.allowed +
                   " and of maps of "
                   "[derived measures](#derived-measures) by name, or such a map beside the default",
-       .otherwise = "all but `mixing`",
+       .otherwise = "all but `mixing` and `weight_paths`",
        .is_collection = true,
        .schema = any_of({unique(array_schema(any_of({word.schema, by_name}))), by_name}),
        .keys = derived.keys},

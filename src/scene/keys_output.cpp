@@ -54,6 +54,15 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
   }
+  const bool of_weight = frames.overlay >= Overlay::weight_inner;
+  if (of_weight) {
+    check_weight_paths(fields.at("overlay").location, fields.path("overlay"), scene);
+  }
+  if (frames.force_scale && !of_weight && scene.model != Model::contact) {
+    fail(fields.at("force_scale").location,
+         fmt::format("{}: goes with model: contact or an overlay of weight",
+                     fields.path("force_scale")));
+  }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
     fail(fields.at("overlay").location,
          fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake, or "
@@ -99,9 +108,9 @@ Type<Frames> frames_type() {
                 "go out of the picture")
                 .of(Model::contact),
             key("force_scale", &Frames::force_scale, above_zero(kMaxForceScale),
-                "the force drawn as the widest line, in grain weights; the colours of `force` end "
-                "at twice it, those of `pressure` at it over the mean diameter")
-                .of(Model::contact)
+                "the force drawn as the widest line, in grain weights, by `weight_...` and with "
+                "`model: contact`; there the colours of `force` end at twice it, those of "
+                "`pressure` at it over the mean diameter")
                 .defaults_to("from the fall height"),
             key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
                 "side of the cells of `overlay: velocity` in lattice spacings")
@@ -114,7 +123,8 @@ Type<Frames> frames_type() {
                 .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),
                 "what is drawn over the particles: forces between them, arrows from cycle to "
-                "cycle, or the mean velocity since the last picture")},
+                "cycle, the mean velocity since the last picture, or weight that is passed on by a "
+                "[rule](#paths-of-weight)")},
        .check = check_frames});
 }
 

@@ -128,7 +128,8 @@ const Type<BoltzmannScene>& boltzmann_type() {
 Scene default_scene() {
   Scene scene;
   for (const auto& named : kMeasureNames) {
-    if (named.value != Measure::mixing) {  // which takes time in each step
+    // Mixing takes time in each step; paths of weight are of beds at rest only.
+    if (named.value != Measure::mixing && named.value != Measure::weight_paths) {
       scene.measures.push_back(named.value);
     }
   }

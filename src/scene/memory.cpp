@@ -211,7 +211,7 @@ bool measures(const Scene& scene, Measure measure) {
 /// Windows of means of forces that may be there at a time: of tables, pictures and trajectory.
 double force_windows(const Scene& scene) {
   const Output& output = scene.output;
-  const bool in_tables = measures(scene, Measure::force);
+  const bool in_tables = measures(scene, Measure::force) || measures(scene, Measure::weight_paths);
   const bool in_pictures = pictures_show_forces(scene);
   const bool in_frames = output.trajectory && output.trajectory->contacts;
   const bool at_end = in_tables || in_pictures || in_frames;

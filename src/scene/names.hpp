@@ -49,7 +49,7 @@ inline constexpr std::array<Named<bool>, 2> kShakeDirectionNames = {
     {{"vertical", false}, {"horizontal", true}}};
 inline constexpr std::array<Named<grains::Passive>, 2> kPassiveNames = {
     {{"rigid", grains::Passive::rigid}, {"overlap", grains::Passive::overlap}}};
-inline constexpr std::array<Named<Measure>, 11> kMeasureNames = {
+inline constexpr std::array<Named<Measure>, 12> kMeasureNames = {
     {{"profile", Measure::profile},
      {"repose", Measure::repose},
      {"runout", Measure::runout},
@@ -60,7 +60,8 @@ inline constexpr std::array<Named<Measure>, 11> kMeasureNames = {
      {"segregation", Measure::segregation},
      {"intruder", Measure::intruder},
      {"convection", Measure::convection},
-     {"mixing", Measure::mixing}}};
+     {"mixing", Measure::mixing},
+     {"weight_paths", Measure::weight_paths}}};
 inline constexpr std::array<Named<ColorBy>, 9> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},
@@ -73,10 +74,15 @@ inline constexpr std::array<Named<ColorBy>, 9> kColorByNames = {
      {"pressure", ColorBy::pressure}}};
 inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {
     {{"auto", Drawing::automatic}, {"polygons", Drawing::polygons}, {"lookup", Drawing::lookup}}};
-inline constexpr std::array<Named<Overlay>, 4> kOverlayNames = {{{"none", Overlay::none},
-                                                                 {"forces", Overlay::forces},
-                                                                 {"arrows", Overlay::arrows},
-                                                                 {"velocity", Overlay::velocity}}};
+inline constexpr std::array<Named<Overlay>, 8> kOverlayNames = {
+    {{"none", Overlay::none},
+     {"forces", Overlay::forces},
+     {"arrows", Overlay::arrows},
+     {"velocity", Overlay::velocity},
+     {"weight_inner", Overlay::weight_inner},
+     {"weight_outer", Overlay::weight_outer},
+     {"weight_pair", Overlay::weight_pair},
+     {"weight_q", Overlay::weight_q}}};
 inline constexpr std::array<Named<PictureStyle>, 2> kPictureStyleNames = {
     {{"screen", PictureStyle::screen}, {"print", PictureStyle::print}}};
 

@@ -63,6 +63,8 @@ void put_numbers_into_derived(Scene& scene);
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
 void check_history(const Scene& scene, const Value& list);
+/// Refuses paths of weight where particles may overlap or gravity may turn.
+void check_weight_paths(const TextLocation& location, const std::string& path, const Scene& scene);
 /// Refuses what the model cannot do.
 void check_model(const Scene& scene, const Value& root);
 /// Contact model: resolution, fall height (which may depend on stages) and vessels.

@@ -39,7 +39,8 @@ const std::vector<Averaged>& averaged_tables() {
                                              {"probes", {"stage", "probe"}, {}},
                                              {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
                                              {"profile-", {}, {"x"}},
-                                             {"lines-", {"line"}, {"position", "x", "y"}}};
+                                             {"lines-", {"line"}, {"position", "x", "y"}},
+                                             {"weight_paths-", {}, {"base_position"}, {"x"}}};
   return kAll;
 }
 

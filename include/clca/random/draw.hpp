@@ -24,6 +24,8 @@ enum class Purpose : std::uint32_t {
   source_remainder = 16,
   void_choice = 17,
   void_coin = 18,
+  weight_pair = 19,
+  weight_share = 20,
   // For the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,

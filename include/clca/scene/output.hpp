@@ -34,7 +34,8 @@ enum class Measure : std::uint8_t {
   segregation,
   intruder,
   convection,
-  mixing
+  mixing,
+  weight_paths
 };
 
 /// A measure that the scene derives from others.
@@ -60,8 +61,17 @@ enum class ColorBy : std::uint8_t {
   pressure
 };
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
-/// `velocity`: mean since the last picture.
-enum class Overlay : std::uint8_t { none, forces, arrows, velocity };
+/// `velocity`: mean since the last picture; weight_*: by the rules of measure::WeightRule.
+enum class Overlay : std::uint8_t {
+  none,
+  forces,
+  arrows,
+  velocity,
+  weight_inner,
+  weight_outer,
+  weight_pair,
+  weight_q
+};
 /// `print`: for papers, without title and moment.
 enum class PictureStyle : std::uint8_t { screen, print };
 
@@ -86,7 +96,7 @@ struct Frames {
   bool caption = true;
   PictureStyle style = PictureStyle::screen;
   bool upright = false;  ///< of Model::contact: turned as the vessel is
-  /// Contact model: force of the widest line, in grain weights; none: estimated.
+  /// Force of the widest line, in grain weights; none: estimated.
   std::optional<double> force_scale = {};
   /// Side of a cell of Overlay::velocity; none: from grains and view.
   std::optional<double> velocity_cell = {};

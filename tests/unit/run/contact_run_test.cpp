@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
@@ -250,6 +251,31 @@ TEST_F(ContactRunTest, StressGrowsWithDepthAsTheWeightAbove) {
   }
   const auto loads = column("walls", "force_y");
   EXPECT_NEAR(-loads.at(0), 120, 1.2);
+}
+
+// The floor bears some of the weight; each pressure is over its own mean.
+TEST_F(ContactRunTest, PathsOfWeightStandBesideItsForcesOnTheBase) {
+  const auto scene =
+      small({"measure=[weight_paths]", "stages.0.until={steps: 2000}", "output.frames=none"});
+  const auto result = run(scene, {.folder = path()});
+  const fs::path table = path() / "weight_paths-packing.csv";
+  for (const char* rule : {"inner", "outer", "pair", "q", "contact"}) {
+    const auto pressure = testing::csv_column(table, std::string("pressure_") + rule);
+    ASSERT_EQ(pressure.size(), 13) << rule;
+    EXPECT_NEAR(std::accumulate(pressure.begin(), pressure.end(), 0.0), 13, 1e-9) << rule;
+  }
+  EXPECT_EQ(testing::csv_column(table, "base_position").at(6), 0);
+  const auto inner = testing::csv_column(table, "pressure_inner");
+  const auto forces = testing::csv_column(table, "pressure_contact");
+  double squares = 0;
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    squares += (inner[i] - forces[i]) * (inner[i] - forces[i]);
+  }
+  const auto& measures = result.stages.front().measures;
+  const auto found =
+      std::ranges::find(measures, "base_deviation_inner", &store::NamedMeasure::first);
+  ASSERT_NE(found, measures.end());
+  EXPECT_NEAR(std::get<double>(found->second), std::sqrt(squares / 13), 1e-9);
 }
 
 TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {

@@ -33,8 +33,8 @@ TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
       page("scene-format.md") + page("boltzmann.md") + page("trajectory.md");
   for (const char* table :
        {"series", "probes", "lines", "fields", "fluctuation", "profile", "cycles", "mixing",
-        "convection", "contacts", "forces", "loads", "walls", "stress", "gas.series",
-        "gas.histogram", "gas.closure", "trajectory"}) {
+        "weight_paths", "convection", "contacts", "forces", "loads", "walls", "stress",
+        "gas.series", "gas.histogram", "gas.closure", "trajectory"}) {
     EXPECT_THAT(documents, HasSubstr(std::string("<!-- columns: ") + table + " -->\n" +
                                      columns_table(table) + "<!-- end of columns -->\n"))
         << "call scripts/update-format";

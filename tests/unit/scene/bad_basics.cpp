@@ -169,7 +169,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "scene.yaml:11:27: error: measure: 'profile' is named twice"},
     {"a misspelt measure", "measure: [profil]",
      "scene.yaml:11:11: error: measure: expected one of profile, repose, runout, packing, "
-     "moved, outflow, force, segregation, intruder, convection, mixing, found 'profil'; did you "
+     "moved, outflow, force, segregation, intruder, convection, mixing, weight_paths, found "
+     "'profil'; did you "
      "mean 'profile'?"},
     {"a measure outside a list", "measure: profile",
      "scene.yaml:11:10: error: measure: expected a list, found 'profile'; write [profile]"},
@@ -269,7 +270,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      Judge::parser},
     {"a misspelt overlay", "output: {frames: {overlay: force}}",
      "scene.yaml:12:28: error: output.frames.overlay: expected one of none, forces, arrows, "
-     "velocity, found 'force'; did you mean 'forces'?"},
+     "velocity, weight_inner, weight_outer, weight_pair, weight_q, found 'force'; did you mean "
+     "'forces'?"},
     {"a velocity of nothing as the longest arrow", "output: {frames: {velocity_scale: 0}}",
      "scene.yaml:12:35: error: output.frames.velocity_scale: expected a number above 0 and up to "
      "1000000000, found '0'"},

@@ -189,8 +189,19 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "'model: contact'",
      Judge::parser},
     {"a force scale of the automaton", "model: automaton\noutput: {frames: {force_scale: 9}}",
-     "scene.yaml:12:19: error: output.frames.force_scale: only model contact has it; remove it, or "
-     "say 'model: contact'",
+     "scene.yaml:12:32: error: output.frames.force_scale: goes with model: contact or an overlay "
+     "of "
+     "weight",
+     Judge::parser},
+    {"paths of weight in a vessel that tilts",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: 5}}]\nmeasure: [weight_paths]",
+     "scene.yaml:11:11: error: measure: no paths of weight in a vessel that tilts or moves",
+     Judge::parser},
+    {"an overlay of weight in a vessel that tilts",
+     "stages: [{name: first, sources: [spout], vessel: {tilt: 5}}]\n"
+     "output: {frames: {overlay: weight_q}}",
+     "scene.yaml:12:28: error: output.frames.overlay: no paths of weight in a vessel that tilts or "
+     "moves",
      Judge::parser},
     {"no force as the widest line", "output: {frames: {force_scale: 0}}",
      "scene.yaml:12:32: error: output.frames.force_scale: expected a number above 0 and up to "

@@ -40,6 +40,13 @@ constexpr auto kBadMotion = std::to_array<BadScene>({
     {"a passive wall that stands", "walls: {plate: {box: [10, 40, 20, 42], passive: overlap}}",
      "scene.yaml:7:49: error: walls.plate.passive: only a wall that moves has it; give the wall a "
      "motion, or leave it out"},
+    {"paths of weight where particles overlap",
+     "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}, passive: "
+     "overlap}}\nstages: [{name: first, sources: [spout], move: [plate]}]\n"
+     "measure: [weight_paths]",
+     "scene.yaml:11:11: error: measure: no paths of weight with a wall that moves with passive: "
+     "overlap",
+     Judge::parser},
     {"a misspelt passive",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {direction: down, distance: 9}, passive: "
      "rigit}}",
