@@ -114,6 +114,15 @@ class RunTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "no table 'no-such'; there are profile-flow"):
             run.table("no-such")
 
+    def test_names_that_are_not_there_are_answered_with_those_that_are(self):
+        run = clca.run(SCENE, output="run")
+        with self.assertRaisesRegex(KeyError, "no stage 'flwo'; there are packing, flow"):
+            run.measures["flwo"]
+        with self.assertRaisesRegex(KeyError, "no measure 'runout'; there are .*runout_99"):
+            run.measures["flow"]["runout"]
+        with self.assertRaisesRegex(IndexError, "no frame 1000; there are"):
+            run.frames[1000]
+
     def test_tables_are_data_frames_too(self):
         needs("pandas")
         series = clca.run(SCENE, output="run").series
