@@ -123,6 +123,9 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
 }
 
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
+  if (const auto si = units ? units->si(unit) : std::nullopt) {
+    return std::string(si->name);
+  }
   std::string text(unit);
   const auto replace = [&text](std::string_view word, const std::string& with) {
     const std::size_t place = text.find(word);

@@ -48,13 +48,15 @@ struct KnownQuantities {
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// `unit` with the unit of velocity for `spacings/step` and that of time for `time`, where a run
-/// has them.
+/// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
+/// scene::Conversion::si() for one of masses, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
 /// What a grain touches, as tables of contacts name it: a grain by its number, a wall by its name,
 /// a side of the box as `box.floor`.
 std::string body_name(const scene::Scene& scene, grains::Owner owner);
+/// All walls, then the sides of the box.
+std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();
