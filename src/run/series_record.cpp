@@ -1,7 +1,6 @@
 #include "run/series_record.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -155,7 +155,7 @@ TEST_F(SeriesForces, OfARunThatWasStoppedAreTheSameBytes) {
       scene::parse(kBin, "scene.yaml",
                    {"units={spacing: 1 mm, density: 2}", "outlets={drain: {region: [0, 3, 20, 9]}}",
                     "stages.0.until={steps: 500}", "stages.1.until={steps: 200}"});
-  run(scene, {.folder = path("unbroken"), .threads = 3, .parallel_from = 0});
+  run(scene, {.folder = path("unbroken"), .threads = 3, .parallel_from = 1});
   std::atomic<int> stop = 0;
   std::uint64_t until = 0;
   const RunEvents events = {
@@ -175,8 +175,10 @@ TEST_F(SeriesForces, OfARunThatWasStoppedAreTheSameBytes) {
 
 // A site has √3/2 mm² and 2 kg/m²: 1.7321e-6 kg.
 TEST_F(SeriesForces, AreNewtonsWithADensity) {
-  run_of(kPlate, {"units={spacing: 1 mm, gravity: 9.81, density: 2}"});
-  run_of(kPlate, {}, "plain");
+  // The rate of turning would be one in seconds.
+  const std::string rest = "stages.1={name: wait, until: {steps: 10}}";
+  run_of(kPlate, {rest, "units={spacing: 1 mm, gravity: 9.81, density: 2}"});
+  run_of(kPlate, {rest}, "plain");
   constexpr double kWeight = 1.7320508075688772e-6 * 9.81;
   const auto expect_scaled = [&](const char* name, double factor) {
     const auto plain = column(name, "plain");
@@ -201,11 +203,12 @@ TEST_F(SeriesForces, AreNewtonsWithADensity) {
 }
 
 TEST_F(SeriesForces, WhatLeavesIsCountedInKilogramsAndParticlesASecond) {
-  const auto summary = run(scene::parse(kBin, "scene.yaml",
-                                        {"walls={}", "stages.1={name: wait, until: {steps: 10}}",
-                                         "outlets={drain: {region: [0, 0, 40, 10]}}",
-                                         "units={spacing: 1 mm, density: 2}"}),
-                           {.folder = path()});
+  const auto summary =
+      run(scene::parse(
+              kBin, "scene.yaml",
+              {"measure=[outflow]", "walls={}", "stages.1={name: wait, until: {steps: 10}}",
+               "outlets={drain: {region: [0, 0, 40, 10]}}", "units={spacing: 1 mm, density: 2}"}),
+          {.folder = path()});
   constexpr double kGrain = kSites * 1.7320508075688772e-6;  // kg
   const auto time = column("time");
   const auto mass = column("mass_flow_rate");
