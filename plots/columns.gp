@@ -2,7 +2,7 @@
 #
 # one figure for each: column
 set xlabel label_of(x_column) noenhanced
-set ylabel label_of(y_column) noenhanced
+set ylabel upright(label_of(y_column)) noenhanced
 if (strlen(log_axes) > 0) {
   set logscale @log_axes
 }

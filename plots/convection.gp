@@ -1,4 +1,4 @@
-# Mean drift in a cycle of shaking, as arrows: of mean length 0.7 times the width of a cell, and none
+# Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times the width of a cell, and none
 # longer than 1.3 times it, so that the fast ones at the surface do not hide the others.
 #
 # needs: convection-*.csv: x, y, dx, dy

@@ -4,5 +4,5 @@
 # groups: restitution
 quantity = 'correlation'
 @set_time_axis
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @curves, @error_bars

@@ -5,5 +5,5 @@
 # groups: restitution
 quantity = 'a2_rot'
 @set_time_axis
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @curves, @error_bars

@@ -1,4 +1,4 @@
-# Height of the intruder by cycle of shaking.
+# Height of the intruder by cycle of shaking or turning.
 #
 # needs: cycles.csv: cycle, intruder_height_rel
 # rank: 8
@@ -6,5 +6,5 @@
 quantity = 'intruder_height_rel'
 across = 'cycle'
 set xlabel label_of('cycle') noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @stages

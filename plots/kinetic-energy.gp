@@ -5,6 +5,6 @@
 # groups: stage
 quantity = 'kinetic_energy'
 set xlabel time_title noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:*]
 plot @stages

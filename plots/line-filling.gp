@@ -4,7 +4,7 @@
 # groups: line
 # one figure for each: file
 load templates . '/lines.gpi'
-set ylabel label_of('filling') noenhanced
+set ylabel upright(label_of('filling')) noenhanced
 set yrange [0:1]
 plot for [g = 1:|groups|] files[1] using (of_group(g, column(across))):(column('filling')) \
          with lines linewidth 2 linecolor rgb color(g, |groups|) title groups[g]

@@ -4,7 +4,7 @@
 # rank: 0.5
 of_stage = x_column eq 'step' || x_column eq 'time' ? ', since the stage began' : ''
 set xlabel x_label . of_stage noenhanced
-set ylabel y_label noenhanced
+set ylabel upright(y_label) noenhanced
 set title titled(part) noenhanced
 if (strlen(log_axes) > 0) {
   set logscale @log_axes

@@ -1,4 +1,4 @@
-# Mixing by cycle of shaking, Lacey’s index: 0 separated, 1 as mixed as by chance.
+# Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as by chance.
 #
 # needs: cycles.csv: cycle, lacey_index
 # rank: 8
@@ -6,5 +6,5 @@
 quantity = 'lacey_index'
 across = 'cycle'
 set xlabel label_of('cycle') noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @stages

@@ -3,6 +3,6 @@
 # needs: series.csv: step, discharged.*
 # rank: 7
 set xlabel time_title noenhanced
-set ylabel label_of('discharged') noenhanced
+set ylabel upright(label_of('discharged')) noenhanced
 set yrange [0:*]
 plot @walls

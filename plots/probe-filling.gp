@@ -4,6 +4,6 @@
 # groups: probe
 quantity = 'filling'
 set xlabel time_title noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:1]
 plot @stages

@@ -5,5 +5,5 @@
 # groups: probe
 quantity = 'flow'
 set xlabel time_title noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @stages

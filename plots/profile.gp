@@ -1,9 +1,10 @@
-# Surface of the bed at the end of each stage; equal scales, so that slopes are seen as they are.
+# Surface of the bed above the floor of the box at the end of each stage; equal scales, so that slopes
+# are seen as they are.
 #
 # needs: profile-*.csv: x, height_end
 # rank: 9
 set xlabel label_of('x') noenhanced
-set ylabel label_of('height_end') noenhanced
+set ylabel upright(label_of('height_end')) noenhanced
 set size ratio -1
 # As far as there is a bed.
 x_low = 1e9
@@ -18,7 +19,9 @@ margin = 0.03 * (x_high - x_low) + 1
 tall = 1.05 * tall
 set xrange [x_low - margin:x_high + margin]
 set yrange [0:tall]
-set key outside top left horizontal
+# It begins where the axis does, which equal scales may move to the right.
+legend_columns = floor((line_length - 18) / (longest_label + 13.0))
+set key outside top left horizontal maxcols (legend_columns > 1 ? legend_columns : 1)
 if (height_is_free) {
   height = fitted_height(tall, x_high - x_low + 2 * margin)
   @set_terminal

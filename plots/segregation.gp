@@ -1,4 +1,4 @@
-# Segregation by cycle of shaking: 0 mixed, 1 all large ones above all small ones.
+# Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones above all small ones.
 #
 # needs: cycles.csv: cycle, segregation_index
 # rank: 8
@@ -6,5 +6,5 @@
 quantity = 'segregation_index'
 across = 'cycle'
 set xlabel label_of('cycle') noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 plot @stages

@@ -60,6 +60,11 @@ noted(i) = (position = i, 0)
 label_of(q) = (position = 0, sum [i = 1:|quantity_keys|] (quantity_keys[i] eq q ? noted(i) : 0), \
     position > 0 ? quantity_labels[position] : q)
 
+# The same on an axis that points up: the unit on a line of its own where both are too long.
+unit_at(label) = strstrt(label, ' (')
+upright(label) = strlen(label) <= 0.8 * line_length * height / width || unit_at(label) == 0 ? label : \
+    substr(label, 1, unit_at(label) - 1) . "\n" . substr(label, unit_at(label) + 1, strlen(label))
+
 # Makes the picture as high as it takes to show `tall` over `wide` at equal scales.
 fitted_height(tall, wide) = (room = (width - 11 * letter) * tall / wide + (dots > 0 ? 11 : 8) * letter, \
     room < 0.3 * width ? 0.3 * width : room > width ? width : room)

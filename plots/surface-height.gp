@@ -1,10 +1,10 @@
-# Mean height of the surface by cycle.
+# Mean height of the surface above the floor of the box, by cycle.
 #
 # needs: cycles.csv: cycle, height_mean
 # groups: stage
 quantity = 'height_mean'
 across = 'cycle'
 set xlabel label_of('cycle') noenhanced
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:*]
 plot @stages

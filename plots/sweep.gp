@@ -50,7 +50,7 @@ if (has_words) {
   set xrange [LEFT_min - pad:RIGHT_max + pad]
 }}
 set xlabel x_label noenhanced
-set ylabel measure_label noenhanced
+set ylabel upright(measure_label) noenhanced
 set title titled(stage) noenhanced
 # Bars lie over pale points, so that they are seen where they are shorter.
 pale(c) = between(c, 0xffffff, 0.55)

@@ -6,7 +6,7 @@
 # groups: restitution
 quantity = 't_rot'
 @set_time_axis
-set ylabel label_of(quantity) noenhanced
+set ylabel upright(label_of(quantity)) noenhanced
 # Cooling gases are read on a logarithmic scale; sheared ones come to a steady state.
 if (!has('series.csv:p_xy')) {
   is_logarithmic = 1

@@ -2,6 +2,6 @@
 #
 # needs: series.csv: step, index.*
 set xlabel time_title noenhanced
-set ylabel label_of('index') noenhanced
+set ylabel upright(label_of('index')) noenhanced
 set yrange [0:*]
 plot @walls

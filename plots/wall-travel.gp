@@ -2,5 +2,5 @@
 #
 # needs: series.csv: step, travel.*
 set xlabel time_title noenhanced
-set ylabel label_of('travel') noenhanced
+set ylabel upright(label_of('travel')) noenhanced
 plot @walls

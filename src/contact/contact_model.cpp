@@ -146,6 +146,9 @@ const State& ContactModel::state() const {
   steps(mechanics()).write_back();
   return steps(mechanics()).state();
 }
+std::vector<Contact> ContactModel::wall_contacts() const {
+  return steps(mechanics()).wall_contacts();
+}
 const Vessel& ContactModel::vessel() const {
   return steps(mechanics()).state().vessel;
 }

@@ -143,12 +143,16 @@ double mean_mass(const grains::State& state) {
 }
 
 std::vector<Force> forces(const State& state, double gravity) {
+  return forces(state.grains, state.contacts, gravity);
+}
+
+std::vector<Force> forces(const grains::State& grains, std::span<const Contact> contacts,
+                          double gravity) {
   std::vector<Force> result;
-  result.reserve(state.contacts.size());
-  const double weight =
-      mean_mass(state.grains) / mass_unit(state.grains.kinds) * gravity * kSpacing;
-  const std::vector<GrainDisc> by_kind = grain_discs(state.grains.kinds);
-  for (const Contact& contact : state.contacts) {
+  result.reserve(contacts.size());
+  const double weight = mean_mass(grains) / mass_unit(grains.kinds) * gravity * kSpacing;
+  const std::vector<GrainDisc> by_kind = grain_discs(grains.kinds);
+  for (const Contact& contact : contacts) {
     const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
                                  std::ldexp(contact.normal.y, -kUnitBits));
     Force& force = result.emplace_back();
@@ -157,7 +161,7 @@ std::vector<Force> forces(const State& state, double gravity) {
     force.normal = normal;
     force.along_normal = (contact.impulse.normal + contact.impact.normal) / weight;
     force.along_shear = (contact.impulse.shear + contact.impact.shear) / weight;
-    put_geometry(state.grains, by_kind, force);
+    put_geometry(grains, by_kind, force);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kUsualBytes = 14 << 20;          // of pictures: 19 MiB of page, in base64
 constexpr std::uintmax_t kMaxRequestedBytes = 192 << 20;  // where a number of pictures is asked for
 constexpr std::size_t kMaxStageEnds = 12;
+constexpr std::size_t kMaxAgain = 12;
 
 struct Picture {
   fs::path file;
@@ -131,6 +133,20 @@ class Writer {
 
   const std::vector<std::uint64_t>& ends() const { return ends_; }
 
+  /// One of render/.
+  void add_again(std::string& html, const Picture& picture) {
+    try {
+      const Png png = read_png(picture.file);
+      html += fmt::format(
+          R"(<figure><img src="{}" width="{}" height="{}" alt="Picture drawn again, {}"><figcaption>{}</figcaption></figure>
+)",
+          data_url(png.bytes), png.size.width, png.size.height, escaped(when(picture.step)),
+          escaped(when(picture.step)));
+    } catch (const store::StoreError& error) {
+      warnings_.add(error.what());
+    }
+  }
+
   void add_end(std::string& html, const Picture& picture) {
     try {
       const Png png = read_png(picture.file);
@@ -202,6 +218,43 @@ class Writer {
   std::size_t count_ = 0;
 };
 
+/// What `clca render` has left in a run folder: the MIME types of movies, and of pictures that
+/// browsers show.
+constexpr auto kMediaTypes =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{".mp4", "video/mp4"},
+                                                                  {".webm", "video/webm"},
+                                                                  {".webp", "image/webp"},
+                                                                  {".gif", "image/gif"},
+                                                                  {".png", "image/png"}});
+
+/// Movies and sheets in the folder itself, each at most half of what is left of the `budget`,
+/// bytes.
+std::string movies_html(const fs::path& run, std::uintmax_t& budget, Warnings& warnings) {
+  std::string html;
+  for (const std::string& name : file_names(run)) {
+    const auto* type = std::find_if(kMediaTypes.begin(), kMediaTypes.end(),
+                                    [&](const auto& one) { return name.ends_with(one.first); });
+    if (type == kMediaTypes.end()) {
+      continue;
+    }
+    try {
+      const auto bytes = store::read_whole(run / name, static_cast<double>(budget / 2));
+      budget -= bytes.size();
+      const std::string url = fmt::format("data:{};base64,{}", type->second, base64(bytes));
+      const std::string what =
+          type->second.starts_with("video")
+              ? fmt::format(R"(<video controls="" loop="" muted="" src="{}"></video>)", url)
+              : fmt::format(R"(<img src="{}" alt="{}">)", url, escaped(name));
+      html += fmt::format(
+          "<figure class=\"movie\">{}<figcaption><code>{}</code></figcaption></figure>\n", what,
+          escaped(name));
+    } catch (const store::StoreError& error) {
+      warnings.add(error.what());
+    }
+  }
+  return html.empty() ? html : "<h3>Movies and sheets</h3>\n" + html;
+}
+
 std::string note(std::size_t shown, std::size_t total, bool is_asked) {
   if (shown == total) {
     return fmt::format("All {} pictures of the run.", total);
@@ -210,16 +263,37 @@ std::string note(std::size_t shown, std::size_t total, bool is_asked) {
                      total, is_asked ? "" : " to keep this page below some 20 MB");
 }
 
-}  // namespace
+/// Pictures of render/, at most half of what is left of the `budget`, bytes.
+std::string again_html(const fs::path& run, Writer& writer, std::uintmax_t& budget) {
+  const std::vector<Picture> all = pictures_in(run / "render");
+  const std::vector<std::size_t> chosen = chosen_pictures(all, kMaxAgain, budget / 2);
+  if (all.empty()) {
+    return {};
+  }
+  std::string pictures;
+  for (const std::size_t number : chosen) {
+    writer.add_again(pictures, all[number]);
+  }
+  budget -= bytes_of(all, chosen);
+  const std::string which =
+      chosen.size() == all.size()
+          ? fmt::format("All {} pictures", all.size())
+          : fmt::format("{} of {} pictures, evenly chosen,", chosen.size(), all.size());
+  return fmt::format(R"(<h3>Drawn again</h3>
+<p class="note">{} of <code>render/</code>.</p>
+<div class="ends">
+{}</div>
+)",
+                     which, pictures);
+}
 
-std::string frames_html(const fs::path& run, const store::RunSummary& summary,
-                        std::optional<std::size_t> most, Warnings& warnings) {
+/// The pictures of the run itself.
+std::string player_html(const fs::path& run, std::optional<std::size_t> most, std::uintmax_t budget,
+                        Writer& writer) {
   const std::vector<Picture> all = pictures_in(run / "frames");
   if (all.empty()) {
     return {};
   }
-  Writer writer(summary, warnings);
-  std::uintmax_t budget = most ? kMaxRequestedBytes : kUsualBytes;
   std::string ends_text;
   std::vector<Picture> ends = end_pictures(all, writer.ends());
   std::erase_if(ends, [&](const Picture& picture) {
@@ -246,6 +320,17 @@ std::string frames_html(const fs::path& run, const store::RunSummary& summary,
 <script type="application/json" id="frames">[{}]</script>
 )",
       note(writer.count(), all.size(), most.has_value()), ends_text, list);
+}
+
+}  // namespace
+
+std::string frames_html(const fs::path& run, const store::RunSummary& summary,
+                        std::optional<std::size_t> most, Warnings& warnings) {
+  std::uintmax_t budget = most ? kMaxRequestedBytes : kUsualBytes;
+  Writer writer(summary, warnings);
+  const std::string movies = movies_html(run, budget, warnings);
+  const std::string again = again_html(run, writer, budget);
+  return player_html(run, most, budget, writer) + movies + again;
 }
 
 }  // namespace clca::report

@@ -70,12 +70,34 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
                      decimals);
 }
 
+/// The vessel is turned at the end of the stage.
+bool is_turned(const StageSummary& stage) {
+  const MeasureValue angle = value_in(stage, "vessel_angle_deg");
+  const auto* degrees = std::get_if<double>(&angle);
+  return degrees != nullptr && *degrees != 0;
+}
+
+/// Leaves out what is measured along or above the floor of a vessel that is turned.
+std::vector<StageSummary> without_turned_floors(std::vector<StageSummary> stages,
+                                                const run::KnownQuantities& known) {
+  for (StageSummary& stage : stages) {
+    if (is_turned(stage)) {
+      std::erase_if(stage.measures, [&](const auto& measure) {
+        const auto quantity = known.find(measure.first);
+        return quantity && quantity->of_floor;
+      });
+    }
+  }
+  return stages;
+}
+
 std::string row_html(const std::vector<StageSummary>& stages, const std::string& key,
                      const std::optional<run::ShownQuantity>& known) {
   std::string row = "<tr>" + measure_heading(key, known);
   const int decimals = row_decimals(stages, key);
   for (const StageSummary& stage : stages) {
-    row += fmt::format("<td>{}</td>", value_html(stage, key, decimals));
+    row += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(stage.name),
+                       value_html(stage, key, decimals));
   }
   return row + fmt::format(R"(<td class="unit">{}</td><td class="key"><code>{}</code></td></tr>
 )",
@@ -97,8 +119,8 @@ std::string head_html(const std::vector<StageSummary>& stages,
   for (const StageSummary& stage : stages) {
     names += fmt::format(R"(<th scope="col">{}</th>)", escaped(stage.name));
     const std::string time = units ? fmt::format(" ({})", units->time_text(stage.steps)) : "";
-    ends += fmt::format("<td>{}{} <small>{}</small></td>", whole(stage.steps), escaped(time),
-                        escaped(stage.ended));
+    ends += fmt::format(R"(<td data-of="{}">{}{} <small>{}</small></td>)", escaped(stage.name),
+                        whole(stage.steps), escaped(time), escaped(stage.ended));
   }
   return fmt::format(
       R"(<thead>{}<th scope="col" class="unit">Unit</th><th scope="col" class="key">In run.json</th></tr></thead><tbody>
@@ -125,17 +147,23 @@ std::string measures_html(const store::RunSummary& summary) {
     return {};
   }
   constexpr std::size_t kMaxMeasures = 200;
-  const std::vector<StageSummary> stages = shown_stages(summary.stages);
+  const run::KnownQuantities known = run::known_quantities(summary);
+  const std::vector<StageSummary> stages =
+      without_turned_floors(shown_stages(summary.stages), known);
   std::string html =
       R"(<div class="wide" tabindex="0" role="region" aria-label="Measures"><table>)";
   html += head_html(stages, summary.units);
   std::vector<std::string> keys = measure_keys(stages);
   keys.resize(std::min(keys.size(), kMaxMeasures));
-  const run::KnownQuantities known = run::known_quantities(summary);
   for (const std::string& key : keys) {
     html += row_html(stages, key, known.find(key));
   }
   html += "</tbody></table></div>\n";
+  if (std::any_of(stages.begin(), stages.end(), is_turned)) {
+    html +=
+        "<p class=\"note\">Where a stage ends with a vessel that is turned, what is measured "
+        "along or above its floor is left out.</p>\n";
+  }
   if (stages.size() < summary.stages.size()) {
     html += fmt::format(
         "<p class=\"note\">{} of {} stages, evenly chosen; all are in <code>run.json</code>.</p>\n",

@@ -29,7 +29,7 @@ std::string measure_heading(const std::string& key, const std::optional<run::Sho
 /// A table of the measures, a row for each, a column for each stage.
 std::string measures_html(const store::RunSummary& summary);
 
-/// The tables of walls, unchanged.
+/// The tables of walls, with names and units of their columns.
 std::string walls_html(const std::filesystem::path& run, const store::RunSummary& summary,
                        Warnings& warnings);
 

@@ -211,7 +211,8 @@ class StageTable {
     std::string html = "<tr>" + measure_heading(measure, known);
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      html += fmt::format("<td>{}</td>",
+      html += fmt::format(R"(<td data-of="{}">{}</td>)",
+                          columns_[i].empty() ? "Mean" : escaped(columns_[i]),
                           std::isnan(means[i]) ? "–" : number_html(means[i], errors[i], decimals));
     }
     return html + fmt::format(
@@ -274,7 +275,8 @@ std::string runs_html(const Sweep& sweep) {
   for (std::size_t row = 0; row < shown; ++row) {
     html += "<tr>";
     for (const std::string& name : names) {
-      html += fmt::format("<td>{}</td>", escaped(cell(sweep.table, name, row)));
+      html += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(name),
+                          escaped(cell(sweep.table, name, row)));
     }
     html += "</tr>\n";
   }

@@ -19,26 +19,29 @@ using text::is_file_name;
 constexpr std::size_t kMaxWalls = 100;
 
 /// Numbers in the form of the table itself, which is the shortest.
-std::string cell_html(const std::string& cell) {
-  return fmt::format("<td>{}</td>", cell.empty() ? "–" : escaped(cell));
+std::string cell_html(const std::string& heading, const std::string& cell) {
+  return fmt::format(R"(<td data-of="{}">{}</td>)", heading, cell.empty() ? "–" : escaped(cell));
 }
 
 fs::path table_of(const fs::path& run, const std::string& stage) {
   return run / fmt::format("walls-{}.csv", stage);
 }
 
-std::string table_html(const std::string& stage, const store::ReadTable& cells) {
+std::string table_html(const std::string& stage, const store::ReadTable& cells,
+                       const run::KnownQuantities& known) {
   std::string html = fmt::format(
       R"(<h3>At the end of stage {}</h3><div class="wide" tabindex="0" role="region" aria-label="Walls"><table><thead><tr>)",
       escaped(stage));
+  std::vector<std::string> headings;
   for (const std::string& name : cells.names) {
-    html += fmt::format(R"(<th scope="col">{}</th>)", escaped(name));
+    headings.push_back(escaped(known.label(name)));
+    html += fmt::format(R"(<th scope="col">{}</th>)", headings.back());
   }
   html += "</tr></thead><tbody>";
   for (std::size_t row = 0; row < std::min(cells.rows(), kMaxWalls); ++row) {
     html += fmt::format(R"(<tr><th scope="row">{}</th>)", escaped(cells.cells.front()[row]));
     for (std::size_t column = 1; column < cells.names.size(); ++column) {
-      html += cell_html(cells.cells[column][row]);
+      html += cell_html(headings[column], cells.cells[column][row]);
     }
     html += "</tr>";
   }
@@ -62,7 +65,7 @@ std::string walls_html(const fs::path& run, const store::RunSummary& summary, Wa
     try {
       const auto table = store::read_table(table_of(run, stages[number]), kMaxFileBytes);
       if (table.rows() > 0 && table.names.size() <= kMaxTableColumns) {
-        html += table_html(stages[number], table);
+        html += table_html(stages[number], table, run::known_quantities(summary));
       }
     } catch (const store::StoreError& error) {
       warnings.add(error.what());

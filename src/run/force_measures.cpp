@@ -131,7 +131,7 @@ std::vector<QuantityGroup> force_quantities() {
         {"balance_residual", "Balance of forces", "",
          "what forces and weight do not balance, over the weight; mean over grains"},
         {"load_floor", "Load on the floor", "",
-         "force on the floor of the box over the weight of all grains"}},
+         "force on the floor of the box over the weight of all grains", true}},
        contact_forces},
       {Measure::force,
        "with a plate or piston",

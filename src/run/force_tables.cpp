@@ -30,6 +30,16 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   }
 }
 
+std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
+  std::vector<grains::Owner> all;
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    all.push_back(grains::wall_code(wall));
+  }
+  all.insert(all.end(),
+             {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide});
+  return all;
+}
+
 namespace {
 
 using Forces = std::vector<contact::Force>;
@@ -287,12 +297,8 @@ void ForceTables::add_loads(const StageView& now, const Forces& forces) {
 
 void ForceTables::add_walls(const scene::Scene& scene, const Forces& forces) {
   std::map<grains::Owner, WallRow> rows;
-  for (const grains::Owner side :
-       {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide}) {
-    rows[side] = {};
-  }
-  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
-    rows[grains::wall_code(wall)] = {};
+  for (const grains::Owner body : walls_and_sides(scene)) {
+    rows[body] = {};
   }
   for (const contact::Force& force : forces) {
     if (!grains::is_particle(force.other)) {

@@ -129,6 +129,12 @@ std::optional<std::vector<contact::Force>> Model::forces() const {
   return std::nullopt;
 }
 
+std::vector<contact::Force> Model::wall_forces() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr ? contact::forces(state(), contact->wall_contacts(), contact->gravity())
+                            : std::vector<contact::Force>();
+}
+
 std::vector<Eigen::Vector2d> Model::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {

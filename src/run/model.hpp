@@ -55,6 +55,8 @@ class Model {
   // Contact model only; none for others.
   std::optional<contact::Energy> energy() const;
   std::optional<std::vector<contact::Force>> forces() const;
+  /// Those on walls and sides of the box, maybe others, too; empty for others.
+  std::vector<contact::Force> wall_forces() const;
   /// By id, lattice spacings per step; empty for others.
   std::vector<Eigen::Vector2d> velocities() const;
   /// Likewise: angular velocities times radii, anticlockwise.

@@ -18,14 +18,19 @@ using Named = std::vector<store::NamedMeasure>;
 /// False with so many outlets and species that run.json would have too many measures.
 bool counts_apart(const scene::Scene& scene) {
   constexpr std::size_t kMostMeasures = 800;
-  constexpr std::size_t kMeasuresOfOutlet = 4;  // besides those of its species
-  return scene.outlets.size() * (scene.species.size() + kMeasuresOfOutlet) <= kMostMeasures;
+  // Besides those of its species.
+  const std::size_t of_outlet = scene.units && scene.units->density ? 6 : 4;
+  return scene.outlets.size() * (scene.species.size() + of_outlet) <= kMostMeasures;
 }
 
 constexpr Quantity kPerStep = {"outflow_sites_per_step", "Outflow", "sites/step",
                                "steady part: while 20 % to 70 % of what left the box left"};
 constexpr Quantity kPerTime = {"outflow_sites_per_time", "Outflow over time", "sites/time",
                                "the same"};
+constexpr Quantity kMassPerTime = {"outflow_mass_per_time", "Mass outflow", "kg/s", "the same"};
+constexpr Quantity kParticlesPerTime = {"outflow_particles_per_time", "Particle outflow",
+                                        "particles/s",
+                                        "the same, over the mean mass of a particle that left"};
 constexpr Quantity kClogged = {"clogged", "Clogged", "",
                                "at rest, particles hang over an outlet that they could have "
                                "passed; some outlet, if there are several"};
@@ -43,6 +48,24 @@ std::optional<double> rate_over_time(const scene::Scene& scene, const measure::O
 Values per_time(const StageView& stage) {
   const auto rate = rate_over_time(stage.scene, stage.history.outflow);
   return rate ? Values{*rate} : Values{};
+}
+
+/// Kilograms and particles a second; empty without `units.density`.
+Values in_si(const scene::Scene& scene, const measure::Outflow& outflow) {
+  const auto conversion = scene::conversion(scene);
+  if (!conversion || !conversion->site) {
+    return {};
+  }
+  const measure::Discharge left = outflow.during_stage();
+  const double rate = outflow.sites_per_step() / conversion->time_step;
+  const double sites = left.particles > 0
+                           ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
+                           : 1;
+  return {rate * conversion->site->mass, rate / sites};
+}
+
+Values all_in_si(const StageView& stage) {
+  return in_si(stage.scene, stage.history.outflow);
 }
 
 /// Of each outlet.
@@ -92,6 +115,10 @@ Named discharged_apart(const StageView& stage) {
     if (const auto rate = rate_over_time(scene, outflow)) {
       results.emplace_back(of(kPerTime), *rate);
     }
+    if (const Values si = in_si(scene, outflow); !si.empty()) {
+      results.emplace_back(of(kMassPerTime), si[0]);
+      results.emplace_back(of(kParticlesPerTime), si[1]);
+    }
     results.emplace_back(of(kClogged), bool{outlets[outlet]});
   }
   return results;
@@ -137,6 +164,7 @@ std::vector<QuantityGroup> outflow_quantities() {
   using scene::Measure;
   return {{Measure::outflow, "", {kPerStep}, per_step},
           {Measure::outflow, "model `contact`", {kPerTime}, per_time},
+          {Measure::outflow, "with `units.density`", {kMassPerTime, kParticlesPerTime}, all_in_si},
           {Measure::outflow,
            "with outlets",
            {{"discharged", "Discharged", "particles", "through an outlet, in the stage"},

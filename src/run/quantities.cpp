@@ -51,6 +51,37 @@ const std::vector<TableInfo>& all_tables() {
   return kAll;
 }
 
+/// x or y of a column of a vector; empty for others.
+std::string_view part_of_vector(const Quantity& quantity, std::string_view column) {
+  const std::string_view end = column.substr(std::min(quantity.key.size(), column.size()));
+  const bool is_part = !quantity.key.empty() && column.starts_with(quantity.key);
+  return is_part && (end == "x" || end == "y") ? end : "";
+}
+
+/// KEY of a column KEY.NAME.
+const Quantity* find_of_each(std::string_view key) {
+  for (const TableInfo& table : all_tables()) {
+    const auto found =
+        std::ranges::find_if(table.of_each, [&](const auto& one) { return one.first.key == key; });
+    if (found != table.of_each.end()) {
+      return &found->first;
+    }
+  }
+  return nullptr;
+}
+
+const Quantity* find_column(std::string_view name) {
+  for (const TableInfo& table : all_tables()) {
+    const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
+      return std::ranges::count(one.names(), name) > 0;
+    });
+    if (found != table.columns.end()) {
+      return &found->quantity;
+    }
+  }
+  return nullptr;
+}
+
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
                                   [&](const Quantity& one) { return one.key == key; });
@@ -69,20 +100,10 @@ const Quantity* find_quantity(std::string_view key) {
   if (const Quantity* found = find_in(kOfSweeps, whole)) {
     return found;
   }
-  for (const TableInfo& table : all_tables()) {
-    const auto of_each = std::ranges::find_if(
-        table.of_each, [&](const auto& one) { return one.first.key == whole; });
-    if (of_each != table.of_each.end()) {
-      return &of_each->first;
-    }
-    const auto column = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
-      return std::ranges::count(one.names(), whole) > 0;
-    });
-    if (column != table.columns.end()) {
-      return &column->quantity;
-    }
+  if (const Quantity* found = whole == key ? find_column(whole) : find_of_each(whole)) {
+    return found;
   }
-  return nullptr;
+  return whole == key ? find_of_each(whole) : find_column(whole);
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
@@ -103,9 +124,11 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
   }
   const std::size_t dot = key.find('.');
   return ShownQuantity{.name = std::string(known->name),
-                       .of = std::string(dot == std::string_view::npos ? "" : key.substr(dot + 1)),
+                       .of = std::string(dot == std::string_view::npos ? part_of_vector(*known, key)
+                                                                       : key.substr(dot + 1)),
                        .unit = shown_unit(known->unit, units),
-                       .meaning = std::string(known->meaning)};
+                       .meaning = std::string(known->meaning),
+                       .of_floor = known->of_floor};
 }
 
 std::string KnownQuantities::label(std::string_view key) const {
@@ -123,6 +146,9 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
 }
 
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
+  if (const auto si = units ? units->si(unit) : std::nullopt) {
+    return std::string(si->name);
+  }
   std::string text(unit);
   const auto replace = [&text](std::string_view word, const std::string& with) {
     const std::size_t place = text.find(word);

@@ -12,18 +12,18 @@ namespace clca::run {
 inline constexpr Quantity kVesselAngle = {"vessel_angle_deg", "Angle of the vessel", "degrees",
                                           "anticlockwise from upright"};
 inline constexpr Quantity kHeightMean = {"height_mean", "Mean height", "spacings",
-                                         "of the surface, over the columns with particles"};
+                                         "of the surface, over the columns with particles", true};
 inline constexpr Quantity kReposeAngle = {"repose_angle_deg", "Slope", "degrees",
-                                          "mean of the flanks that are there"};
+                                          "mean of the flanks that are there", true};
 inline constexpr Quantity kReposeGravity = {
     "repose_gravity_deg", "Slope against gravity", "degrees",
     "mean of the flanks that are there, where gravity points down; all others are in the frame of "
     "the vessel"};
 inline constexpr Quantity kIntruderHeight = {"intruder_height_rel", "Height of the intruder", "",
-                                             "0 on the floor, 1 just buried at the top"};
+                                             "0 on the floor, 1 just buried at the top", true};
 inline constexpr Quantity kSegregationIndex = {
     "segregation_index", "Segregation index", "",
-    "height of the large ones over the small ones, over half the bed"};
+    "height of the large ones over the small ones, over half the bed", true};
 inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixing", "",
                                          "0 separated, 1 as random"};
 

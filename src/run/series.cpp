@@ -8,6 +8,7 @@
 #include "clca/measure/probe.hpp"
 #include "run/energy_record.hpp"
 #include "run/quantities.hpp"
+#include "run/series_record.hpp"
 
 namespace clca::run {
 
@@ -31,6 +32,7 @@ struct SeriesRow {
   const StageView& now;
   std::optional<contact::Energy> energy = {};  ///< of the contact model
   const EnergyRecord* record = nullptr;        ///< likewise
+  const SeriesRecord* since = nullptr;         ///< since the last row
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -40,8 +42,9 @@ double moving_share(const StageView& now) {
   return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
 }
 
-constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
+using scene::kEnergyUnit;
 constexpr std::string_view kSinceStage = "since the start of the stage";
+constexpr std::string_view kSinceRow = "by all outlets, since the last row";
 constexpr std::string_view kSinceRun = "by all outlets, since the start of the run";
 
 TableOf<SeriesRow> series_table(const scene::Scene& scene) {
@@ -59,7 +62,17 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
                     "OUTLET"},
                    {{"discharged", "Particles discharged", "particles",
                      "those of a species; with several species"},
-                    "OUTLET.SPECIES"}}},
+                    "OUTLET.SPECIES"},
+                   {{"force_x", "Force on the wall, x", scene::kForceUnit,
+                     "of the grains on it, in the frame of the vessel, mean since the last row; "
+                     "with `forces`, of each wall and of `box.floor`, `box.top`, `box.left`, "
+                     "`box.right`"},
+                    "WALL"},
+                   {{"force_y", "Force on the wall, y", scene::kForceUnit, "likewise"}, "WALL"},
+                   {{"torque", "Torque on the wall", scene::kMomentUnit,
+                     "likewise, anticlockwise, about its centroid; in a stage that turns the "
+                     "vessel about the centre of turning"},
+                    "WALL"}}},
       {{kStep, [](auto& row) { return row.state().step; }},
        {kStage, [](auto& row) { return row.now.stage.name; }},
        {{"particles", "Particles", "particles", "in the box"},
@@ -99,6 +112,12 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
                         [](const scene::Wall& wall) { return wall.motion.has_value(); }),
         {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().walls; }}}},
+       {"with `units.density` and outlets",
+        has_flow_rates(scene),
+        {{{"mass_flow_rate", "Mass flow rate", "kg/s", kSinceRow},
+          [](auto& row) { return row.since->mass_flow_rate(); }},
+         {{"particle_flow_rate", "Particle flow rate", "particles/s", kSinceRow},
+          [](auto& row) { return row.since->particle_flow_rate(); }}}},
        {"with a vessel in some stage",
         has_vessel(scene),
         {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
@@ -120,6 +139,10 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
   }
   const std::vector<std::string> discharged = discharge_names(scene);
   names.insert(names.end(), discharged.begin(), discharged.end());
+  if (scene.output.series->forces) {
+    const std::vector<std::string> forces = SeriesRecord::force_names(scene);
+    names.insert(names.end(), forces.begin(), forces.end());
+  }
   return names;
 }
 
@@ -139,10 +162,11 @@ std::vector<std::uint64_t> indices(const Model& model) {
   return sites;
 }
 
-std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& model) {
-  const grains::State& state = model.state();
+std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
+  const scene::Scene& scene = row.now.scene;
+  const grains::State& state = row.state();
   std::vector<store::Cell> cells;
-  const std::vector<std::uint64_t> sites = indices(model);
+  const std::vector<std::uint64_t> sites = indices(row.now.model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
       cells.emplace_back(static_cast<double>(state.walls[wall].travel.offset));
@@ -156,6 +180,10 @@ std::vector<store::Cell> cells_of_each(const scene::Scene& scene, const Model& m
     for (const std::uint64_t count : discharge_values(scene, particles)) {
       cells.emplace_back(count);
     }
+  }
+  if (scene.output.series->forces) {
+    const std::vector<store::Cell> forces = row.since->force_cells();
+    cells.insert(cells.end(), forces.begin(), forces.end());
   }
   return cells;
 }
@@ -279,8 +307,9 @@ class Series : public Observer {
       return;
     }
     last_ = now.model.state().step;
-    table_.add({now, now.model.energy(), now.observers.find<EnergyRecord>()},
-               cells_of_each(now.scene, now.model));
+    const SeriesRow row = {now, now.model.energy(), now.observers.find<EnergyRecord>(),
+                           now.observers.find<SeriesRecord>()};
+    table_.add(row, cells_of_each(row));
     if (probes_) {
       probes_->add(now);
     }

@@ -205,6 +205,10 @@ class TableWriter : public RunTable {
     std::vector<store::Cell> cells;
     for (const Column<Row>& column : columns_) {
       column.add(cells, row);
+      if (auto* value = std::get_if<double>(&cells.back());
+          value != nullptr && scope().conversion) {
+        *value = scope().conversion->in_si(*value, column.info.quantity.unit);
+      }
       if (is_mean(column) && !scope().has_errors) {
         cells.pop_back();
       } else if (has_time(column)) {

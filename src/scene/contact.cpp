@@ -70,18 +70,28 @@ contact::Parameters contact_parameters(const Scene& scene, const Stage& stage) {
   return parameters;
 }
 
+std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& stage) {
+  const auto* tilt = stage.vessel ? std::get_if<Tilt>(&*stage.vessel) : nullptr;
+  const auto* rotate = stage.vessel ? std::get_if<Rotate>(&*stage.vessel) : nullptr;
+  if (rotate == nullptr && (tilt == nullptr || !tilt->rate)) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);
+  return rotate != nullptr ? rotate->centre.value_or(middle) : middle;
+}
+
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
   const double step = conversion(scene)->time_step;
-  const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);
   if (!stage.vessel) {
     return at_rest(before);
   }
   if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel)) {
     const contact::Angle to = contact::angle_of(tilt->to);
-    return tilt->rate ? tilting(before, to, *tilt->rate * step, middle) : tilted(before, to);
+    return tilt->rate ? tilting(before, to, *tilt->rate * step, *turning_centre(scene, stage))
+                      : tilted(before, to);
   }
   if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel)) {
-    return rotating(before, rotate->rate * step, rotate->centre.value_or(middle));
+    return rotating(before, rotate->rate * step, *turning_centre(scene, stage));
   }
   const auto& shake = std::get<VesselShake>(*stage.vessel);
   const double gravity = contact::gravity(contact_parameters(scene));

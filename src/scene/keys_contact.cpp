@@ -87,7 +87,11 @@ Type<Units> units_type() {
   return type_of<Units>(
       {.keys = {required("spacing", &Units::spacing, length(), "length of one lattice spacing"),
                 key("gravity", &Units::gravity, number(kMinRealGravity, kMaxRealGravity),
-                    "gravity in m/s²")}});
+                    "gravity in m/s²"),
+                key("density", &Units::density, number(kMinDensity, kMaxDensity),
+                    "mass of a square metre of grains in kg/m²: density of the material times the "
+                    "depth of the layer; then masses and forces are in SI units, too")
+                    .defaults_to("none")}});
 }
 
 Type<contact::Parameters> contact_type() {

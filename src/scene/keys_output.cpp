@@ -131,7 +131,11 @@ Type<Frames> frames_type() {
 Type<Series> series_type() {
   return type_of<Series>(
       {.keys = {key("every", &Series::every, count(1, kMaxSteps),
-                    "a row at each step *of the whole run* that this divides")}});
+                    "a row at each step *of the whole run* that this divides"),
+                key("forces", &Series::forces, yes_or_no(),
+                    "force and torque on each wall and side of the box, means over the steps "
+                    "since the last row")
+                    .of(Model::contact)}});
 }
 
 Type<Fields> fields_type() {

@@ -83,6 +83,8 @@ inline constexpr double kMinSpacing = 1e-9;         ///< metres
 inline constexpr double kMaxSpacing = 1e3;          ///< metres
 inline constexpr double kMinRealGravity = 1e-6;     ///< metres per second squared
 inline constexpr double kMaxRealGravity = 1e6;
+inline constexpr double kMinDensity = 1e-9;  ///< kilograms per square metre
+inline constexpr double kMaxDensity = 1e9;
 
 // Of scenes of the Boltzmann equation.
 inline constexpr std::uint64_t kMinGasParticles = 2;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clca/contact/contact_model.hpp"
+#include "clca/lattice/lattice.hpp"
 #include "clca/scene/contact.hpp"
 
 namespace clca::scene {
@@ -17,6 +18,27 @@ std::string Conversion::time_text(std::uint64_t steps) const {
     ++decimals;
   }
   return fmt::format("{:.{}f} {}", time(steps), decimals, time_unit);
+}
+
+std::optional<SiUnit> Conversion::si(std::string_view unit) const {
+  if (!site) {
+    return std::nullopt;
+  }
+  if (unit == kForceUnit) {
+    return SiUnit{"N", site->weight};
+  }
+  if (unit == kEnergyUnit) {
+    return SiUnit{"J", site->weight * spacing};
+  }
+  if (unit == kMomentUnit) {
+    return SiUnit{"N m", site->weight * spacing};
+  }
+  return std::nullopt;
+}
+
+double Conversion::in_si(double value, std::string_view unit) const {
+  const auto found = si(unit);
+  return found ? value * found->value : value;
 }
 
 std::optional<Conversion> conversion(const Scene& scene) {
@@ -31,11 +53,17 @@ std::optional<Conversion> conversion(const Scene& scene) {
                       .spacing = 1,
                       .time_step = std::sqrt(gravity)};
   }
-  return Conversion{.length_unit = "m",
-                    .time_unit = "s",
-                    .velocity_unit = "m/s",
-                    .spacing = scene.units->spacing,
-                    .time_step = std::sqrt(gravity * scene.units->spacing / scene.units->gravity)};
+  const Units& units = *scene.units;
+  Conversion result = {.length_unit = "m",
+                       .time_unit = "s",
+                       .velocity_unit = "m/s",
+                       .spacing = units.spacing,
+                       .time_step = std::sqrt(gravity * units.spacing / units.gravity)};
+  if (units.density) {
+    const double mass = *units.density * lattice::kColumnPitch * units.spacing * units.spacing;
+    result.site = {.mass = mass, .weight = mass * units.gravity};
+  }
+  return result;
 }
 
 double steps_until(double time, const Conversion& conversion) {

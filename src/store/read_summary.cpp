@@ -135,11 +135,15 @@ std::optional<scene::Conversion> units(const Json& object) {
     return std::nullopt;
   }
   const Json& found = field(object, "units", &Json::is_object);
-  return scene::Conversion{.length_unit = text(found, "length"),
-                           .time_unit = text(found, "time"),
-                           .velocity_unit = text(found, "velocity"),
-                           .spacing = number(found, "spacing"),
-                           .time_step = number(found, "time_step")};
+  scene::Conversion result = {.length_unit = text(found, "length"),
+                              .time_unit = text(found, "time"),
+                              .velocity_unit = text(found, "velocity"),
+                              .spacing = number(found, "spacing"),
+                              .time_step = number(found, "time_step")};
+  if (found.contains("site_mass")) {
+    result.site = {.mass = number(found, "site_mass"), .weight = number(found, "site_weight")};
+  }
+  return result;
 }
 
 std::optional<BoxSummary> box(const Json& object) {

@@ -21,11 +21,16 @@ Json to_value(const MeasureValue& value) {
 }
 
 Json to_object(const scene::Conversion& units) {
-  return {{"length", units.length_unit},
-          {"time", units.time_unit},
-          {"velocity", units.velocity_unit},
-          {"spacing", units.spacing},
-          {"time_step", units.time_step}};
+  Json object = {{"length", units.length_unit},
+                 {"time", units.time_unit},
+                 {"velocity", units.velocity_unit},
+                 {"spacing", units.spacing},
+                 {"time_step", units.time_step}};
+  if (units.site) {
+    object["site_mass"] = units.site->mass;
+    object["site_weight"] = units.site->weight;
+  }
+  return object;
 }
 
 Json to_object(const BoxSummary& box) {

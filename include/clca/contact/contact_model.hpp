@@ -50,6 +50,9 @@ class ContactModel : public grains::Model {
 
   /// Has grains(), and costs more than that, as it also updates the list of contacts.
   const State& state() const;
+  /// Of the last step: those with walls and sides of the box, maybe others, too. Costs less than
+  /// state().
+  std::vector<Contact> wall_contacts() const;
   const Vessel& vessel() const;
   /// In lattice spacings per step squared.
   double gravity() const;

@@ -33,6 +33,9 @@ struct Force {
 
 /// Forces of all contacts, in their order. `gravity` in lattice spacings per step squared.
 std::vector<Force> forces(const State& state, double gravity);
+/// The same of contacts of these grains.
+std::vector<Force> forces(const grains::State& grains, std::span<const Contact> contacts,
+                          double gravity);
 
 /// Sums of the forces of several steps, by contact.
 struct ForceSums {

@@ -18,6 +18,7 @@ struct Quantity {
   std::string_view name;     ///< in words
   std::string_view unit;     ///< as for shown_unit; of a pure number empty
   std::string_view meaning;  ///< may be empty
+  bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
 };
 
 /// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a
@@ -29,9 +30,10 @@ const Quantity* find_gas_quantity(std::string_view key);
 /// A quantity of one run or sweep.
 struct ShownQuantity {
   std::string name;     ///< in words
-  std::string of;       ///< the outlet or wall that it is of; empty: the whole
+  std::string of;       ///< the outlet or wall that it is of, or x, y of a vector; empty: the whole
   std::string unit;     ///< as the run has it; of a pure number empty
   std::string meaning;  ///< may be empty
+  bool of_floor = false;  ///< as Quantity::of_floor
 };
 
 /// What is known of the quantities of one run or sweep.
@@ -48,13 +50,15 @@ struct KnownQuantities {
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// `unit` with the unit of velocity for `spacings/step` and that of time for `time`, where a run
-/// has them.
+/// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
+/// scene::Conversion::si() for one of masses, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
 /// What a grain touches, as tables of contacts name it: a grain by its number, a wall by its name,
 /// a side of the box as `box.floor`.
 std::string body_name(const scene::Scene& scene, grains::Owner owner);
+/// All walls, then the sides of the box.
+std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();

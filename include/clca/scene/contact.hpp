@@ -13,6 +13,9 @@ contact::Parameters contact_parameters(const Scene& scene);
 /// The same in a stage that may have friction and restitution of its own.
 contact::Parameters contact_parameters(const Scene& scene, const Stage& stage);
 
+/// What the vessel turns about in a stage, in lattice spacings; none if it does not turn.
+std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& stage);
+
 /// The vessel at the start of a stage; the previous stage left it as `before`. Throws
 /// std::invalid_argument for a motion too fast or too slow for the time step.
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before);

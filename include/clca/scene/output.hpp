@@ -110,6 +110,7 @@ struct Frames {
 
 struct Series {
   std::uint64_t every = 1;
+  bool forces = false;  ///< of Model::contact: on each wall and side of the box
 
   bool operator==(const Series&) const = default;
 };

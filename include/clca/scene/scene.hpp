@@ -79,6 +79,8 @@ enum class Model : std::uint8_t { automaton, contact, voids };
 struct Units {
   double spacing = 0;     ///< of the lattice, metres
   double gravity = 9.81;  ///< metres per second squared
+  /// Kilograms per square metre of grains; none: masses have no unit.
+  std::optional<double> density = {};
 
   bool operator==(const Units&) const = default;
 };

@@ -4,18 +4,39 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
 
+// Units of the model of what has a mass; see Conversion::si().
+inline constexpr std::string_view kForceUnit = "weights of a site";
+inline constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
+inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
+
+/// What one of another unit is.
+struct SiUnit {
+  std::string_view name;
+  double value = 1;  ///< one of the other unit, in this one
+};
+
+/// A site of a grain, in SI units.
+struct SiteMass {
+  double mass = 0;    ///< kilograms
+  double weight = 0;  ///< newtons
+
+  bool operator==(const SiteMass&) const = default;
+};
+
 /// Metres and seconds if the scene has units, else units derived from lattice spacing and gravity.
 struct Conversion {
-  std::string length_unit;    ///< m or spacing
-  std::string time_unit;      ///< s or √(spacing/gravity)
-  std::string velocity_unit;  ///< m/s or √(spacing·gravity)
-  double spacing = 1;         ///< a lattice spacing, in the unit of length
-  double time_step = 1;       ///< in the unit of time
+  std::string length_unit;            ///< m or spacing
+  std::string time_unit;              ///< s or √(spacing/gravity)
+  std::string velocity_unit;          ///< m/s or √(spacing·gravity)
+  double spacing = 1;                 ///< a lattice spacing, in the unit of length
+  double time_step = 1;               ///< in the unit of time
+  std::optional<SiteMass> site = {};  ///< if the scene has units with a density
 
   bool operator==(const Conversion&) const = default;
 
@@ -27,6 +48,10 @@ struct Conversion {
   double velocity(double spacings_per_step) const {
     return spacings_per_step * spacing / time_step;
   }
+  /// N, J or N m for the units above; none for another one, or without a density.
+  std::optional<SiUnit> si(std::string_view unit) const;
+  /// In that SI unit, if there is one; else the value itself.
+  double in_si(double value, std::string_view unit) const;
 };
 
 /// For contact scenes; none for the automaton, whose steps have no length.

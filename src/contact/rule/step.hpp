@@ -38,6 +38,8 @@ class Steps : public grains::Mechanics {
   virtual void write_back() {}
   /// The same without contacts.
   virtual void write_back_velocities() {}
+  /// Those with walls and sides, maybe others, too.
+  virtual std::vector<Contact> wall_contacts() const = 0;
 
   grains::Box& box() final { return box_; }
   lattice::Direction down() const final { return contact::down(state_.vessel); }
@@ -51,8 +53,6 @@ class Steps : public grains::Mechanics {
  protected:
   /// Everything else of a step. Returns how many grains moved.
   virtual std::size_t move_grains() = 0;
-  /// Those with walls and sides, maybe others, too.
-  virtual std::vector<Contact> wall_contacts() const = 0;
 
   State& own_state() { return state_; }
   const Rule& rule() const { return rule_; }
@@ -71,10 +71,10 @@ class Reference final : public Steps {
   Reference(State initial, const Parameters& parameters);
 
   std::vector<std::uint32_t> moved() const override { return moved_; }
+  std::vector<Contact> wall_contacts() const override { return state_.contacts; }
 
  private:
   std::size_t move_grains() override;
-  std::vector<Contact> wall_contacts() const override { return state_.contacts; }
 
   State& state_;
   const Rule& rule_;

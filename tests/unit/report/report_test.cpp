@@ -104,7 +104,8 @@ TEST_F(Report, OfARunWithoutPicturesAndTablesHasWhatThereIs) {
   const std::string html = page();
   EXPECT_THAT(warnings_, IsEmpty());
   EXPECT_THAT(html, AllOf(HasSubstr("<h1>A small run</h1>"), HasSubstr("Packing fraction"),
-                          HasSubstr("0.8125"), HasSubstr("unheard_of"), HasSubstr("<td>yes</td>"),
+                          HasSubstr("0.8125"), HasSubstr("unheard_of"),
+                          HasSubstr("<td data-of=\"packing\">yes</td>"),
                           HasSubstr("clca run small.yaml --seed 7 -o small"),
                           Not(HasSubstr("id=\"pictures\"")), Not(HasSubstr("id=\"figures\""))));
   EXPECT_TRUE(fs::exists(run() / "report.html"));
@@ -289,7 +290,8 @@ TEST_F(Report, OfARunWithUnitsIsInThese) {
         "stage,step,time,x,y,packing,particles,vx,vy,fluctuation\n"
         "flow,10,0.005,1,1,0.5,2,0,-1,0.1\nflow,20,0.01,3,1,0.5,2,0,-1,0.1\n");
   const auto in_time =
-      AllOf(HasSubstr("<dt>Time</dt><dd>0.0150 s</dd>"), HasSubstr("<td>20 (0.0100 s) "),
+      AllOf(HasSubstr("<dt>Time</dt><dd>0.0150 s</dd>"),
+            HasSubstr("<td data-of=\"packing\">20 (0.0100 s) "),
             HasSubstr("End of <b>packing</b>, step 20, t = 0.0100 s"),
             HasSubstr("\"time\":\"0.0100 s\""), HasSubstr(">Time (s)<"), HasSubstr(">sites/s<"),
             HasSubstr(">(m/s)²<"), HasSubstr("energy, (m/s)²"));
@@ -298,6 +300,63 @@ TEST_F(Report, OfARunWithUnitsIsInThese) {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.0005};
   EXPECT_THAT(page(), in_time);
   EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Report, HasMoviesAndPicturesThatWereDrawnAgain) {
+  write("flow.mp4", "a movie");
+  write("small.gif", "another one");
+  fs::create_directories(run() / "render");
+  const std::vector<std::uint8_t> bytes = picture();
+  for (int step = 0; step < 300; step += 10) {
+    write(fmt::format("render/small-{:06}.png", step), {bytes.begin(), bytes.end()});
+  }
+  const std::string html = page();
+  EXPECT_THAT(
+      html,
+      AllOf(HasSubstr("media-src data:"), HasSubstr("src=\"data:video/mp4;base64,YSBtb3ZpZQ==\""),
+            HasSubstr("src=\"data:image/gif;base64,"), HasSubstr("<code>flow.mp4</code>"),
+            HasSubstr("12 of 30 pictures, evenly chosen,"),
+            HasSubstr("<figcaption>step 290</figcaption>")));
+  EXPECT_EQ(occurrences(html, "Picture drawn again"), 12U);
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Report, LeavesOutAMovieThatIsTooLargeAndSaysSo) {
+  write("flow.mp4", std::string(8 << 20, 'a'));
+  EXPECT_THAT(page(), Not(HasSubstr("<video")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("flow.mp4")));
+}
+
+// The bed lies on a floor that is no longer level.
+TEST_F(Report, LeavesOutWhatIsMeasuredAlongTheFloorOfAVesselThatIsTurned) {
+  summary_.stages[0].measures = {{"repose_angle_deg", 11.5},
+                                 {"vessel_angle_deg", 0.0},
+                                 {"repose_gravity_deg", 12.5},
+                                 {"runout_99", 13.5}};
+  summary_.stages[1].measures = {{"repose_angle_deg", 21.5},
+                                 {"vessel_angle_deg", 30.0},
+                                 {"repose_gravity_deg", 22.5},
+                                 {"runout_99", 23.5},
+                                 {"segregation_index", 0.25}};
+  const std::string html = page();
+  for (const char* there : {"11.5", "12.5", "13.5", "22.5", "is left out"}) {
+    EXPECT_THAT(html, HasSubstr(there));
+  }
+  for (const char* gone : {">21.5", ">23.5", "segregation_index"}) {
+    EXPECT_THAT(html, Not(HasSubstr(gone)));
+  }
+  summary_.stages[1].measures[1].second = 0.0;
+  EXPECT_THAT(page(), AllOf(HasSubstr(">21.5"), HasSubstr("segregation_index"),
+                            Not(HasSubstr("is left out"))));
+}
+
+TEST_F(Report, NamesTheColumnsOfWallsAndTheirUnits) {
+  summary_.kind = "contact";
+  write("walls-flow.csv", "wall,contacts,force_x,force_y\nbox.floor,3,0.5,-2\n");
+  const std::string html = page();
+  EXPECT_THAT(html, AllOf(HasSubstr("Force on the wall, x (grain weights)"),
+                          HasSubstr("Force on the wall, y (grain weights)")));
+  EXPECT_THAT(html, HasSubstr("<td data-of=\"Force on the wall, y (grain weights)\">-2</td>"));
 }
 
 TEST_F(Report, ThatCannotBeWrittenLeavesNothing) {

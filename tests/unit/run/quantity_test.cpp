@@ -58,6 +58,8 @@ TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {
   EXPECT_EQ(find_quantity("runout_99")->unit, "spacings");
   EXPECT_EQ(find_quantity("clogged.drain"), find_quantity("clogged"));
   EXPECT_EQ(find_quantity("travel.plate")->unit, "sites");
+  EXPECT_EQ(find_quantity("force_x.floor")->unit, "weights of a site");
+  EXPECT_EQ(find_quantity("force_x")->unit, "grain weights") << "of walls-STAGE.csv";
   EXPECT_EQ(find_quantity("runout_9"), nullptr);
 }
 

@@ -126,8 +126,16 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
     {"gravity that points up", "units: {spacing: 1 mm, gravity: -9.81}",
      "scene.yaml:13:33: error: units.gravity: expected a number from 1e-06 to 1000000, found "
      "'-9.81'"},
+    {"grains without mass", "units: {spacing: 1 mm, density: 0}",
+     "scene.yaml:13:33: error: units.density: expected a number from 1e-09 to 1000000000, found "
+     "'0'"},
+    {"forces on walls in the automaton", "model: automaton\noutput: {series: {forces: true}}",
+     "scene.yaml:12:19: error: output.series.forces: only model contact has it; remove it, or say "
+     "'model: contact'",
+     Judge::parser},
     {"a misspelt key of units", "units: {spacing: 1 mm, gravty: 9.81}",
-     "scene.yaml:13:24: error: unknown key 'gravty' in units (allowed: spacing, gravity); did you "
+     "scene.yaml:13:24: error: unknown key 'gravty' in units (allowed: spacing, gravity, density); "
+     "did you "
      "mean 'gravity'?"},
     {"a time of the automaton",
      "model: automaton\nstages: [{name: first, sources: [spout], until: {time: 1}}]",

@@ -56,6 +56,19 @@ TEST(Units, TakeALengthInMetresCentimetresMillimetresOrMicrometres) {
   }
 }
 
+// √3/2 mm² of 2.5 kg/m².
+TEST(Units, WithADensityHaveTheMassAndTheWeightOfASite) {
+  const Scene scene = contact_with("units: {spacing: 1 mm, gravity: 10, density: 2.5}");
+  const Conversion units = *conversion(scene);
+  EXPECT_NEAR(units.site->mass, 2.16506351e-6, 1e-14);
+  EXPECT_NEAR(units.site->weight, 2.16506351e-5, 1e-13);
+  EXPECT_EQ(units.si(kForceUnit)->name, "N");
+  EXPECT_DOUBLE_EQ(units.in_si(2, kMomentUnit), 2 * units.site->weight * 0.001);
+  EXPECT_EQ(units.in_si(2, "spacings"), 2);
+  EXPECT_FALSE(conversion(contact_with("units: {spacing: 1 mm}"))->si(kForceUnit));
+  EXPECT_EQ(parse(to_yaml(scene), "resolved.yaml").units, scene.units);
+}
+
 TEST(Units, AreNoneUnlessTheSceneGivesThem) {
   EXPECT_FALSE(contact_with("").units.has_value());
   EXPECT_NE(contact_with(""), contact_with("units: {spacing: 1 m}"));
