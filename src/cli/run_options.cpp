@@ -50,7 +50,8 @@ int threads_here(const RunCommonOptions& options) {
 void add_run_options(Command& command, RunCommonOptions& options) {
   command
       .option("--threads", &options.threads,
-              "Threads; the result does not depend on it. Model contact takes one [1 for grains, all for a gas]")
+              "Threads; the result does not depend on it. Model contact takes one [1 for grains, "
+              "all for a gas]")
       .values(whole_number(1, 1024));
   command
       .option(

@@ -22,8 +22,10 @@ void GasSlots::after_step(std::size_t number, const GasMember& member) {
     }
     collect();
   }
-  if (std::exchange(running_[number], false)) {
-    members_[number] = member;
+  if (bool& awaited = running_[number]) {
+    GasMember copy = member;  // whole, or memory has run out and nothing is changed
+    members_[number] = std::move(copy);
+    awaited = false;
     save_when_complete();
   }
 }
