@@ -37,7 +37,7 @@ grains::Owner Rule::claimed(lattice::Site site) const {
   for (std::size_t i = 0; i < kDownward.size(); ++i) {
     above[i] = box_.occupancy.owner(state.lattice.index(site + unit(opposite(kDownward[i]))));
     if (grains::is_particle(above[i])) {
-      weights[i] = weights_[state.particles[static_cast<std::size_t>(above[i])].kind][i];
+      weights[i] = weights_[state.particles[grains::particle_id(above[i])].kind][i];
     }
   }
   const std::uint64_t sum = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "voids/engine.hpp"
+#include "voids/step.hpp"
 
 namespace clca::voids {
 
@@ -31,10 +31,7 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
   }
   grains::check_valid(state);
   check_able(state);
-  if (options.reference) {
-    return std::make_unique<Reference>(std::move(state), rules);
-  }
-  return std::make_unique<Engine>(std::move(state), rules, options);
+  return std::make_unique<Steps>(std::move(state), rules);
 }
 
 }  // namespace

@@ -18,9 +18,7 @@ struct Start {
   State state;
   Rules rules;
 
-  VoidModel model(const voids::Options& options = {}) const {
-    return VoidModel(state, rules, options);
-  }
+  VoidModel model() const { return VoidModel(state, rules); }
 };
 
 /// `min_walls` to two walls, grains of one to three species, and often a source and an outlet.
@@ -56,23 +54,6 @@ long long potential(const State& state) {
     sum += grain.present ? lattice::doubled_height(grain.site()) : 0;
   }
   return sum;
-}
-
-RC_GTEST_PROP(VoidsProperty, EveryStepEqualsTheReferenceStepOnAnyNumberOfThreads, ()) {
-  const Start start = any_start();
-  VoidModel reference = start.model({.reference = true});
-  VoidModel model = start.model();
-  VoidModel threaded = start.model({.threads = 3, .parallel_from = 1});
-  for (int step = 0; step < 60; ++step) {
-    const grains::StepReport report = reference.step();
-    for (VoidModel* other : {&model, &threaded}) {
-      const grains::StepReport same = other->step();
-      RC_ASSERT(same.moved == report.moved);
-      RC_ASSERT(same.removed == report.removed);
-      RC_ASSERT(same.settled == report.settled);
-      RC_ASSERT(other->state() == reference.state());
-    }
-  }
 }
 
 RC_GTEST_PROP(VoidsProperty, ARunGoesOnFromAnyOfItsStates, ()) {

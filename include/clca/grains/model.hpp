@@ -16,8 +16,8 @@ class Mechanics;
 
 /// How a model takes its steps.
 struct Options {
-  /// Number of threads, at least 1; does not affect the result. The contact model takes one. The
-  /// caller must check that they can be started (parallel::start_team): OpenMP ends the program
+  /// Number of threads, at least 1; does not affect the result. Only the automaton takes several.
+  /// The caller must check that they can be started (parallel::start_team): OpenMP ends the program
   /// otherwise.
   int threads = 1;
   /// Smallest number of particles that is worth several threads; none: as measured for the model.
