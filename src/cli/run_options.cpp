@@ -49,9 +49,10 @@ int threads_here(const RunCommonOptions& options) {
 
 void add_run_options(Command& command, RunCommonOptions& options) {
   command
-      .option("--threads", &options.threads,
-              "Threads; the result does not depend on it. Model contact takes one [1 for grains, "
-              "all for a gas]")
+      .option(
+          "--threads", &options.threads,
+          "Threads; the result does not depend on it. Of grains only the automaton takes more than "
+          "one [1 for grains, all for a gas]")
       .values(whole_number(1, 1024));
   command
       .option(
