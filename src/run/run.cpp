@@ -220,6 +220,12 @@ void Run::end_stage(StageEnd end) {
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
                          to_text(end)));
+  const auto* until = std::get_if<scene::UntilDischarged>(&stage().until);
+  if (until != nullptr && end == StageEnd::settled) {
+    log().info(
+        fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
+                    stage().name, 100 * history_.discharged_share(), 100 * until->share));
+  }
   for (const std::string& note : stages().back().notes) {
     log().info(fmt::format("stage {}: {}", stage().name, note));
   }

@@ -224,6 +224,20 @@ const std::vector<scene::Override> kTwoDrains = {
     "output={series: {every: 1}}",
     "outlets={left: {region: [0, 0, 15, 10]}, right: {region: [31, 0, 60, 10]}}"};
 
+TEST(Run, SaysHowMuchHasLeftIfAStageComesToRestBefore) {
+  const testing::ScratchFolder folder;
+  std::vector<scene::Override> overrides = kTwoDrains;
+  overrides.emplace_back("stages.flow.until={discharged: 1}");
+  const auto summary = run(small_scene(overrides), {.folder = folder.path()});
+  ASSERT_EQ(summary.stages.back().ended, "settled");
+  const double share = testing::measure_of(summary, "flow", "discharged_share");
+  const auto log = testing::bytes_of(folder.path() / "log.txt");
+  EXPECT_THAT(
+      std::string(log.begin(), log.end()),
+      ::testing::HasSubstr(fmt::format(
+          "stage flow: nothing moves any more, with {:.3g} % discharged, not 100 %", 100 * share)));
+}
+
 TEST(Run, CountsWhatLeavesByOutletAndSpecies) {
   const testing::ScratchFolder folder;
   const auto summary = run(small_scene(kTwoDrains), {.folder = folder.path()});
