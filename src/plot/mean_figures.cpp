@@ -11,8 +11,8 @@
 #include <numeric>
 
 #include "clca/run/quantity.hpp"
+#include "plot/figure_kinds.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/sweep_figures.hpp"
 
 namespace clca::plot {
 

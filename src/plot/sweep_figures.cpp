@@ -1,5 +1,3 @@
-#include "plot/sweep_figures.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +12,7 @@
 #include "clca/run/quantity.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
+#include "plot/figure_kinds.hpp"
 #include "plot/gnuplot.hpp"
 
 namespace clca::plot {

@@ -1,5 +1,5 @@
 #pragma once
-// Figures of a sweep: a measure against the varied keys.
+// What is drawn of a run or a sweep.
 
 #include <string>
 #include <vector>
@@ -8,6 +8,14 @@
 #include "plot/run_tables.hpp"
 
 namespace clca::plot {
+
+/// Those of a template, one for each of its divisions; none if the tables lack something. Throws
+/// StoreError.
+std::vector<Figure> template_figures(RunTables& tables, const Template& one);
+
+/// Of a run: one for each chosen column, with a curve for each value of another one. Throws
+/// StoreError, and text::InputError for a choice of what is not there.
+std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice);
 
 /// KEY=VALUE, KEY=VALUE of these columns for each row. Words of a single key that was chosen speak
 /// for themselves.
