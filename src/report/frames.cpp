@@ -238,7 +238,7 @@ std::string movies_html(const fs::path& run, std::uintmax_t& budget, Warnings& w
       continue;
     }
     try {
-      const auto bytes = store::read_whole(run / name, static_cast<double>(budget / 2));
+      const auto bytes = store::read_whole(run / name, static_cast<double>(budget) / 2);
       budget -= bytes.size();
       const std::string url = fmt::format("data:{};base64,{}", type->second, base64(bytes));
       const std::string what =
