@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/random/draw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
@@ -200,6 +201,13 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     particle.column = site.column;
     particle.row = site.row;
     particle.kind = same->kind;
+    if (scene.model == scene::Model::baxter) {
+      particle.kind += scene.model == other.scene.model
+                           ? baxter::axis_of(there.particles[id])
+                           : random::below(random::draw(scene.seed, 0, state.particles.size(),
+                                                        random::Purpose::deposit_kind),
+                                           baxter::kAxes);
+    }
     if (scene.model != other.scene.model) {
       particle.previous = grains::kRest;
     }
