@@ -97,9 +97,8 @@ Choice Rule::choice(std::uint32_t id) const {
   const std::array<bool, kVelocities> is_open = open(grain.site());
   const Energies energies = neighbour_energies(grain.site());
   const bool can_fall = is_open[velocity_of(Direction::down)];
-  const bool can_descend = std::any_of(kDownward.begin(), kDownward.end(), [&](Direction one) {
-    return is_open[velocity_of(one)];
-  });
+  const bool can_descend = std::any_of(kDownward.begin(), kDownward.end(),
+                                       [&](Direction one) { return is_open[velocity_of(one)]; });
   // A place after the least energy: worse ties first.
   const auto rank = [&grain](const Choice& one) {
     return std::tuple(one.energy, one.velocity != grains::kRest, one.axis != axis_of(grain));
@@ -140,12 +139,12 @@ std::vector<Choice> Rule::winners(const std::vector<Choice>& choices) const {
   std::vector<Claim> claims;
   for (const Choice& one : choices) {
     if (one.velocity != grains::kRest) {
-      const lattice::Site target = box_.state.particles[one.id].site() +
-                                   unit(static_cast<Direction>(one.velocity));
-      claims.push_back({box_.state.lattice.index(target), one.energy,
-                        random::draw(box_.state.seed, box_.state.step, one.id,
-                                     random::Purpose::contested_site),
-                        &one});
+      const lattice::Site target =
+          box_.state.particles[one.id].site() + unit(static_cast<Direction>(one.velocity));
+      claims.push_back(
+          {box_.state.lattice.index(target), one.energy,
+           random::draw(box_.state.seed, box_.state.step, one.id, random::Purpose::contested_site),
+           &one});
     }
   }
   const auto key = [](const Claim& one) {

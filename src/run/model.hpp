@@ -40,8 +40,7 @@ bool has_vessel(const scene::Scene& scene);
 
 using AnyModel = std::variant<automaton::Automaton, contact::ContactModel, voids::VoidModel,
                               baxter::BaxterModel>;
-using AnyRules =
-    std::variant<automaton::Rules, contact::Parameters, voids::Rules, baxter::Rules>;
+using AnyRules = std::variant<automaton::Rules, contact::Parameters, voids::Rules, baxter::Rules>;
 
 class Model {
  public:

@@ -1,6 +1,10 @@
 // The keys at the top, of both kinds of scenes.
 
+#include <fmt/ranges.h>
+
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -107,17 +111,16 @@ Keys<Scene> scene_keys() {
 
 /// A key of one model goes with that alone; without `model` it is the automaton.
 std::string model_conditions() {
-  Json dependencies = Json::object();
+  std::vector<std::string> conditions;
   for (const AnyKey& key : scene_keys()) {
     if (key.model) {
-      Json& condition = dependencies[key.name];
-      condition["properties"]["model"]["const"] = name_of(kModelNames, *key.model);
-      if (*key.model != Model::automaton) {
-        condition["required"] = {"model"};
-      }
+      conditions.push_back(
+          fmt::format(R"("{}": {{{}"properties": {{"model": {{"const": "{}"}}}}}})", key.name,
+                      *key.model == Model::automaton ? "" : R"("required": ["model"], )",
+                      name_of(kModelNames, *key.model)));
     }
   }
-  return Json{{"dependencies", dependencies}}.dump();
+  return fmt::format(R"({{"dependencies": {{{}}}}})", fmt::join(conditions, ", "));
 }
 
 Keys<BoltzmannScene> boltzmann_keys() {

@@ -14,8 +14,8 @@ inline constexpr int kMaxPower = 6;
 inline constexpr double kMaxGravity = 1000;
 
 struct Rules {
-  int power = 1;            ///< of the energy of unlike velocities, 0 to kMaxPower
-  double gravity = 3;       ///< energy of a grain that does not go down where it can, to kMaxGravity
+  int power = 3;       ///< of the energy of unlike velocities, 0 to kMaxPower
+  double gravity = 3;  ///< energy of a grain that does not go down where it can, to kMaxGravity
   double like_axes = 0.01;  ///< in [0, 1]: factor of the energy of neighbours with equal axes
 
   bool operator==(const Rules&) const = default;
@@ -30,8 +30,8 @@ constexpr std::uint16_t axis_of(const grains::Particle& particle) {
 /// These species of one site along all axes, in the order of axis_of().
 std::vector<grains::Kind> kinds_along_axes(std::uint16_t species);
 
-/// The velocity of a grain is its last move, its axis is its kind. Takes its steps as it is defined,
-/// on one thread, whatever the options.
+/// The velocity of a grain is its last move, its axis is its kind. Takes its steps as it is
+/// defined, on one thread, whatever the options.
 class BaxterModel : public grains::Model {
  public:
   /// Throws std::invalid_argument if the state is not valid (see grains::check_valid,

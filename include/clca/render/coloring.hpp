@@ -51,7 +51,7 @@ struct ColorBarEnds {
 struct BySpecies {};
 struct ById {};
 struct ByAxis {};  ///< of the Baxter model
-struct ByForce {  ///< overlapped sites
+struct ByForce {   ///< overlapped sites
   ColorBarEnds range;
 };
 struct ByValue {
