@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -99,7 +98,7 @@ Choice Rule::choice(std::uint32_t id) const {
   const bool can_fall = is_open[velocity_of(Direction::down)];
   const bool can_descend = std::any_of(kDownward.begin(), kDownward.end(),
                                        [&](Direction one) { return is_open[velocity_of(one)]; });
-  // A place after the least energy: worse ties first.
+  // The least is chosen.
   const auto rank = [&grain](const Choice& one) {
     return std::tuple(one.energy, one.velocity != grains::kRest, one.axis != axis_of(grain));
   };
