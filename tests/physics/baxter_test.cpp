@@ -27,7 +27,7 @@ Flow flow(double like_axes) {
 
 // No number of Baxter & Behringer is known to us. Those here are of a prototype of the same rule,
 // written before it in another language, 3 seeds: order 0.87, outflow 5.47 ± 0.02. The seeds here
-// give 0.848 to 0.853 and 5.34 to 5.46. Four standard deviations of the seeds or the difference
+// give 0.848 to 0.854 and 5.34 to 5.46. Four standard deviations of the seeds or the difference
 // between the two programs, whichever is more, fit the windows.
 TEST(Baxter, AnEnergyOfAxesBringsOrderAndASteadyFlow) {
   const Flow with = flow(0.01);
@@ -37,7 +37,7 @@ TEST(Baxter, AnEnergyOfAxesBringsOrderAndASteadyFlow) {
   }
 }
 
-// Likewise: order 0.32, two of three seeds in pulses of 2.6. Here 0.325 to 0.338 (a third at
+// Likewise: order 0.32, two of three seeds in pulses of 2.6. Here 0.323 to 0.336 (a third at
 // random; 15,000 pairs have a standard deviation of 0.004), and 3.4, 2.2, 3.7.
 TEST(Baxter, WithoutItThereIsNoOrderAndTheFlowPulsates) {
   const Flow without = flow(1);
