@@ -30,7 +30,7 @@ auto readable(Read read) {
 }  // namespace
 
 store::RunSummary read_run(const std::filesystem::path& run,
-                           std::initializer_list<std::string_view> kinds) {
+                           const std::vector<std::string>& kinds) {
   store::RunSummary summary = readable([&] { return store::read_summary(run / "run.json"); });
   if (std::find(kinds.begin(), kinds.end(), summary.kind) == kinds.end()) {
     throw CompareError(fmt::format("{}: expected a run of kind {}, found {}", run.string(),

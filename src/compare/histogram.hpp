@@ -14,8 +14,7 @@
 namespace clca::compare {
 
 /// The summary of the run in a folder if it is of one of these kinds. Throws CompareError.
-store::RunSummary read_run(const std::filesystem::path& run,
-                           std::initializer_list<std::string_view> kinds);
+store::RunSummary read_run(const std::filesystem::path& run, const std::vector<std::string>& kinds);
 
 /// A whole text as a number; nothing for any other text, and for NaN and infinities.
 std::optional<double> number(const std::string& text);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "clca/scene/format.hpp"
 #include "compare/histogram.hpp"
 #include "compare/read_runs.hpp"
 
@@ -53,7 +54,7 @@ std::uint64_t sample_count(const fs::path& run, const store::StageSummary& stage
 }  // namespace
 
 AutomatonSide read_automaton(const fs::path& run, const RunChoice& choice) {
-  const store::RunSummary summary = read_run(run, {"automaton", "contact", "voids"});
+  const store::RunSummary summary = read_run(run, scene::words_of("model"));
   const store::StageSummary& stage = chosen_stage(run, summary, choice.stage);
   const Histogram table(fluctuation_file(run, stage.name));
   const std::uint64_t samples = sample_count(run, stage);

@@ -32,11 +32,12 @@ Eigen::Vector2d last_move(grains::Move move) {
   return lattice::position(lattice::unit(static_cast<lattice::Direction>(move)));
 }
 
+constexpr int kDegreesPerTurn = 60;
+
 /// The first orientation of the species that gives this kind, in degrees.
 int degrees_of(const scene::Species& species, const grains::Kind& kind) {
   const auto found =
       std::find_if(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
-        constexpr int kDegreesPerTurn = 60;
         return species.shape.rotated(degrees / kDegreesPerTurn).congruent(kind.shape);
       });
   return found != species.orientations.end() ? *found : 0;
@@ -95,12 +96,15 @@ double time_step(const scene::Scene& scene) {
 std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
                                              const std::vector<grains::Kind>& kinds) {
   std::vector<KindAppearance> looks;
-  for (const grains::Kind& kind : kinds) {
+  for (std::size_t number = 0; number < kinds.size(); ++number) {
+    const grains::Kind& kind = kinds[number];
     const scene::Species& species = scene.species[kind.species];
     const auto same_species =
         std::count_if(kinds.begin(), kinds.end(),
                       [&](const grains::Kind& other) { return other.species == kind.species; });
-    const int degrees = degrees_of(species, kind);
+    const int degrees = scene.model == scene::Model::baxter
+                            ? kDegreesPerTurn * static_cast<int>(number % baxter::kAxes)
+                            : degrees_of(species, kind);
     looks.push_back(
         {.name = same_species > 1 ? fmt::format("{}@{}", species.name, degrees) : species.name,
          .species = kind.species,

@@ -126,6 +126,16 @@ void check_valid(const State& state) {
   check_pushes(state);
 }
 
+void check_one_site(const State& state) {
+  for (const Kind& kind : state.kinds) {
+    require(kind.shape.size() == 1, "grains of this model have one site");
+  }
+  for (const Wall& wall : state.walls) {
+    require(!wall.motion, "this model has no walls that move");
+  }
+  require(state.pushes.empty(), "this model has no walls that move");
+}
+
 void check_reachable(const State& state, const State& beginning) {
   require(state.walls.size() == beginning.walls.size() &&
               state.sources.size() == beginning.sources.size() &&

@@ -187,6 +187,15 @@ Coloring color_by_value(std::vector<double> values, std::string label, const Col
   return by_map(ByValue{std::move(values), range}, std::move(label), range);
 }
 
+Coloring color_by_axis() {
+  Coloring result = {.rule = ByAxis{}, .palette = {}, .legend = {}};
+  for (const char* axis : {"axis upright", "60°", "120°"}) {
+    result.palette.push_back(palette_color(result.palette.size()));
+    result.legend.patches.push_back({axis, result.palette.back()});
+  }
+  return result;
+}
+
 Coloring color_by_id() {
   Coloring result = {.rule = ById{}, .palette = {}, .legend = {}};
   for (std::size_t id = 0; id < kIdShades; ++id) {

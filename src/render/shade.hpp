@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "clca/baxter/baxter_model.hpp"
 #include "clca/render/coloring.hpp"
 
 namespace clca::render {
@@ -20,6 +21,9 @@ struct Shading {
 
   std::size_t shade(const BySpecies& /*rule*/, std::size_t id) const {
     return state.kinds[state.particles[id].kind].species;
+  }
+  std::size_t shade(const ByAxis& /*rule*/, std::size_t id) const {
+    return baxter::axis_of(state.particles[id]);
   }
   static std::size_t shade(const ById& /*rule*/, std::size_t id) { return id % kIdShades; }
   /// No colour of the map for no sites.

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
+#include <string_view>
 
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
@@ -18,12 +20,23 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxSceneText = 256 << 10;
 
+/// Null if it is of no run.
+const char* kind_text(const store::RunSummary& summary) {
+  static const std::map<std::string_view, const char*> kTexts = {
+      {"automaton", "Granular cellular automaton"},
+      {"contact", "Lattice contact dynamics"},
+      {"voids", "Rising voids"},
+      {"baxter", "Elongated grains, Baxter & Behringer"},
+      {"boltzmann", "Gas of rough spheres, Boltzmann equation"}};
+  const auto found = kTexts.find(summary.kind);
+  return found != kTexts.end() ? found->second : nullptr;
+}
+
 store::RunSummary summary_of(const fs::path& run) {
   try {
     const fs::path file = run / "run.json";
     store::RunSummary summary = store::read_summary(file);
-    const auto kinds = {"automaton", "contact", "voids", "boltzmann"};
-    if (std::find(kinds.begin(), kinds.end(), summary.kind) == kinds.end()) {
+    if (kind_text(summary) == nullptr) {
       throw store::StoreError(fmt::format("cannot read {}: no report of a run of kind '{}'",
                                           file.string(), summary.kind));
     }
@@ -47,16 +60,6 @@ std::string read_scene_text(const fs::path& run, Warnings& warnings) {
 
 bool is_gas(const store::RunSummary& summary) {
   return summary.kind == "boltzmann";
-}
-
-const char* kind_text(const store::RunSummary& summary) {
-  if (is_gas(summary)) {
-    return "Gas of rough spheres, Boltzmann equation";
-  }
-  if (summary.kind == "voids") {
-    return "Rising voids";
-  }
-  return summary.kind == "contact" ? "Lattice contact dynamics" : "Granular cellular automaton";
 }
 
 std::vector<std::pair<const char*, std::string>> facts_of(const store::RunSummary& summary) {

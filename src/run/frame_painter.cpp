@@ -231,6 +231,8 @@ render::Coloring FramePainter::plain_coloring(const View& view,
     }
     case scene::ColorBy::id:
       return render::color_by_id();
+    case scene::ColorBy::axis:
+      return render::color_by_axis();
     case scene::ColorBy::force:
       return view.contact ? render::color_by_value(
                                 contact::loads(state.particles.size(), view.contact->forces),

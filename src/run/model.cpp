@@ -22,6 +22,9 @@ AnyModel make_model(const AnyRules& rules, ModelState state, const grains::Optio
   if (const auto* voids = std::get_if<voids::Rules>(&rules)) {
     return voids::VoidModel(std::move(grains), *voids, options);
   }
+  if (const auto* baxter = std::get_if<baxter::Rules>(&rules)) {
+    return baxter::BaxterModel(std::move(grains), *baxter, options);
+  }
   return automaton::Automaton(std::move(grains), std::get<automaton::Rules>(rules), options);
 }
 
@@ -35,6 +38,9 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
       rules.sieve.push_back(species.sieve);
     }
     return rules;
+  }
+  if (scene.model == scene::Model::baxter) {
+    return scene.baxter;
   }
   return stage.rules.value_or(scene.rules);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/baxter/baxter_model.hpp"
 #include "clca/contact/contact_model.hpp"
 #include "clca/contact/force.hpp"
 #include "clca/reflection/columns.hpp"
@@ -37,8 +38,9 @@ ModelState saved_state(const scene::Scene& scene, const reflection::Columns& col
 /// Whether the vessel is tilted or moves in some stage.
 bool has_vessel(const scene::Scene& scene);
 
-using AnyModel = std::variant<automaton::Automaton, contact::ContactModel, voids::VoidModel>;
-using AnyRules = std::variant<automaton::Rules, contact::Parameters, voids::Rules>;
+using AnyModel = std::variant<automaton::Automaton, contact::ContactModel, voids::VoidModel,
+                              baxter::BaxterModel>;
+using AnyRules = std::variant<automaton::Rules, contact::Parameters, voids::Rules, baxter::Rules>;
 
 class Model {
  public:

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/random/draw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
@@ -179,6 +180,13 @@ std::vector<std::size_t> present_ids(const grains::State& state) {
   return ids;
 }
 
+/// Of the grain that comes next, as if it were deposited.
+std::uint16_t drawn_axis(const grains::State& state) {
+  const auto id = static_cast<std::uint32_t>(state.particles.size());
+  return static_cast<std::uint16_t>(
+      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), baxter::kAxes));
+}
+
 void take_grains(const scene::Scene& scene, const OtherRun& other,
                  const std::vector<std::size_t>& ids, grains::State& state) {
   const grains::State& there = grains_of(other.state);
@@ -200,6 +208,12 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     particle.column = site.column;
     particle.row = site.row;
     particle.kind = same->kind;
+    if (scene.model == scene::Model::baxter) {
+      const std::uint16_t axis = other.scene.model == scene.model
+                                     ? baxter::axis_of(there.particles[id])
+                                     : drawn_axis(state);
+      particle.kind = static_cast<std::uint16_t>(same->kind + axis);
+    }
     if (scene.model != other.scene.model) {
       particle.previous = grains::kRest;
     }

@@ -11,6 +11,7 @@
 
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/scene/format.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
@@ -28,19 +29,6 @@
 namespace clca::run {
 
 namespace {
-
-/// As run.json calls it.
-std::string kind_of(const scene::Scene& scene) {
-  switch (scene.model) {
-    case scene::Model::automaton:
-      return "automaton";
-    case scene::Model::contact:
-      return "contact";
-    case scene::Model::voids:
-      return "voids";
-  }
-  return "";
-}
 
 class Run : public RunBase {
  public:
@@ -63,7 +51,7 @@ class Run : public RunBase {
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       ModelState state)
-      : RunBase({.kind = kind_of(scene),
+      : RunBase({.kind = std::string(scene::name_of_model(scene.model)),
                  .scene = scene.name,
                  .title = scene.title,
                  .seed = scene.seed,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "clca/measure/axis_order.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
@@ -86,6 +87,13 @@ Values intruder(const StageView& stage) {
   return height ? Values{*height} : Values{};
 }
 
+Values axis_order(const StageView& stage) {
+  if (stage.scene.model != scene::Model::baxter) {
+    return {};
+  }
+  return {store::value_or_null(measure::axis_order(stage.model.state()))};
+}
+
 std::vector<QuantityGroup> made_groups() {
   using scene::Measure;
   std::vector<QuantityGroup> groups = {
@@ -128,7 +136,12 @@ std::vector<QuantityGroup> made_groups() {
   add(outflow_quantities());
   add(force_quantities());
   add({{Measure::segregation, "several species", {kSegregationIndex, kLaceyIndex}, segregation},
-       {Measure::intruder, "a single particle of a species", {kIntruderHeight}, intruder}});
+       {Measure::intruder, "a single particle of a species", {kIntruderHeight}, intruder},
+       {Measure::axis_order,
+        "with `model: baxter`",
+        {{"axis_order", "Order of axes", "",
+          "share of the pairs of neighbouring grains with the same axis; a third at random"}},
+        axis_order}});
   for (const ObserverKind& kind : observer_kinds()) {
     add(kind.quantities);
   }

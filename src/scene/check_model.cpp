@@ -12,6 +12,7 @@
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/geometry.hpp"
+#include "scene/names.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
@@ -60,27 +61,27 @@ void check_shapes(const Scene& scene, const Value& species) {
   }
 }
 
-/// A void is one site, and takes the place of a whole grain.
+/// In models of one site: a void takes the place of a whole grain.
 void check_single_sites(const Scene& scene, const Value& species) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const std::size_t sites = scene.species[i].shape.size();
     if (sites != 1) {
       fail(species.entries[i].location,
-           fmt::format("species.{}: grains of model voids have one site, these have {}; give it "
+           fmt::format("species.{}: grains of model {} have one site, these have {}; give it "
                        "'shape: {{hexagon: 0}}'",
-                       scene.species[i].name, sites));
+                       scene.species[i].name, name_of(kModelNames, scene.model), sites));
     }
   }
 }
 
-void check_standing(const Value& root) {
+void check_standing(const Scene& scene, const Value& root) {
   if (const Value* walls = root.find("walls")) {
     for (const Entry& wall : walls->entries) {
       if (const Value* motion = wall.value.find("motion")) {
         fail(motion->location,
-             fmt::format("walls.{}.motion: model voids has no walls that move, model automaton "
+             fmt::format("walls.{}.motion: model {} has no walls that move, model automaton "
                          "does; remove it, or say 'model: automaton'",
-                         wall.key));
+                         wall.key, name_of(kModelNames, scene.model)));
       }
     }
   }
@@ -153,9 +154,9 @@ void check_model(const Scene& scene, const Value& root) {
     check_able(root);
     check_shapes(scene, *root.find("species"));
     check_periodic_width(scene, *root.find("box"));
-  } else if (scene.model == Model::voids) {
+  } else if (scene.model != Model::automaton) {
     check_single_sites(scene, *root.find("species"));
-    check_standing(root);
+    check_standing(scene, root);
   }
 }
 

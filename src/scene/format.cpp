@@ -249,6 +249,10 @@ std::string_view name_of_measure(Measure measure) {
   return name_of(kMeasureNames, measure);
 }
 
+std::string_view name_of_model(Model model) {
+  return name_of(kModelNames, model);
+}
+
 std::string json_schema() {
   Json schema = Json::parse(R"({
     "$schema": "http://json-schema.org/draft-07/schema#",

@@ -44,7 +44,12 @@ void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
          fmt::format("{}: {} goes with model: contact", fields.path("color_by"),
                      name_of(kColorByNames, frames.color_by)));
   }
-  constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id};
+  if (frames.color_by == ColorBy::axis && scene.model != Model::baxter) {
+    fail(fields.at("color_by").location,
+         fmt::format("{}: axis goes with model: baxter", fields.path("color_by")));
+  }
+  constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id,
+                                      ColorBy::axis};
   if (frames.range &&
       std::find(kWithoutBar.begin(), kWithoutBar.end(), frames.color_by) != kWithoutBar.end()) {
     fail(fields.at("range").location,

@@ -1,6 +1,10 @@
 // The keys at the top, of both kinds of scenes.
 
+#include <fmt/ranges.h>
+
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -60,8 +64,8 @@ Keys<Scene> scene_keys() {
   Keys<Scene> keys = first_keys<Scene>();
   keys.add(
       {key("model", &Scene::model, choice(kModelNames),
-           "what moves the grains: rules, velocities and the friction of contacts, or voids that "
-           "rise; [model](#model)"),
+           "what moves the grains: rules, velocities and the friction of contacts, voids that "
+           "rise, or energies of velocities and axes; [model](#model)"),
        key("begin", &Scene::begin, begin_type(),
            "the state of another run that this one begins with: [begin](#begin)")
            .defaults_to("an empty box"),
@@ -77,6 +81,10 @@ Keys<Scene> scene_keys() {
            .defaults_to("that of each of its keys"),
        key("voids", &Scene::voids, voids_type(), "which grains rising voids take: [voids](#voids)")
            .of(Model::voids)
+           .defaults_to("that of each of its keys"),
+       key("baxter", &Scene::baxter, baxter_type(),
+           "which velocities and axes grains choose: [baxter](#baxter)")
+           .of(Model::baxter)
            .defaults_to("that of each of its keys"),
        key("units", &Scene::units, units_type(),
            "the length of a lattice spacing, gravity: [units](#units)")
@@ -101,6 +109,20 @@ Keys<Scene> scene_keys() {
   return keys;
 }
 
+/// A key of one model goes with that alone; without `model` it is the automaton.
+std::string model_conditions() {
+  std::vector<std::string> conditions;
+  for (const AnyKey& key : scene_keys()) {
+    if (key.model) {
+      conditions.push_back(
+          fmt::format(R"("{}": {{{}"properties": {{"model": {{"const": "{}"}}}}}})", key.name,
+                      *key.model == Model::automaton ? "" : R"("required": ["model"], )",
+                      name_of(kModelNames, *key.model)));
+    }
+  }
+  return fmt::format(R"({{"dependencies": {{{}}}}})", fmt::join(conditions, ", "));
+}
+
 Keys<BoltzmannScene> boltzmann_keys() {
   Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
   keys.add({boltzmann_block(), boltzmann_output()});
@@ -110,13 +132,9 @@ Keys<BoltzmannScene> boltzmann_keys() {
 }  // namespace
 
 const Type<Scene>& scene_type() {
-  static const Type<Scene> kType = type_of<Scene>({.keys = scene_keys(), .conditions = R"({
-    "dependencies": {
-      "contact": {"required": ["model"], "properties": {"model": {"const": "contact"}}},
-      "units": {"required": ["model"], "properties": {"model": {"const": "contact"}}},
-      "voids": {"required": ["model"], "properties": {"model": {"const": "voids"}}},
-      "rules": {"not": {"required": ["model"],
-                        "properties": {"model": {"enum": ["contact", "voids"]}}}}}})"});
+  static const std::string kConditions = model_conditions();
+  static const Type<Scene> kType =
+      type_of<Scene>({.keys = scene_keys(), .conditions = kConditions});
   return kType;
 }
 

@@ -16,8 +16,10 @@ struct Named {
   T value;
 };
 
-inline constexpr std::array<Named<Model>, 3> kModelNames = {
-    {{"automaton", Model::automaton}, {"contact", Model::contact}, {"voids", Model::voids}}};
+inline constexpr std::array<Named<Model>, 4> kModelNames = {{{"automaton", Model::automaton},
+                                                             {"contact", Model::contact},
+                                                             {"voids", Model::voids},
+                                                             {"baxter", Model::baxter}}};
 inline constexpr std::array<Named<contact::Rolling>, 3> kRollingNames = {
     {{"none", contact::Rolling::none},
      {"resistance", contact::Rolling::resistance},
@@ -49,7 +51,7 @@ inline constexpr std::array<Named<bool>, 2> kShakeDirectionNames = {
     {{"vertical", false}, {"horizontal", true}}};
 inline constexpr std::array<Named<grains::Passive>, 2> kPassiveNames = {
     {{"rigid", grains::Passive::rigid}, {"overlap", grains::Passive::overlap}}};
-inline constexpr std::array<Named<Measure>, 12> kMeasureNames = {
+inline constexpr std::array<Named<Measure>, 13> kMeasureNames = {
     {{"profile", Measure::profile},
      {"repose", Measure::repose},
      {"runout", Measure::runout},
@@ -60,9 +62,10 @@ inline constexpr std::array<Named<Measure>, 12> kMeasureNames = {
      {"segregation", Measure::segregation},
      {"intruder", Measure::intruder},
      {"convection", Measure::convection},
+     {"axis_order", Measure::axis_order},
      {"mixing", Measure::mixing},
      {"weight_paths", Measure::weight_paths}}};
-inline constexpr std::array<Named<ColorBy>, 9> kColorByNames = {
+inline constexpr std::array<Named<ColorBy>, 10> kColorByNames = {
     {{"species", ColorBy::species},
      {"stage_layer", ColorBy::stage_layer},
      {"displacement", ColorBy::displacement},
@@ -70,6 +73,7 @@ inline constexpr std::array<Named<ColorBy>, 9> kColorByNames = {
      {"spin", ColorBy::spin},
      {"coordination", ColorBy::coordination},
      {"id", ColorBy::id},
+     {"axis", ColorBy::axis},
      {"force", ColorBy::force},
      {"pressure", ColorBy::pressure}}};
 inline constexpr std::array<Named<Drawing>, 3> kDrawingNames = {

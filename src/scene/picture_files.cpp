@@ -37,13 +37,13 @@ class PictureReader {
 
  private:
   void read(Value& value) {
-    constexpr std::size_t kRowBytes = 14;  // beside the pixels, in the resolved scene
+    constexpr std::size_t kPixelRowBytes = 14;  // beside the pixels, in the resolved scene
     std::shared_ptr<const PictureFile>& known = files_[file_at(folder_, value.text)];
     if (!known) {
       known = std::make_shared<const PictureFile>(read_file(file_at(folder_, value.text)));
     }
     const auto width = static_cast<std::size_t>(known->image.width);
-    text_bytes_ += (width + kRowBytes) * static_cast<std::size_t>(known->image.height);
+    text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
     if (text_bytes_ > kMaxSceneBytes) {
       fail(value.location,
            fmt::format("with this picture the rows of all pictures are larger than {} MiB",

@@ -22,6 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
+using ::testing::UnorderedElementsAre;
 using Lines = std::vector<std::string>;
 
 Lines lines_of(const std::string& text) {
@@ -107,7 +108,7 @@ TEST(Completion, WorksInBash) {
   EXPECT_THAT(in_bash("rep"), ElementsAre("report"));
   EXPECT_THAT(in_bash("run --set rules.inertia=0 wall"), ElementsAre("wall-removal"));
   EXPECT_THAT(in_bash("run --set rules.in"), ElementsAre("rules.inertia="));
-  EXPECT_THAT(in_bash("run --set model="), ElementsAre("automaton", "contact", "voids"));
+  EXPECT_THAT(in_bash("run --set model="), ElementsAre("automaton", "contact", "voids", "baxter"));
   EXPECT_THAT(in_bash("render "), IsSupersetOf({"_clca", "clca.fish"}));
 }
 
@@ -123,8 +124,8 @@ TEST(Completion, WorksInFish) {
   EXPECT_THAT(
       in_fish("rep"),
       ElementsAre("report\tWrite a page about a run or a sweep: measures, figures, pictures"));
-  EXPECT_THAT(in_fish("run --set model="),
-              ElementsAre("model=automaton", "model=contact", "model=voids"));
+  EXPECT_THAT(in_fish("run --set model="), UnorderedElementsAre("model=automaton", "model=contact",
+                                                                "model=voids", "model=baxter"));
   EXPECT_THAT(in_fish("render "), IsSupersetOf({"_clca", "clca.fish"}));
 }
 
@@ -142,7 +143,7 @@ TEST(Completion, WorksInZsh) {
                           arguments);
   };
   EXPECT_THAT(in_zsh("run --set model="),
-              ElementsAre("model=automaton", "model=contact", "model=voids"));
+              ElementsAre("model=automaton", "model=contact", "model=voids", "model=baxter"));
   EXPECT_THAT(in_zsh("run --set rules.in"), ElementsAre(HasSubstr("rules.inertia=:probability")));
   EXPECT_THAT(in_zsh("render "), IsSupersetOf({"_clca", "clca.fish"}));
 }

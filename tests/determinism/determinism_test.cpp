@@ -91,9 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, Determinism,
     ::testing::Values("wall-removal", "wall-removal/ties-by-direction", "wall-removal/scatter",
                       "wall-removal/gravity-first", "silo-collapse", "heap", "silo-discharge",
-                      "two-orifices", "outlet", "outlet/voids", "mixing", "hopper", "hopper-sizes",
-                      "pattern", "clogging", "collapse-aspect", "brazil-nut", "segregation",
-                      "convection", "avalanche-taps", "plate-penetration", "piston",
+                      "two-orifices", "outlet", "outlet/voids", "outlet/baxter", "mixing", "hopper",
+                      "hopper-sizes", "pattern", "clogging", "collapse-aspect", "brazil-nut",
+                      "segregation", "convection", "avalanche-taps", "plate-penetration", "piston",
                       "boltzmann-case1", "boltzmann-case2", "boltzmann-epsilon-sweep",
                       "boltzmann-late", "boltzmann-shear"));
 

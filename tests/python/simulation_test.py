@@ -20,6 +20,8 @@ VOIDS = SCENE | {
     ],
 }
 
+BAXTER = VOIDS | {"model": "baxter"}
+
 # A heap that grows from a source and runs out through an outlet, into a second stage without the source.
 SOURCE = {
     "clca": 1,
@@ -42,7 +44,7 @@ def numbers(measures):
 
 class SimulationTest(ScratchTest):
     def test_it_has_the_bits_and_the_measures_of_a_run(self):
-        for number, scene in enumerate([SCENE, CONTACT, VOIDS, SOURCE]):
+        for number, scene in enumerate([SCENE, CONTACT, VOIDS, BAXTER, SOURCE]):
             run = clca.run(scene, output=f"run{number}")
             simulation = clca.Simulation(scene)
             while simulation.step():

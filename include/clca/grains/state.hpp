@@ -192,6 +192,9 @@ std::uint64_t hash(const State& state);
 /// that particles do not overlap.
 void check_valid(const State& state);
 
+/// Throws std::invalid_argument unless every kind has one site and no wall has a motion.
+void check_one_site(const State& state);
+
 /// Throws std::invalid_argument unless a run that started from `beginning` can reach the state.
 void check_reachable(const State& state, const State& beginning);
 

@@ -26,6 +26,8 @@ enum class Purpose : std::uint32_t {
   void_coin = 18,
   weight_pair = 19,
   weight_share = 20,
+  equal_energy = 21,
+  contested_site = 22,
   // For the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,

@@ -50,7 +50,8 @@ struct ColorBarEnds {
 // Rules that choose the shade of a particle.
 struct BySpecies {};
 struct ById {};
-struct ByForce {  ///< overlapped sites
+struct ByAxis {};  ///< of the Baxter model
+struct ByForce {   ///< overlapped sites
   ColorBarEnds range;
 };
 struct ByValue {
@@ -65,7 +66,7 @@ struct ByLayer {
   LayerRange range;
   std::vector<double> centroids;  ///< heights above the reference site by kind, lattice spacings
 };
-using ShadeRule = std::variant<BySpecies, ById, ByForce, ByValue, ByDisplacement, ByLayer>;
+using ShadeRule = std::variant<BySpecies, ById, ByAxis, ByForce, ByValue, ByDisplacement, ByLayer>;
 
 /// A particle has one of a few colours (its shade), which depends on the particle and its sites
 /// only. So a picture needs only the shades of the particles it shows.
@@ -98,5 +99,7 @@ Coloring color_by_force(const ColorBarEnds& range);
 Coloring color_by_value(std::vector<double> values, std::string label, const ColorBarEnds& range);
 /// By id; neighbouring ids have distinct colours.
 Coloring color_by_id();
+/// By the axis of grains of the Baxter model.
+Coloring color_by_axis();
 
 }  // namespace clca::render

@@ -38,8 +38,9 @@ std::vector<std::string> words_of(std::string_view path);
 /// have their path in front, from the first map where they are inside it. Throws UnknownKeyError.
 std::string markdown_table(const std::vector<std::string>& paths);
 
-/// As scenes write it: `repose`.
+/// As scenes write them: `repose`, `contact`.
 std::string_view name_of_measure(Measure measure);
+std::string_view name_of_model(Model model);
 
 /// JSON Schema, draft 07, of both kinds of scenes.
 std::string json_schema();

@@ -34,6 +34,7 @@ enum class Measure : std::uint8_t {
   segregation,
   intruder,
   convection,
+  axis_order,
   mixing,
   weight_paths
 };
@@ -57,6 +58,7 @@ enum class ColorBy : std::uint8_t {
   spin,
   coordination,
   id,
+  axis,
   force,
   pressure
 };

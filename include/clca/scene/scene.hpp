@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clca/automaton/rules.hpp"
+#include "clca/baxter/baxter_model.hpp"
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
@@ -73,7 +74,7 @@ struct Species {
 };
 
 /// The model that moves the grains.
-enum class Model : std::uint8_t { automaton, contact, voids };
+enum class Model : std::uint8_t { automaton, contact, voids, baxter };
 
 /// Real units of the contact model.
 struct Units {
@@ -271,6 +272,7 @@ struct Scene {
   automaton::Rules rules;        ///< of Model::automaton
   contact::Parameters contact;   ///< of Model::contact
   voids::Rules voids;            ///< of Model::voids; the species have the sieve
+  baxter::Rules baxter;          ///< of Model::baxter
   std::optional<Units> units;    ///< of Model::contact
   std::vector<Wall> walls;
   std::vector<Source> sources;

@@ -21,8 +21,8 @@ struct Rules {
 class VoidModel : public grains::Model {
  public:
   /// Throws std::invalid_argument if the state is not valid (see grains::check_valid,
-  /// grains::Occupancy), a kind has more than one site, a wall has a motion, a weight is out of
-  /// range, a species has none, or the number of threads is not positive.
+  /// grains::check_one_site, grains::Occupancy), a weight is out of range, a species has none, or
+  /// the number of threads is not positive.
   explicit VoidModel(grains::State state, const Rules& rules = {}, const Options& options = {});
 
   const grains::State& state() const { return grains(); }

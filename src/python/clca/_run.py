@@ -31,7 +31,7 @@ class Stage(NamedTuple):
 class Run:
     """A run folder. Tables and frames are read when they are asked for."""
 
-    kind: str  #: automaton, contact, voids or boltzmann
+    kind: str  #: automaton, contact, voids, baxter or boltzmann
     scene: str  #: its name
     title: str
     version: str  #: of clca

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
@@ -179,6 +180,23 @@ TEST_F(OtherRunTest, GoesFromEitherModelToTheOther) {
   pack({"model=contact", "contact={rolling: none}"});
   EXPECT_EQ(run(flow(), {.folder = path("back"), .overwrite = true}).stages.front().ended,
             "settled");
+}
+
+TEST_F(OtherRunTest, GrainsWithAnAxisKeepItAndThoseWithoutGetOne) {
+  const std::string one_site = "species={small: {shape: {hexagon: 0}}}";
+  const auto axes = [](const ModelState& state) {
+    std::vector<std::uint16_t> result;
+    for (const grains::Particle& particle : grains_of(state).particles) {
+      result.push_back(baxter::axis_of(particle));
+    }
+    return result;
+  };
+  const std::vector<scene::Override> baxter = {"model=baxter", one_site};
+  pack({"model=baxter", one_site, "stages.packing.fill.counts={small: 40}"});
+  EXPECT_EQ(axes(first_state(flow(baxter))), axes(end("packing")));
+  pack({one_site, "stages.packing.fill.counts={small: 40}"});
+  const std::vector<std::uint16_t> drawn = axes(first_state(flow(baxter)));
+  EXPECT_EQ(std::set(drawn.begin(), drawn.end()), (std::set<std::uint16_t>{0, 1, 2}));
 }
 
 TEST_F(OtherRunTest, GrainsOfTheContactModelKeepTheirVelocities) {

@@ -98,7 +98,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
     {"a misspelt key at the top", "sede: 1",
      "scene.yaml:13:1: error: unknown key 'sede' (allowed: clca, let, title, seed, model, begin, "
      "box, "
-     "species, rules, contact, voids, units, walls, sources, outlets, probes, lines, stages, "
+     "species, rules, contact, voids, baxter, units, walls, sources, outlets, probes, lines, "
+     "stages, "
      "measure, "
      "output); "
      "did you "
@@ -108,7 +109,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "scene.yaml:13:1: error: 'boltzmann' does not go with 'box': a scene of the Boltzmann "
      "equation has the keys clca, let, title, seed, boltzmann, output; one of grains has clca, "
      "let, title, "
-     "seed, model, begin, box, species, rules, contact, voids, units, walls, sources, outlets, "
+     "seed, model, begin, box, species, rules, contact, voids, baxter, units, walls, sources, "
+     "outlets, "
      "probes, "
      "lines, "
      "stages, "
@@ -169,7 +171,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "scene.yaml:11:27: error: measure: 'profile' is named twice"},
     {"a misspelt measure", "measure: [profil]",
      "scene.yaml:11:11: error: measure: expected one of profile, repose, runout, packing, "
-     "moved, outflow, force, segregation, intruder, convection, mixing, weight_paths, found "
+     "moved, outflow, force, segregation, intruder, convection, axis_order, mixing, weight_paths, "
+     "found "
      "'profil'; did you "
      "mean 'profile'?"},
     {"a measure outside a list", "measure: profile",
@@ -222,7 +225,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "1000000000000, found '0'"},
     {"a misspelt colouring", "output: {frames: {color_by: specis}}",
      "scene.yaml:12:29: error: output.frames.color_by: expected one of species, stage_layer, "
-     "displacement, speed, spin, coordination, id, force, pressure, found 'specis'; did you mean "
+     "displacement, speed, spin, coordination, id, axis, force, pressure, found 'specis'; did you "
+     "mean "
      "'species'?"},
     {"British spelling", "output: {frames: {colour_by: species}}",
      "scene.yaml:12:19: error: unknown key 'colour_by' in output.frames (allowed: every, "
@@ -264,6 +268,9 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      Judge::parser},
     {"the pressure of the automaton", "output: {frames: {color_by: pressure}}",
      "scene.yaml:12:29: error: output.frames.color_by: pressure goes with model: contact",
+     Judge::parser},
+    {"the axes of the automaton", "output: {frames: {color_by: axis}}",
+     "scene.yaml:12:29: error: output.frames.color_by: axis goes with model: baxter",
      Judge::parser},
     {"the spin of the automaton", "output: {frames: {color_by: spin}}",
      "scene.yaml:12:29: error: output.frames.color_by: spin goes with model: contact",

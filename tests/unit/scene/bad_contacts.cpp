@@ -14,11 +14,13 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "friction, "
      "wall_friction, rolling_friction, restitution); did you mean 'restitution'?"},
     {"a misspelt model", "model: contct",
-     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, found 'contct'; did "
+     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, baxter, found "
+     "'contct'; did "
      "you "
      "mean 'contact'?"},
     {"a model that is a map", "model: {contact: {}}",
-     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, found a map"},
+     "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, baxter, found a "
+     "map"},
     {"the void model without voids", "model: voids\nspecies: {small: {shape: {hexagon: 1}}}",
      "scene.yaml:5:11: error: species.small: grains of model voids have one site, these have 7; "
      "give it 'shape: {hexagon: 0}'",
@@ -30,6 +32,22 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "scene.yaml:7:44: error: walls.left.motion: model voids has no walls that move, model "
      "automaton does; remove it, or say 'model: automaton'",
      Judge::parser},
+    {"grains with an axis and seven sites",
+     "model: baxter\nspecies: {small: {shape: {hexagon: 1}}}",
+     "scene.yaml:5:11: error: species.small: grains of model baxter have one site, these have 7; "
+     "give it 'shape: {hexagon: 0}'",
+     Judge::parser},
+    {"a wall that moves among grains with an axis",
+     "model: baxter\nspecies: {small: {shape: {hexagon: 0}}}\nwalls: {left: {box: [0, 0, 1, 50], "
+     "motion: {direction: up, distance: 5, period: 1}}}\n"
+     "stages: [{name: first, sources: [spout], move: [left]}]",
+     "scene.yaml:7:44: error: walls.left.motion: model baxter has no walls that move, model "
+     "automaton does; remove it, or say 'model: automaton'",
+     Judge::parser},
+    {"half a power", "model: baxter\nbaxter: {power: 0.5}",
+     "scene.yaml:13:17: error: baxter.power: expected a whole number from 0 to 6, found '0.5'"},
+    {"energies of the automaton", "model: automaton\nbaxter: {power: 1}",
+     "scene.yaml:13:1: error: baxter: only model baxter has it; remove it, or say 'model: baxter'"},
     {"more than a weight straight above voids", "model: voids\nvoids: {straight: 1.5}",
      "scene.yaml:13:19: error: voids.straight: expected a number from 0 to 1, found '1.5'"},
     {"voids of the contact model", "voids: {straight: 0.5}",

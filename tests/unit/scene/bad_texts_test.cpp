@@ -119,7 +119,8 @@ constexpr auto kTexts = std::to_array<BadText>({
      "scene.yaml:1:8: error: the control character U+000D is not allowed"},
     {"a control character in an escape", "clca: 1\n\"\\x1b[31m\": 2\n"sv,
      R"(scene.yaml:2:1: error: unknown key '\x1b[31m' (allowed: clca, let, title, seed, model, )"
-     "begin, box, species, rules, contact, voids, units, walls, sources, outlets, probes, lines, "
+     "begin, box, species, rules, contact, voids, baxter, units, walls, sources, outlets, probes, "
+     "lines, "
      "stages, "
      "measure, "
      "output)"},
@@ -127,7 +128,8 @@ constexpr auto kTexts = std::to_array<BadText>({
      "scene.yaml:2:7: error: unknown key 'größe' in box (allowed: width, height, periodic)"},
     {"a very long word", "clca: 1\nthis-is-not-a-key-that-anyone-would-ever-think-of: 2\n"sv,
      "scene.yaml:2:1: error: unknown key 'this-is-not-a-key-that-anyone-would-ever...' "
-     "(allowed: clca, let, title, seed, model, begin, box, species, rules, contact, voids, units, "
+     "(allowed: clca, let, title, seed, model, begin, box, species, rules, contact, voids, baxter, "
+     "units, "
      "walls, "
      "sources, "
      "outlets, probes, lines, stages, measure, output)"},

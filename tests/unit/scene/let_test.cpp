@@ -69,7 +69,7 @@ TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
   EXPECT_EQ(scene.derived[1].value, "=min(2*ratio, 1e-3)");
   EXPECT_EQ(scene.derived[1].about, "Twice it");
   EXPECT_EQ(scene.derived[2].value, "=100*0.9 + discharged.drain");
-  EXPECT_EQ(scene.measures.size(), 10U) << "beside all others";
+  EXPECT_EQ(scene.measures.size(), 11U) << "beside all others";
   EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
 }
 

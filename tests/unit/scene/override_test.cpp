@@ -47,7 +47,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "update_priority, ties); did you mean 'inertia'?"},
     {"rule.inertia=1",
      "unknown key 'rule' (allowed: clca, let, title, seed, model, begin, box, species, rules, "
-     "contact, voids, "
+     "contact, voids, baxter, "
      "units, "
      "walls, "
      "sources, outlets, probes, lines, stages, measure, output); did you mean 'rules'?"},
@@ -65,7 +65,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
      "found 'setled'; did you mean 'settled'?"},
     {"measure.0=profil",
      "measure: expected one of profile, repose, runout, packing, moved, outflow, force, "
-     "segregation, intruder, convection, mixing, weight_paths, found 'profil'; "
+     "segregation, intruder, convection, axis_order, mixing, weight_paths, found 'profil'; "
      "did you mean 'profile'?"},
     {"seed=[1", "the '[' is not closed, or a ',' is missing after it"},
     {"seed=&a 1", "anchors ('&') are not part of the format"},

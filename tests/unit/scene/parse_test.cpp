@@ -51,7 +51,7 @@ TEST(Parse, FillsInTheDefaultsOfTheLeastScene) {
   EXPECT_FALSE(scene.species[0].color.has_value());
   EXPECT_TRUE(std::holds_alternative<UntilSettled>(scene.stages[0].until));
   EXPECT_EQ(scene.stages[0].max_steps, 1'000'000);
-  EXPECT_EQ(scene.measures.size(), 10U);  // all
+  EXPECT_EQ(scene.measures.size(), 11U);  // all
   EXPECT_FALSE(scene.output.frames.has_value());
   EXPECT_FALSE(scene.output.series.has_value());
 }
