@@ -63,10 +63,11 @@ grains::State initial_state(const scene::Scene& scene) {
   grains::State state{
       .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
       .seed = scene.seed};
-  for (std::uint16_t number = 0; number < scene.species.size(); ++number) {
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const auto number = static_cast<std::uint16_t>(i);
     const std::vector<grains::Kind> kinds = scene.model == scene::Model::baxter
                                                 ? baxter::kinds_along_axes(number)
-                                                : kinds_of(scene.species[number], number);
+                                                : kinds_of(scene.species[i], number);
     state.kinds.insert(state.kinds.end(), kinds.begin(), kinds.end());
   }
   const std::vector<bool> there = scene::walls_present_at_start(scene);
