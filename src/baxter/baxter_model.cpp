@@ -1,29 +1,56 @@
+// One step of the Baxter model, as docs/baxter.md has it.
+
 #include "clca/baxter/baxter_model.hpp"
 
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
-#include "baxter/step.hpp"
+#include "baxter/rule.hpp"
+#include "grains/internal/one_site_steps.hpp"
 
 namespace clca::baxter {
 
 namespace {
 
-std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& rules,
-                                              const Options& options) {
-  if (options.threads < 1) {
-    throw std::invalid_argument("the number of threads must be positive");
-  }
-  grains::check_valid(state);
-  grains::check_one_site(state);
-  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
-    if (state.kinds.size() % kAxes != 0 || state.kinds[kind].species != kind / kAxes) {
-      throw std::invalid_argument("a species of the Baxter model has a kind for each axis");
+class Steps final : public grains::OneSiteSteps {
+ public:
+  Steps(grains::State initial, const Rules& rules, const Options& options)
+      : OneSiteSteps(std::move(initial), options), rule_(box(), rules) {}
+
+  bool advance(grains::StepReport& report) override {
+    std::vector<grains::Particle>& particles = state().particles;
+    std::vector<Choice> choices;
+    bool changed = false;
+    for (std::uint32_t id = 0; id < particles.size(); ++id) {
+      if (particles[id].present) {
+        choices.push_back(rule_.choice(id));
+        changed = changed || particles[id].previous != grains::kRest;
+      }
     }
+    const std::vector<Choice> winners = rule_.winners(choices);
+
+    const auto turn = [&](const Choice& choice) {
+      grains::Particle& grain = particles[choice.id];
+      changed = changed || choice.axis != axis_of(grain);
+      grain.kind = static_cast<std::uint16_t>(grain.kind - axis_of(grain) + choice.axis);
+    };
+    for (const Choice& choice : choices) {
+      if (choice.velocity == grains::kRest) {
+        turn(choice);
+      }
+    }
+    std::vector<std::pair<std::uint32_t, grains::Move>> moves;
+    for (const Choice& choice : winners) {
+      turn(choice);
+      moves.emplace_back(choice.id, choice.velocity);
+    }
+    this->move(moves, report);
+    return moves.empty() && !changed;
   }
-  return std::make_unique<Steps>(std::move(state), rules);
-}
+
+ private:
+  Rule rule_;
+};
 
 }  // namespace
 
@@ -32,6 +59,6 @@ std::vector<grains::Kind> kinds_along_axes(std::uint16_t species) {
 }
 
 BaxterModel::BaxterModel(grains::State state, const Rules& rules, const Options& options)
-    : Model(make_steps(std::move(state), rules, options)) {}
+    : Model(std::make_unique<Steps>(std::move(state), rules, options)) {}
 
 }  // namespace clca::baxter

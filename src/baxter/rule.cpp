@@ -50,6 +50,12 @@ Rule::Rule(const grains::Box& box, const Rules& rules) : box_(box) {
         rules.gravity <= kMaxGravity && rules.like_axes >= 0 && rules.like_axes <= 1)) {
     throw std::invalid_argument("a rule of the Baxter model is out of range");
   }
+  const std::vector<grains::Kind>& kinds = box.state.kinds;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    if (kinds.size() % kAxes != 0 || kinds[kind].species != kind / kAxes) {
+      throw std::invalid_argument("a species of the Baxter model has a kind for each axis");
+    }
+  }
   // 0.1 + 0.1 distance, to the power, in 10^-power.
   for (std::size_t i = 0; i < unlike_velocities_.size(); ++i) {
     unlike_velocities_[i] = power_of(static_cast<Energy>(i) + 1, rules.power);

@@ -27,7 +27,8 @@ struct Choice {
 /// Pure: a choice depends on the state when the step begins and the draws of its grain.
 class Rule {
  public:
-  /// Throws std::invalid_argument for rules out of range.
+  /// Throws std::invalid_argument for rules out of range, and unless the kinds are those of
+  /// kinds_along_axes().
   Rule(const grains::Box& box, const Rules& rules);
 
   /// Velocity and axis of least energy. Of equal ones: rest, then the axis it has, then a draw.

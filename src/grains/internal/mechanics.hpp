@@ -26,17 +26,17 @@ class Mechanics {
   // In this order in each step, see step().
   virtual void before_sources() {}
   /// Particles from id `first` on are new: sources have emitted them.
-  virtual void added(std::size_t first) = 0;
+  virtual void added(std::size_t /*first*/) {}
   /// Moves grains and walls, and counts the step. Sets `moved` of the report, which already has
   /// what was emitted. Returns whether the state is settled if no source will emit.
   virtual bool advance(StepReport& report) = 0;
   /// The particles that have moved in this step; may have duplicates.
   virtual std::vector<std::uint32_t> moved() const = 0;
   /// A particle is about to be taken out.
-  virtual void removing(std::uint32_t id) = 0;
+  virtual void removing(std::uint32_t /*id*/) {}
 
   /// Particles were added or walls changed in between steps.
-  virtual void reloaded() = 0;
+  virtual void reloaded() {}
   /// A wall was set in motion or stopped.
   virtual void motion_set() {}
 };
