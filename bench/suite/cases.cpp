@@ -92,10 +92,20 @@ grains::State start(Case a_case, std::size_t particles) {
   return walled_bed(particles);
 }
 
+double seconds_of(const grains::PhaseTimes& phase_times) {
+  double all = 0;
+  for (const auto& [phase, seconds] : phase_times) {
+    all += seconds;
+  }
+  return all;
+}
+
 Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
   Automaton automaton(std::move(start), {.ties = variant.ties},
-                      {.threads = variant.threads, .sleeping = variant.sleeping}, variant.profile);
+                      {.threads = variant.threads,
+                       .sleeping = variant.sleeping,
+                       .phase_times = variant.phase_times});
   std::optional<Traffic> traffic;
   if (sampled) {
     traffic.emplace(automaton.state());
@@ -104,8 +114,8 @@ Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t 
   if (a_case == Case::collapse || a_case == Case::idle) {
     to_rest(automaton);  // who is new looks around once
   }
-  if (variant.profile != nullptr) {
-    *variant.profile = {};
+  if (variant.phase_times != nullptr) {
+    *variant.phase_times = {};
   }
   if (a_case == Case::idle) {
     run_idle(automaton, run);

@@ -43,7 +43,7 @@ double bed_height(Case a_case, const grains::State& state) {
 }
 
 ContactModel model_of(Case a_case, const grains::State& start, ContactSetting setting,
-                      contact::Profile* profile) {
+                      grains::PhaseTimes* phase_times) {
   contact::Parameters parameters = {.fall_height = bed_height(a_case, start)};
   if (setting == ContactSetting::preview) {
     parameters.resolution = 0.8;
@@ -52,13 +52,13 @@ ContactModel model_of(Case a_case, const grains::State& start, ContactSetting se
   contact::State state = {.grains = start};
   state.velocities.resize(start.particles.size());
   state.remainders.resize(start.particles.size());
-  return {std::move(state), parameters, {}, profile};
+  return {std::move(state), parameters, {.phase_times = phase_times}};
 }
 
 /// Adds one run to the measurement.
-void run(const grains::State& start, std::uint64_t most_steps, contact::Profile* profile,
+void run(const grains::State& start, std::uint64_t most_steps, grains::PhaseTimes* phase_times,
          ContactMeasurement& one) {
-  ContactModel model = model_of(one.a_case, start, one.setting, profile);
+  ContactModel model = model_of(one.a_case, start, one.setting, phase_times);
   one.steps = 0;
   one.moved = 0;
   one.at_rest = false;
@@ -85,26 +85,6 @@ double median(const ContactMeasurement& one) {
                                      : (one.seconds[half - 1] + one.seconds[half]) / 2;
 }
 
-using Share = std::pair<const char*, double>;
-
-/// Seconds of each phase of one run.
-std::array<Share, 6> phases(const contact::Profile& profile) {
-  return {{{"contacts", profile.contacts},
-           {"order", profile.order},
-           {"motion", profile.motion},
-           {"warm_start", profile.warm_start},
-           {"sweeps", profile.sweeps},
-           {"moves", profile.moves}}};
-}
-
-double sum(const std::array<Share, 6>& shares) {
-  double all = 0;
-  for (const auto& [phase, seconds] : shares) {
-    all += seconds;
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State& start,
@@ -120,7 +100,7 @@ std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State
     }
     std::sort(one.seconds.begin(), one.seconds.end());
     ContactMeasurement profiled = one;
-    run(start, most_steps, &one.profile, profiled);
+    run(start, most_steps, &one.phase_times, profiled);
     all.push_back(std::move(one));
   }
   return all;
@@ -142,10 +122,9 @@ store::Table contact_table(const std::vector<ContactMeasurement>& measurements) 
 store::Table contact_profile_table(const std::vector<ContactMeasurement>& measurements) {
   store::Table table({"case", "particles", "setting", "phase", "run_s", "share"});
   for (const ContactMeasurement& one : measurements) {
-    const auto shares = phases(one.profile);
-    for (const auto& [phase, seconds] : shares) {
+    for (const auto& [phase, seconds] : one.phase_times) {
       table.add_row({name(one.a_case), std::uint64_t{one.particles}, name(one.setting),
-                     std::string(phase), seconds, seconds / sum(shares)});
+                     std::string(phase), seconds, seconds / seconds_of(one.phase_times)});
     }
   }
   return table;
@@ -156,7 +135,8 @@ std::string markdown(const std::vector<ContactMeasurement>& measurements) {
       "| contact model | grains | setting | steps | at rest | ns a grain and step (median, worst) "
       "|";
   std::string rule = "|---|---|---|---|---|---|";
-  for (const auto& [phase, seconds] : phases({})) {
+  for (const auto& [phase, seconds] :
+       measurements.empty() ? grains::PhaseTimes() : measurements.front().phase_times) {
     text += fmt::format(" {} % |", phase);
     rule += "---|";
   }
@@ -166,9 +146,8 @@ std::string markdown(const std::vector<ContactMeasurement>& measurements) {
                         one.particles, name(one.setting), one.steps, one.at_rest ? "yes" : "no",
                         nanoseconds(one, one.seconds.front()), nanoseconds(one, median(one)),
                         nanoseconds(one, one.seconds.back()));
-    const auto shares = phases(one.profile);
-    for (const auto& [phase, seconds] : shares) {
-      text += fmt::format(" {:.0f} |", 100 * seconds / sum(shares));
+    for (const auto& [phase, seconds] : one.phase_times) {
+      text += fmt::format(" {:.0f} |", 100 * seconds / seconds_of(one.phase_times));
     }
     text += "\n";
   }

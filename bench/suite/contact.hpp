@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "clca/contact/profile.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::bench {
@@ -23,7 +22,7 @@ struct ContactMeasurement {
   std::uint64_t moved = 0;
   bool at_rest = false;
   std::vector<double> seconds = {};  ///< a step, processor time of each run, ascending
-  contact::Profile profile = {};     ///< of one more run
+  grains::PhaseTimes phase_times;    ///< of one more run
 };
 
 /// Both settings, on one thread: settling and collapse only. At least two runs each, and more

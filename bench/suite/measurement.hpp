@@ -21,7 +21,7 @@ struct Measurement {
   std::size_t particles = 0;
   Variant variant = {};
   std::vector<Run> runs = {};        ///< they all did the same
-  automaton::Profile profile = {};   ///< of one more run
+  grains::PhaseTimes phase_times;    ///< of one more run
   std::vector<Sample> samples = {};  ///< of steps; of all variants with these ties
   double speedup = 1;                ///< the best run against the best on one thread with sleeping
 

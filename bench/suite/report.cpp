@@ -140,16 +140,8 @@ store::Table phase_table(const std::vector<Measurement>& measurements, const Mac
 store::Table profile_table(const std::vector<Measurement>& measurements) {
   store::Table table(with_key({"phase", "run_s", "share"}));
   for (const Measurement& one : measurements) {
-    const automaton::Profile& profile = one.profile;
-    const std::array<std::pair<const char*, double>, 4> phases = {{{"decide", profile.decide},
-                                                                   {"contest", profile.contest},
-                                                                   {"move", profile.move},
-                                                                   {"turns", profile.turns}}};
-    double all = 0;
-    for (const auto& [phase, seconds] : phases) {
-      all += seconds;
-    }
-    for (const auto& [phase, seconds] : phases) {
+    const double all = seconds_of(one.phase_times);
+    for (const auto& [phase, seconds] : one.phase_times) {
       table.add_row(with_key(one, {std::string(phase), seconds, seconds / all}));
     }
   }

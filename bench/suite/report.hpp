@@ -18,7 +18,7 @@ store::Table share_table(const std::vector<Measurement>& measurements);
 /// machine needs for that.
 store::Table phase_table(const std::vector<Measurement>& measurements, const Machine& machine);
 
-/// A row for each measurement and phase of a step (automaton::Profile), from a run of its own.
+/// A row for each measurement and phase of a step (grains::PhaseTimes), from a run of its own.
 store::Table profile_table(const std::vector<Measurement>& measurements);
 
 /// A row for each measurement, in Markdown.

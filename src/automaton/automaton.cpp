@@ -12,16 +12,14 @@ namespace clca::automaton {
 namespace {
 
 std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& rules,
-                                              const Options& options, Profile* profile) {
-  if (options.threads < 1) {
-    throw std::invalid_argument("the number of threads must be positive");
-  }
+                                              const Options& options) {
+  check_valid(options);
   check_rules(rules);
   check_valid(state);
   if (options.reference) {
     return std::make_unique<Reference>(std::move(state), rules);
   }
-  return std::make_unique<Engine>(std::move(state), rules, options, profile);
+  return std::make_unique<Engine>(std::move(state), rules, options);
 }
 
 }  // namespace
@@ -30,9 +28,8 @@ double step_bytes(double places) {
   return SiteReservations::bytes_for(places);
 }
 
-Automaton::Automaton(grains::State state, const Rules& rules, const Options& options,
-                     Profile* profile)
-    : Model(make_steps(std::move(state), rules, options, profile)) {}
+Automaton::Automaton(grains::State state, const Rules& rules, const Options& options)
+    : Model(make_steps(std::move(state), rules, options)) {}
 
 const Rules& Automaton::rules() const {
   return static_cast<const Steps&>(mechanics()).rules();

@@ -17,14 +17,12 @@ namespace clca::contact {
 namespace {
 
 std::unique_ptr<grains::Mechanics> make_steps(State state, const Parameters& parameters,
-                                              const Options& options, Profile* profile) {
-  if (options.threads < 1) {
-    throw std::invalid_argument("the number of threads must be positive");
-  }
+                                              const Options& options) {
+  check_valid(options);
   if (options.reference) {
     return std::make_unique<Reference>(std::move(state), parameters);
   }
-  return std::make_unique<Engine>(std::move(state), parameters, profile);
+  return std::make_unique<Engine>(std::move(state), parameters, options.phase_times);
 }
 
 }  // namespace
@@ -130,9 +128,8 @@ void check_valid(const State& state) {
   }
 }
 
-ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options,
-                           Profile* profile)
-    : Model(make_steps(std::move(state), parameters, options, profile)) {}
+ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options)
+    : Model(make_steps(std::move(state), parameters, options)) {}
 
 namespace {
 

@@ -36,6 +36,12 @@ std::vector<std::uint32_t> ids_from(std::size_t first, const State& state) {
 
 }  // namespace
 
+void check_valid(const Options& options) {
+  if (options.threads < 1) {
+    throw std::invalid_argument("the number of threads must be positive");
+  }
+}
+
 void take_out(Box& box, std::uint32_t id) {
   Particle& particle = box.state.particles[id];
   box.for_each_index(particle,

@@ -50,7 +50,7 @@ Rgb id_color(std::size_t id) {
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 
-Coloring by_map(ShadeRule rule, std::string label, const ColorBarEnds& range) {
+Coloring by_map(ShadeRule rule, std::string label, const statistics::Range& range) {
   if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
     throw std::invalid_argument("a colour bar goes from a lower to a higher value");
   }
@@ -171,11 +171,11 @@ Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const L
   return result;
 }
 
-Coloring color_by_displacement(const ColorBarEnds& range) {
+Coloring color_by_displacement(const statistics::Range& range) {
   return by_map(ByDisplacement{range}, "displacement (spacings)", range);
 }
 
-Coloring color_by_force(const ColorBarEnds& range) {
+Coloring color_by_force(const statistics::Range& range) {
   constexpr Rgb kNone = {228, 230, 233};
   Coloring result = by_map(ByForce{range}, "overlapped sites", range);
   result.palette.insert(result.palette.begin(), kNone);
@@ -183,7 +183,8 @@ Coloring color_by_force(const ColorBarEnds& range) {
   return result;
 }
 
-Coloring color_by_value(std::vector<double> values, std::string label, const ColorBarEnds& range) {
+Coloring color_by_value(std::vector<double> values, std::string label,
+                        const statistics::Range& range) {
   return by_map(ByValue{std::move(values), range}, std::move(label), range);
 }
 

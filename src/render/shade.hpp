@@ -61,7 +61,7 @@ struct Shading {
   }
 
  private:
-  static std::size_t map_shade(const ColorBarEnds& range, double value) {
+  static std::size_t map_shade(const statistics::Range& range, double value) {
     const double share = std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
     return static_cast<std::size_t>(share * (kMapShades - 1));
   }

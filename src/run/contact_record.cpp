@@ -124,21 +124,21 @@ void ContactRecord::after_step(const StageView& now) {
   }
 }
 
-std::vector<contact::Force> ContactRecord::at_end(const Model& model) const {
+std::vector<contact::Force> ContactRecord::at_end(const SceneModel& model) const {
   return stage_.is_empty() ? *model.forces() : stage_.means();
 }
 
-std::vector<contact::Force> ContactRecord::of_picture(const Model& model) const {
+std::vector<contact::Force> ContactRecord::of_picture(const SceneModel& model) const {
   return forces_of(pictures_, model);
 }
 
-std::vector<contact::Force> ContactRecord::of_frame(const Model& model) const {
+std::vector<contact::Force> ContactRecord::of_frame(const SceneModel& model) const {
   const bool is_pictured = pictures_.every > 0 && (pictures_.due || !stage_.is_empty());
   return forces_of(is_pictured ? pictures_ : frames_, model);
 }
 
 std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
-                                                     const Model& model) const {
+                                                     const SceneModel& model) const {
   std::vector<contact::Force> forces =
       recurring.due && !recurring.window.is_empty() ? recurring.window.means() : at_end(model);
   const auto bodies = [](const contact::Force& force) {
@@ -163,7 +163,7 @@ ObserverKind contacts_observer() {
   return observer_kind<ContactRecord>(is_contact);
 }
 
-std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const Model& model,
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const SceneModel& model,
                                                  const Observers& observers) {
   if (!is_contact(scene)) {
     return std::nullopt;

@@ -44,13 +44,13 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
-  std::vector<contact::Force> at_end(const Model& model) const;
+  std::vector<contact::Force> at_end(const SceneModel& model) const;
   /// Means before a picture that is due now; else as at_end(). Of contacts that are
   /// there now.
-  std::vector<contact::Force> of_picture(const Model& model) const;
+  std::vector<contact::Force> of_picture(const SceneModel& model) const;
   /// The same for a trajectory frame: those of a picture with forces if one is drawn, or of the end
   /// of the stage.
-  std::vector<contact::Force> of_frame(const Model& model) const;
+  std::vector<contact::Force> of_frame(const SceneModel& model) const;
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const {
@@ -81,7 +81,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   };
 
   void prepare(const StageView& now) override;
-  std::vector<contact::Force> forces_of(const Recurring& recurring, const Model& model) const;
+  std::vector<contact::Force> forces_of(const Recurring& recurring, const SceneModel& model) const;
 
   scene::Contacts sampling_;
   std::uint64_t most_;  // samples in a window
@@ -92,7 +92,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 };
 
 /// What a picture shows of the contact model; none for other models.
-std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const Model& model,
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const SceneModel& model,
                                                  const Observers& observers);
 
 }  // namespace clca::run

@@ -13,7 +13,7 @@ constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for so
 
 }  // namespace
 
-void EnergyRecord::begin(const scene::Stage& stage, const Model& model) {
+void EnergyRecord::begin(const scene::Stage& stage, const SceneModel& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = model.energy()->sum();
   fall_ = 0;
@@ -41,7 +41,7 @@ void EnergyRecord::after_step(const StageView& now) {
   }
 }
 
-std::optional<EnergyRecord::Growth> EnergyRecord::add(const Model& model,
+std::optional<EnergyRecord::Growth> EnergyRecord::add(const SceneModel& model,
                                                       const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {

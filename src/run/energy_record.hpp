@@ -22,11 +22,11 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
     double lowest = 0;  ///< of the stage
     double now = 0;
   };
-  void begin(const scene::Stage& stage, const Model& model);
+  void begin(const scene::Stage& stage, const SceneModel& model);
   /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
   /// than 1 % of the scale, and by more than rest may lift: half a spacing a grain, some of them up
   /// and some down.
-  std::optional<Growth> add(const Model& model, const contact::EnergyExchange& exchange);
+  std::optional<Growth> add(const SceneModel& model, const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }

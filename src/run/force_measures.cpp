@@ -150,7 +150,7 @@ std::vector<QuantityGroup> force_quantities() {
        overlap_forces}};
 }
 
-std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
+std::vector<std::string> stall_lines(const scene::Scene& scene, const SceneModel& model,
                                      const std::vector<double>& surface_at_start) {
   const grains::State& state = model.state();
   const auto contacts = measure::contacts(state, model.grains().occupancy());

@@ -44,7 +44,7 @@ class ForceRecord : public SavedObserver<ForceRecord> {
 std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces);
 
 /// One line per stalled wall: since when, its travel, its overlaps.
-std::vector<std::string> stall_lines(const scene::Scene& scene, const Model& model,
+std::vector<std::string> stall_lines(const scene::Scene& scene, const SceneModel& model,
                                      const std::vector<double>& surface_at_start);
 
 }  // namespace clca::run

@@ -206,8 +206,8 @@ render::Coloring FramePainter::plain_coloring(const View& view,
                                               const PictureHistory& history) const {
   const grains::State& state = view.state;
   const auto range = [this](double high) {
-    return frames_.range ? render::ColorBarEnds{frames_.range->low, frames_.range->high}
-                         : render::ColorBarEnds{0, high};
+    return frames_.range ? statistics::Range{frames_.range->low, frames_.range->high}
+                         : statistics::Range{0, high};
   };
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
@@ -220,7 +220,7 @@ render::Coloring FramePainter::plain_coloring(const View& view,
                                     range(kFastest * scales_.highest_velocity));
     case scene::ColorBy::spin: {
       const double high = kSpinning * scales_.highest_spin;
-      const auto ends = frames_.range ? range(high) : render::ColorBarEnds{-high, high};
+      const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
       return render::color_by_value(spins(view, conversion_->time_step),
                                     fmt::format("spin (radians/{})", conversion_->time_unit), ends);
     }

@@ -100,7 +100,7 @@ class LineRecord : public SavedObserver<LineRecord> {
 };
 
 void LineRecord::observe(const StageView& now) {
-  const Model& model = now.model;
+  const SceneModel& model = now.model;
   const grains::State& state = model.state();
   std::vector<std::optional<Eigen::Vector2d>> velocities;
   if (is_contact(now.scene)) {

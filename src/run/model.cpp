@@ -93,55 +93,55 @@ bool has_vessel(const scene::Scene& scene) {
                      [](const scene::Stage& stage) { return stage.vessel.has_value(); });
 }
 
-Model::Model(const scene::Scene& scene, ModelState state, const grains::Options& options)
+SceneModel::SceneModel(const scene::Scene& scene, ModelState state, const grains::Options& options)
     : scene_(scene),
       options_(options),
       rules_(rules_in(scene, {})),
       model_(make_model(rules_, std::move(state), options)) {}
 
-const grains::Model& Model::grains() const {
+const grains::Model& SceneModel::grains() const {
   return std::visit([](const auto& model) -> const grains::Model& { return model; }, model_);
 }
 
-grains::Model& Model::grains() {
+grains::Model& SceneModel::grains() {
   return std::visit([](auto& model) -> grains::Model& { return model; }, model_);
 }
 
-std::uint64_t Model::hash() const {
+std::uint64_t SceneModel::hash() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact::hash(contact->state()) : grains::hash(state());
 }
 
-ModelState Model::copied_state() const {
+ModelState SceneModel::copied_state() const {
   return std::visit([](const auto& model) { return ModelState(model.state()); }, model_);
 }
 
-void Model::save(reflection::Columns& columns) const {
+void SceneModel::save(reflection::Columns& columns) const {
   std::visit([&](const auto& model) { reflection::encode(kState, model.state(), columns); },
              model_);
 }
 
-std::optional<contact::Energy> Model::energy() const {
+std::optional<contact::Energy> SceneModel::energy() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     return contact->energy();
   }
   return std::nullopt;
 }
 
-std::optional<std::vector<contact::Force>> Model::forces() const {
+std::optional<std::vector<contact::Force>> SceneModel::forces() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     return contact::forces(contact->state(), contact->gravity());
   }
   return std::nullopt;
 }
 
-std::vector<contact::Force> Model::wall_forces() const {
+std::vector<contact::Force> SceneModel::wall_forces() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact::forces(state(), contact->wall_contacts(), contact->gravity())
                             : std::vector<contact::Force>();
 }
 
-std::vector<Eigen::Vector2d> Model::velocities() const {
+std::vector<Eigen::Vector2d> SceneModel::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     for (const auto& velocity : contact->state().velocities) {
@@ -151,7 +151,7 @@ std::vector<Eigen::Vector2d> Model::velocities() const {
   return result;
 }
 
-std::vector<double> Model::spins() const {
+std::vector<double> SceneModel::spins() const {
   std::vector<double> result;
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     for (const auto& velocity : contact->state().velocities) {
@@ -161,28 +161,28 @@ std::vector<double> Model::spins() const {
   return result;
 }
 
-contact::Vessel Model::vessel() const {
+contact::Vessel SceneModel::vessel() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact->vessel() : contact::Vessel();
 }
 
-bool Model::quiet() const {
+bool SceneModel::quiet() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr && contact->quiet();
 }
 
-contact::EnergyExchange Model::exchange() const {
+contact::EnergyExchange SceneModel::exchange() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact->exchange() : contact::EnergyExchange();
 }
 
-void Model::set_vessel(const scene::Stage& stage) {
+void SceneModel::set_vessel(const scene::Stage& stage) {
   if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
     contact->set_vessel(vessel_in(scene_, stage, contact->vessel()));
   }
 }
 
-void Model::set_rules(const scene::Stage& stage) {
+void SceneModel::set_rules(const scene::Stage& stage) {
   const AnyRules rules = rules_in(scene_, stage);
   if (rules == rules_) {
     return;

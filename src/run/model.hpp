@@ -42,10 +42,10 @@ using AnyModel = std::variant<automaton::Automaton, contact::ContactModel, voids
                               baxter::BaxterModel>;
 using AnyRules = std::variant<automaton::Rules, contact::Parameters, voids::Rules, baxter::Rules>;
 
-class Model {
+class SceneModel {
  public:
   /// Throws as the models do.
-  Model(const scene::Scene& scene, ModelState state, const grains::Options& options);
+  SceneModel(const scene::Scene& scene, ModelState state, const grains::Options& options);
 
   const grains::Model& grains() const;
   grains::Model& grains();

@@ -64,7 +64,7 @@ class Observers;
 struct StageView {
   const scene::Scene& scene;
   const scene::Stage& stage;
-  const Model& model;
+  const SceneModel& model;
   const StageHistory& history;
   const Observers& observers;
   std::size_t moving;                ///< particles, in the last step

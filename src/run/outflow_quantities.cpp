@@ -70,7 +70,7 @@ Values all_in_si(const StageView& stage) {
 
 /// Of each outlet.
 std::vector<bool> clogged(const StageView& stage) {
-  const Model& model = stage.model;
+  const SceneModel& model = stage.model;
   std::vector<bool> clogged;
   for (std::size_t outlet = 0; outlet < model.state().outlets.size(); ++outlet) {
     clogged.push_back(

@@ -35,7 +35,7 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
 
 /// Why slopes among the measures have no value where it is not plain; one line for each flank.
-std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model);
+std::vector<std::string> slope_notes(const scene::Scene& scene, const SceneModel& model);
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that

@@ -92,7 +92,7 @@ class Run : public RunBase {
   const scene::Scene& scene_;
   std::optional<scene::Conversion> conversion_;
   Stopwatch step_clock_;
-  Model model_;
+  SceneModel model_;
   Observers observers_;
   RunCourse course_;
   StageHistory history_;
@@ -301,7 +301,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
 
 void check_start(const scene::Scene& scene) {
   scene::check_room(scene);
-  Model model(scene, first_state(scene), {});
+  SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
   if (scene.output.frames) {
     const FramePainter painter(scene, model.state(), 1);

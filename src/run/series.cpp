@@ -147,7 +147,7 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
 }
 
 /// Overlapping sites per wall: of all contacts that began there.
-std::vector<std::uint64_t> indices(const Model& model) {
+std::vector<std::uint64_t> indices(const SceneModel& model) {
   const grains::State& state = model.state();
   std::vector<std::uint64_t> sites(state.walls.size(), 0);
   if (state.pushes.empty()) {

@@ -40,7 +40,7 @@ class Simulation::Impl {
   Impl(const scene::Scene& scene, int threads)
       : scene_(checked(scene)),
         options_{.threads = parallel::start_team(threads)},
-        model_(std::make_shared<Model>(scene_, first_state(scene_), options_)),
+        model_(std::make_shared<SceneModel>(scene_, first_state(scene_), options_)),
         observed_(without_files(scene_)),
         observers_(observers_of(observed_, model_->state(), {.pictures = WantedPictures::none})) {
     begin_stage();
@@ -50,7 +50,7 @@ class Simulation::Impl {
   std::size_t stage_number() const { return stage_; }
   const std::optional<StageEnd>& end() const { return end_; }
   bool is_last() const { return stage_ + 1 == scene_.stages.size(); }
-  const Model& model() const { return *model_; }
+  const SceneModel& model() const { return *model_; }
 
   grains::StepReport step() {
     if (end_) {
@@ -124,7 +124,7 @@ class Simulation::Impl {
 
   void begin_stage() {
     if (model_.use_count() > 1) {  // somebody holds the state
-      model_ = std::make_shared<Model>(scene_, model_->copied_state(), options_);
+      model_ = std::make_shared<SceneModel>(scene_, model_->copied_state(), options_);
     }
     history_ = stage_ > 0 ? StageHistory(scene_, model_->state())
                           : StageHistory(scene_, grains_of(empty_state(scene_)));
@@ -138,7 +138,7 @@ class Simulation::Impl {
 
   scene::Scene scene_;
   grains::Options options_;
-  std::shared_ptr<Model> model_;
+  std::shared_ptr<SceneModel> model_;
   scene::Scene observed_;
   Observers observers_;
   StageHistory history_;
@@ -178,7 +178,7 @@ std::shared_ptr<const grains::State> Simulation::held_grains() const {
   return impl_->held_grains();
 }
 store::ContactFrame Simulation::contact_frame() const {
-  const Model& model = impl_->model();
+  const SceneModel& model = impl_->model();
   return {.velocities = model.velocities(),
           .spins = model.spins(),
           .forces = model.forces().value_or(std::vector<contact::Force>())};

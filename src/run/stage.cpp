@@ -10,7 +10,7 @@ namespace clca::run {
 
 namespace {
 
-void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
+void fill(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
   if (const auto mixture = scene::mixture_of(fill)) {
     const grains::FillResult result = model.grains().fill(fill.region, *mixture);
@@ -42,7 +42,7 @@ void fill(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
                   fill.location, stage.name, fitted));
 }
 
-void insert_walls(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
+void insert_walls(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.insert) {
     if (!model.grains().insert_wall(wall)) {
       throw SceneRunError(fmt::format(
@@ -67,7 +67,7 @@ bool has_stalled(const grains::State& state) {
 
 }  // namespace
 
-void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage) {
+void prepare_stage(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   model.set_rules(stage);
   for (const std::size_t wall : stage.remove) {
     model.grains().remove_wall(wall);

@@ -14,7 +14,7 @@ namespace clca::run {
 /// Removes and inserts walls, fills, opens and closes sources, starts walls and the vessel, marks
 /// the origins.
 /// Throws SceneRunError if a wall would overlap particles or the fill does not fit.
-void prepare_stage(Model& model, const scene::Scene& scene, const scene::Stage& stage);
+void prepare_stage(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage);
 
 /// Why a stage has ended. `stalled`: settled, with a wall that is due to move and blocked.
 enum class StageEnd : std::uint8_t {

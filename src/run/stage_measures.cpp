@@ -41,7 +41,7 @@ Values vessel_angle(const StageView& stage) {
 }
 
 /// Empty in a periodic box.
-measure::ReposeAngle repose_in_gravity(const Model& model) {
+measure::ReposeAngle repose_in_gravity(const SceneModel& model) {
   if (model.state().lattice.periodic()) {
     return {};
   }
@@ -304,7 +304,7 @@ std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const Sta
   return results;
 }
 
-std::vector<std::string> slope_notes(const scene::Scene& scene, const Model& model) {
+std::vector<std::string> slope_notes(const scene::Scene& scene, const SceneModel& model) {
   std::vector<std::string> notes;
   const auto add = [&](const std::string& name, bool uneven) {
     if (uneven) {

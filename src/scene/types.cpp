@@ -49,12 +49,12 @@ Schema coordinates_schema(std::size_t size) {
   return array_schema(number_schema(-kMaxCoordinate, kMaxCoordinate), size, size);
 }
 
-ColorBarEnds read_color_bar_ends(const Value& value, const std::string& path,
-                                 const Scene& /*scene*/) {
+statistics::Range read_color_bar_ends(const Value& value, const std::string& path,
+                                      const Scene& /*scene*/) {
   constexpr double kMost = 1e9;
   const std::vector<Value>& ends = read_list(value, path, 2, 2);
-  const ColorBarEnds range = {read_number(ends[0], path, -kMost, kMost),
-                              read_number(ends[1], path, -kMost, kMost)};
+  const statistics::Range range = {read_number(ends[0], path, -kMost, kMost),
+                                   read_number(ends[1], path, -kMost, kMost)};
   if (range.low >= range.high) {
     fail(value.location, fmt::format("{}: expected [low, high] with low < high, found [{}, {}]",
                                      path, range.low, range.high));
@@ -145,11 +145,11 @@ Type<Eigen::Vector2d> point() {
       });
 }
 
-Type<ColorBarEnds> color_bar_ends() {
-  return own_type<ColorBarEnds>("`[low, high]`", coordinates_schema(2), read_color_bar_ends,
-                                [](const ColorBarEnds& range, const Scene&) {
-                                  return numbers_text({range.low, range.high});
-                                });
+Type<statistics::Range> color_bar_ends() {
+  return own_type<statistics::Range>("`[low, high]`", coordinates_schema(2), read_color_bar_ends,
+                                     [](const statistics::Range& range, const Scene&) {
+                                       return numbers_text({range.low, range.high});
+                                     });
 }
 
 Type<lattice::Rectangle> rectangle() {

@@ -26,7 +26,7 @@ Type<Eigen::Vector2d> point();
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
 /// The ends of a colour bar.
-Type<ColorBarEnds> color_bar_ends();
+Type<statistics::Range> color_bar_ends();
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 

@@ -18,7 +18,7 @@ void record(const std::string& scene_text, const std::filesystem::path& folder, 
   summary.scene = scene.name;
   summary.status = "done";
   store::write_whole(folder / "run.json", store::to_json(summary));
-  run::Model model(scene, run::first_state(scene), {});
+  run::SceneModel model(scene, run::first_state(scene), {});
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, model.state(), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(model, scene, scene.stages[stage]);

@@ -56,7 +56,7 @@ stages:
 
 reflection::Columns saved_columns() {
   const scene::Scene& scene = contact_scene();
-  run::Model model(scene, run::first_state(scene), {});
+  run::SceneModel model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   for (std::uint64_t step = 0; step < *scene::steps_of(scene.stages.front().until); ++step) {
     model.grains().step();
@@ -94,7 +94,7 @@ void go_on(std::span<const std::uint8_t> bytes) {
   reflection::Columns columns = kSaved;
   change(columns, choices);
   try {
-    run::Model(scene, run::saved_state(scene, columns, kLimit), {}).grains().step();
+    run::SceneModel(scene, run::saved_state(scene, columns, kLimit), {}).grains().step();
   } catch (const std::invalid_argument&) {
     fuzz::require(!bytes.empty(), "a run does not go on");
   } catch (const reflection::Mismatch&) {

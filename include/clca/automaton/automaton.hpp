@@ -1,7 +1,6 @@
 #pragma once
 // The connected lattice cellular automaton: one step of the priority-ordered update.
 
-#include "clca/automaton/profile.hpp"
 #include "clca/automaton/rules.hpp"
 #include "clca/grains/model.hpp"
 
@@ -14,12 +13,10 @@ double step_bytes(double places);
 
 class Automaton : public grains::Model {
  public:
-  /// Accumulates the time of the phases of steps in `profile`, if that is not null; measuring has a
-  /// small cost. Throws std::invalid_argument if the state (see grains::check_valid,
+  /// Throws std::invalid_argument if the state (see grains::check_valid,
   /// grains::Occupancy) or the rules (see check_rules) are not valid, or the number of threads is
   /// not positive.
-  explicit Automaton(grains::State state, const Rules& rules = {}, const Options& options = {},
-                     Profile* profile = nullptr);
+  explicit Automaton(grains::State state, const Rules& rules = {}, const Options& options = {});
 
   const grains::State& state() const { return grains(); }
   const Rules& rules() const;

@@ -7,7 +7,6 @@
 
 #include "clca/contact/energy.hpp"
 #include "clca/contact/parameters.hpp"
-#include "clca/contact/profile.hpp"
 #include "clca/contact/state.hpp"
 #include "clca/grains/model.hpp"
 
@@ -42,11 +41,9 @@ void check_valid(const State& state);
 
 class ContactModel : public grains::Model {
  public:
-  /// Accumulates the time of the phases of steps in `profile`, if that is not null. Throws
-  /// std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy), a
+  /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy), a
   /// parameter is out of range, or the number of threads is not positive.
-  ContactModel(State state, const Parameters& parameters, const Options& options = {},
-               Profile* profile = nullptr);
+  ContactModel(State state, const Parameters& parameters, const Options& options = {});
 
   /// Has grains(), and costs more than that, as it also updates the list of contacts.
   const State& state() const;

@@ -5,6 +5,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "clca/grains/fill.hpp"
 #include "clca/grains/occupancy.hpp"
@@ -13,6 +16,10 @@
 namespace clca::grains {
 
 class Mechanics;
+
+/// Wall-clock seconds of each phase of a step, summed over steps. Phases are in the order in which
+/// they first ended.
+using PhaseTimes = std::vector<std::pair<std::string_view, double>>;
 
 /// How a model takes its steps.
 struct Options {
@@ -27,7 +34,15 @@ struct Options {
   /// Automaton only. False: examines every particle in every step, even those that cannot move. For
   /// checks.
   bool sleeping = true;
+  /// Takes the times of the phases unless it is null; measuring has a small cost. Phases of the
+  /// automaton: decide, contest, move (what nobody contests, and on several threads what each
+  /// decides alone), turns (all others, in order). Of the contact model: contacts, order, motion,
+  /// warm_start, sweeps, moves. The reference and the other models have none.
+  PhaseTimes* phase_times = nullptr;
 };
+
+/// Throws std::invalid_argument unless the number of threads is positive.
+void check_valid(const Options& options);
 
 /// Results of one step.
 struct StepReport {
@@ -43,12 +58,6 @@ struct StepReport {
 /// is incomplete, and every further change throws std::logic_error.
 class Model {
  public:
-  ~Model();
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
-  Model(Model&&) noexcept;
-  Model& operator=(Model&&) noexcept;
-
   const State& grains() const;
   Occupancy occupancy() const;
   /// The lattice direction nearest to gravity.
@@ -85,6 +94,10 @@ class Model {
 
  protected:
   explicit Model(std::unique_ptr<Mechanics> mechanics);
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
   Mechanics& mechanics() const { return *mechanics_; }
 
  private:

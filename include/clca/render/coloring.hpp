@@ -13,6 +13,7 @@
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/legend.hpp"
+#include "clca/statistics/range.hpp"
 
 namespace clca::render {
 
@@ -41,25 +42,20 @@ struct LayerRange {
 /// Range over the present particles and all that the `sources` (State::sources) may emit.
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
-/// The values at the ends of a colour bar, low < high.
-struct ColorBarEnds {
-  double low = 0;
-  double high = 1;
-};
-
-// Rules that choose the shade of a particle.
+// Rules that choose the shade of a particle. A range has the values at the ends of the colour bar,
+// low < high.
 struct BySpecies {};
 struct ById {};
 struct ByAxis {};  ///< of the Baxter model
 struct ByForce {   ///< overlapped sites
-  ColorBarEnds range;
+  statistics::Range range;
 };
 struct ByValue {
   std::vector<double> values;  ///< by id
-  ColorBarEnds range;
+  statistics::Range range;
 };
 struct ByDisplacement {  ///< lattice spacings
-  ColorBarEnds range;
+  statistics::Range range;
 };
 struct ByLayer {
   int layers = 1;
@@ -91,12 +87,13 @@ Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const N
 /// the lowest or highest layer.
 Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
 /// By distance from the origin, in lattice spacings.
-Coloring color_by_displacement(const ColorBarEnds& range);
+Coloring color_by_displacement(const statistics::Range& range);
 /// By the number of sites shared with other particles and walls. Particles that share none are
 /// pale.
-Coloring color_by_force(const ColorBarEnds& range);
+Coloring color_by_force(const statistics::Range& range);
 /// By a number of each particle, by id. `label`: what it is, with its unit.
-Coloring color_by_value(std::vector<double> values, std::string label, const ColorBarEnds& range);
+Coloring color_by_value(std::vector<double> values, std::string label,
+                        const statistics::Range& range);
 /// By id; neighbouring ids have distinct colours.
 Coloring color_by_id();
 /// By the axis of grains of the Baxter model.

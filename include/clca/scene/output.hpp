@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "clca/lattice/region.hpp"
+#include "clca/statistics/range.hpp"
 
 namespace clca::scene {
 
@@ -77,20 +78,12 @@ enum class Overlay : std::uint8_t {
 /// `print`: for papers, without title and moment.
 enum class PictureStyle : std::uint8_t { screen, print };
 
-/// The values at the ends of a colour bar.
-struct ColorBarEnds {
-  double low = 0;
-  double high = 1;
-
-  bool operator==(const ColorBarEnds&) const = default;
-};
-
 struct Frames {
   std::uint64_t every = 10;
   std::optional<int> width = {};  ///< pixels; none: follows the aspect of the view
   std::optional<int> height = {};
   ColorBy color_by = ColorBy::species;
-  std::optional<ColorBarEnds> range = {};       ///< none: from the scene
+  std::optional<statistics::Range> range = {};  ///< of the colour bar; none: from the scene
   int layers = 8;                               ///< for ColorBy::stage_layer
   std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
   Drawing drawing = Drawing::automatic;

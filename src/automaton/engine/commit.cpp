@@ -1,5 +1,6 @@
 // Carrying out moves and waking the particles that may gain a free direction by them.
 
+#include <algorithm>
 #include <bit>
 
 #include "automaton/engine/engine.hpp"
@@ -90,7 +91,7 @@ void Engine::commit(StripWorker& worker) {
   if (overlaps_) {
     give_turns_among_overlaps(worker);
   } else {
-    give_turns(worker);
+    std::sort(worker.turns.begin(), worker.turns.end());
   }
 }
 
@@ -150,8 +151,10 @@ void Engine::wake_neighbours(StripWorker& worker) {
 }
 
 void Engine::finish(StripWorker& worker) {
-  for (const QueuedMove& turn : worker.deferred) {
-    apply_or_rest(worker, *turn.proposal);
+  if (!overlaps_) {
+    for (const QueuedMove& turn : worker.turns) {
+      apply_or_rest(worker, *turn.proposal);
+    }
   }
   wake_neighbours(worker);
   end_conflicts(worker);

@@ -56,42 +56,15 @@ void Engine::give_turn(MoveProposal& proposal) {
   }
 }
 
-bool Engine::depends_on_deferred(const MoveProposal& proposal) const {
-  bool depends = false;
-  for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-    depends = depends || (reservations_.deferred(at) & sites) != 0;
-  });
-  return depends;
-}
-
-// A contested move is deferred if it is near another strip, or if a deferred move that comes before
-// it wants one of its sites.
-void Engine::give_turns(StripWorker& worker) {
-  std::sort(worker.turns.begin(), worker.turns.end());
-  for (const QueuedMove& turn : worker.turns) {
-    MoveProposal& proposal = *turn.proposal;
-    const bool deferred = proposal.access == grains::Access::shared ||
-                          (!worker.deferred.empty() && depends_on_deferred(proposal));
-    if (deferred) {
-      for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-        reservations_.defer(at, sites, proposal.access);
-      });
-      worker.deferred.push_back(turn);
-    } else {
-      give_turn(proposal);
-      apply_or_rest(worker, proposal);
-    }
-  }
-}
-
-void Engine::give_deferred_turns() {
-  deferred_.clear();
+// One thread: contests near a cut and those that depend on them would need another phase.
+void Engine::give_turns() {
+  turns_.clear();
   for (const StripWorker& worker : busy()) {
-    const auto middle = static_cast<std::ptrdiff_t>(deferred_.size());
-    deferred_.insert(deferred_.end(), worker.deferred.begin(), worker.deferred.end());
-    std::inplace_merge(deferred_.begin(), deferred_.begin() + middle, deferred_.end());
+    const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
+    turns_.insert(turns_.end(), worker.turns.begin(), worker.turns.end());
+    std::inplace_merge(turns_.begin(), turns_.begin() + middle, turns_.end());
   }
-  for (const QueuedMove& turn : deferred_) {
+  for (const QueuedMove& turn : turns_) {
     give_turn(*turn.proposal);
   }
 }
@@ -100,11 +73,6 @@ void Engine::end_conflicts(StripWorker& worker) {
   for (const QueuedMove& turn : worker.turns) {
     for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
       reservations_.end_contest(at, turn.proposal->access);
-    });
-  }
-  for (const QueuedMove& turn : worker.deferred) {
-    for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
-      reservations_.end_deferral(at, grains::Access::shared);
     });
   }
   for (const QueuedMove& turn : worker.turns) {

@@ -11,14 +11,14 @@ constexpr std::size_t kParallelFrom = 4096;
 
 }  // namespace
 
-Engine::Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile)
+Engine::Engine(grains::State initial, const Rules& rules, const Options& options)
     : Steps(std::move(initial), rules),
       world_(world()),
       decisions_(decisions()),
       threads_(options.threads),
       parallel_from_(options.parallel_from.value_or(kParallelFrom)),
       sleeping_(options.sleeping),
-      profile_(profile),
+      phase_times_(options.phase_times),
       footprints_(world_.state, candidate_directions(rules)),
       reservations_(world_.state.lattice),
       strips_(world_.state.lattice, footprints_, static_cast<std::size_t>(options.threads)),
@@ -39,7 +39,7 @@ std::size_t Engine::move_particles() {
     wake_all();
   }
   assign_strips();
-  grains::PhaseClock clock(profile_);
+  grains::PhaseClock clock(phase_times_);
   parallel::FirstFailure failure;
   if (in_parallel_) {
 #pragma omp parallel num_threads(threads_)
@@ -82,8 +82,8 @@ void Engine::append_moved(std::vector<std::uint32_t>& ids) const {
 }
 
 // Each phase reads what all threads have written in the one before.
-void Engine::run_phases(grains::PhaseClock<Profile>& clock, parallel::FirstFailure& failure) {
-  const auto end = [&](double Profile::*phase) {
+void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failure) {
+  const auto end = [&](std::string_view phase) {
 #pragma omp master
     clock.end(phase);
   };
@@ -92,18 +92,22 @@ void Engine::run_phases(grains::PhaseClock<Profile>& clock, parallel::FirstFailu
   if (overlaps_) {
     move_overlapping();
   }
-  end(&Profile::decide);
+  end("decide");
   // 4. Movers that nobody is in the way of move, whatever their place in the order. The others have
   // their turn in order.
   in_each_strip(failure, &Engine::reserve);
   in_each_strip(failure, &Engine::find_conflicts);
-  end(&Profile::contest);
+  end("contest");
   in_each_strip(failure, &Engine::commit);
-  end(&Profile::move);
+  end("move");
 #pragma omp single
-  failure.guard([this] { give_deferred_turns(); });
+  failure.guard([this] {
+    if (!overlaps_) {
+      give_turns();
+    }
+  });
   in_each_strip(failure, &Engine::finish);
-  end(&Profile::turns);
+  end("turns");
 }
 
 void Engine::in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&)) {
@@ -128,7 +132,6 @@ void Engine::begin_step() {
       proposals.sloping.clear();
     }
     worker.turns.clear();
-    worker.deferred.clear();
     worker.examined = 0;
   }
 }

@@ -21,7 +21,7 @@ namespace clca::automaton {
 /// enough.
 class Engine final : public Steps {
  public:
-  Engine(grains::State initial, const Rules& rules, const Options& options, Profile* profile);
+  Engine(grains::State initial, const Rules& rules, const Options& options);
 
  private:
   using Corner = grains::Bitboard::Corner;
@@ -63,7 +63,7 @@ class Engine final : public Steps {
   void assign_strips();
 
   // The phases. Each begins when all workers have ended the one before.
-  void run_phases(grains::PhaseClock<Profile>& clock, parallel::FirstFailure& failure);
+  void run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failure);
   void in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&));
 
   // Provisional directions, see proposals.cpp.
@@ -88,9 +88,7 @@ class Engine final : public Steps {
   void reserve(StripWorker& worker);
   void find_conflicts(StripWorker& worker);
   std::uint16_t contested_lead(const MoveProposal& proposal) const;
-  bool depends_on_deferred(const MoveProposal& proposal) const;
-  void give_turns(StripWorker& worker);
-  void give_deferred_turns();
+  void give_turns();
   void give_turn(MoveProposal& proposal);
   void end_conflicts(StripWorker& worker);
 
@@ -107,12 +105,12 @@ class Engine final : public Steps {
   int threads_;
   std::size_t parallel_from_;
   bool sleeping_;
-  Profile* profile_;
+  grains::PhaseTimes* phase_times_;
   WindowedFootprints footprints_;
   SiteReservations reservations_;
   Strips strips_;
   std::vector<StripWorker> workers_;
-  std::vector<QueuedMove> deferred_;  // of all workers
+  std::vector<QueuedMove> turns_;     // of all workers
   std::vector<MoveProposal> pushed_;  // by the passive rule
   std::vector<MoveProposal> freed_;   // overlap, but move by themselves
   std::size_t examined_;

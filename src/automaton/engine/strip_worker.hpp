@@ -99,9 +99,8 @@ struct alignas(kCacheLine) StripWorker {
   AwakeSet awake;                    ///< by what was here in the last step
   AwakeSet waking;                   ///< the same for the next step
   ReusableBuffer<WakeWindow> to_wake;
-  std::vector<QueuedMove> turns;     ///< contested moves in this strip
-  std::vector<QueuedMove> deferred;  ///< those of them that depend on other strips
-  WorkHistogram work;                ///< see Strips
+  std::vector<QueuedMove> turns;  ///< contested moves in this strip
+  WorkHistogram work;             ///< see Strips
   std::size_t examined = 0;
   std::size_t next_awake = 0;  ///< number of the next awake particle that no thread has taken
 };

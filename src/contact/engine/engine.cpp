@@ -12,12 +12,12 @@
 
 namespace clca::contact {
 
-Engine::Engine(State initial, const Parameters& parameters, Profile* profile)
+Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times)
     : Steps(std::move(initial), parameters),
       state_(own_state()),
       rule_(rule()),
-      profile_(profile),
-      clock_(profile),
+      phase_times_(phase_times),
+      clock_(phase_times),
       batch_(fastest_functions()),
       finder_(box(), rule_),
       slots_(state_.grains, rule_),
@@ -70,16 +70,16 @@ void Engine::look_at_all() {
 
 std::size_t Engine::move_grains() {
   written_back_ = false;
-  clock_ = grains::PhaseClock(profile_);
+  clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
   set_walls();
   bounce_new();
   collide();
   accelerate_all();
-  clock_.end(&Profile::motion);
+  clock_.end("motion");
   sweep_contacts();
   advance_and_move();
-  clock_.end(&Profile::moves);
+  clock_.end("moves");
   return moved_.size();
 }
 
@@ -89,7 +89,7 @@ void Engine::update_contacts() {
     look_at_all();  // which one of two is the upper one may have changed
   }
   const std::size_t first_new = finder_.update(changed_, wall_velocities(state_), slots_);
-  clock_.end(&Profile::contacts);
+  clock_.end("contacts");
   new_slots_.clear();
   if (sorts_contacts(state_)) {
     finder_.sort(slots_, first_new, new_slots_);
@@ -101,7 +101,7 @@ void Engine::update_contacts() {
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
-  clock_.end(&Profile::order);
+  clock_.end("order");
 }
 
 void Engine::set_walls() {
@@ -160,14 +160,14 @@ void Engine::accelerate_all() {
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches().all();
   batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.law.turns);
-  clock_.end(&Profile::warm_start);
+  clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.law, i % 2 != 0);
   }
   for (const std::int32_t slot : new_slots_) {
     slots_.batches().bounce(slots_.at(slot).lane) = 0;
   }
-  clock_.end(&Profile::sweeps);
+  clock_.end("sweeps");
 }
 
 void Engine::advance_and_move() {
@@ -189,7 +189,7 @@ void Engine::advance_and_move() {
     count += squared(remainder) > kNear * kNear ? 1 : 0;
   }
   candidates_.resize(count);
-  clock_.end(&Profile::motion);
+  clock_.end("motion");
   std::vector<WallMove> walls = advance_walls(state_);
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "clca/contact/profile.hpp"
 #include "clca/grains/model.hpp"
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
@@ -18,7 +17,7 @@ namespace clca::contact {
 
 class Engine final : public Steps {
  public:
-  Engine(State initial, const Parameters& parameters, Profile* profile);
+  Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times);
 
   void write_back() override;
   void write_back_velocities() override;
@@ -51,8 +50,8 @@ class Engine final : public Steps {
 
   State& state_;
   const Rule& rule_;
-  Profile* profile_;
-  grains::PhaseClock<Profile> clock_;  // of this step
+  grains::PhaseTimes* phase_times_;
+  grains::PhaseClock clock_;  // of this step
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;

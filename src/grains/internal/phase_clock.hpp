@@ -1,34 +1,40 @@
 #pragma once
 // Measures how long the phases of a step take.
 
+#include <algorithm>
 #include <chrono>
+
+#include "clca/grains/model.hpp"
 
 namespace clca::grains {
 
-/// `Profile` has a member of type double, in seconds, for each phase.
-template <class Profile>
 class PhaseClock {
  public:
-  /// Measures nothing if `profile` is null.
-  explicit PhaseClock(Profile* profile) : profile_(profile) {
-    if (profile_ != nullptr) {
+  /// Measures nothing if `times` is null.
+  explicit PhaseClock(PhaseTimes* times) : times_(times) {
+    if (times_ != nullptr) {
       since_ = Clock::now();
     }
   }
 
-  /// Adds the time since the end of the last phase to `phase`.
-  void end(double Profile::*phase) {
-    if (profile_ != nullptr) {
-      const Clock::time_point now = Clock::now();
-      profile_->*phase += std::chrono::duration<double>(now - since_).count();
-      since_ = now;
+  /// Adds the time since the end of the last phase to `phase`, a literal.
+  void end(std::string_view phase) {
+    if (times_ == nullptr) {
+      return;
     }
+    const Clock::time_point now = Clock::now();
+    auto found = std::ranges::find(*times_, phase, &PhaseTimes::value_type::first);
+    if (found == times_->end()) {
+      found = times_->insert(found, {phase, 0});
+    }
+    found->second += std::chrono::duration<double>(now - since_).count();
+    since_ = now;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  Profile* profile_;
+  PhaseTimes* times_;
   Clock::time_point since_{};
 };
 

@@ -144,7 +144,7 @@ TEST(Coloring, MarksTheEndsOfTheBarBeyondWhichValuesLie) {
   grains::State state = tower(3);
   state.particles[1].row += 5;
   state.particles[2].row += 13;
-  const auto marks = [&](const ColorBarEnds& range) {
+  const auto marks = [&](const statistics::Range& range) {
     Coloring coloring = color_by_displacement(range);
     mark_beyond(coloring, state, grains::Occupancy(state));
     return std::pair(coloring.legend.bars[0].below, coloring.legend.bars[0].above);

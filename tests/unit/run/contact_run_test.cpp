@@ -298,7 +298,7 @@ TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {
 // Gains stand for energy that the balance misses.
 TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
-  Model model(scene, first_state(scene), {});
+  SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
   EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
@@ -312,7 +312,7 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
 
 TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
-  Model model(scene, first_state(scene), {});
+  SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
   EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);

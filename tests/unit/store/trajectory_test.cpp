@@ -113,7 +113,7 @@ stages:
 output: {trajectory: {every: 20, contacts: true}}
 )",
                                           "rain.yaml");
-  run::Model model(scene, run::first_state(scene), {});
+  run::SceneModel model(scene, run::first_state(scene), {});
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   run::prepare_stage(model, scene, scene.stages.front());
   std::vector<ContactFrame> shown;
@@ -226,7 +226,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
-  run::Model model(scene, run::first_state(scene), {});
+  run::SceneModel model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (std::size_t{80} * 33);
