@@ -27,8 +27,10 @@ std::string explained(const std::string& name) {
   try {
     return scene::explain(name);
   } catch (const scene::UnknownKeyError&) {
-    const run::Quantity* of_grains = run::find_quantity(name);
-    const run::Quantity* quantity = of_grains != nullptr ? of_grains : run::find_gas_quantity(name);
+    const run::Quantity* quantity = nullptr;
+    for (auto* find : {run::find_quantity, run::find_gas_quantity, run::find_sweep_column}) {
+      quantity = quantity != nullptr ? quantity : find(name);
+    }
     if (quantity == nullptr) {
       throw;
     }
@@ -80,8 +82,8 @@ void add_explain_command(CommandLine& command_line) {
       .option("--format", &options->format,
               "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
               "measures), or "
-              "columns (of a table of a run: KEY is its name, such as series or gas.series; of the "
-              "trajectory its datasets)")
+              "columns (of a table of a run: KEY is its name, such as series, gas.series or "
+              "sweep.runs; of the trajectory its datasets)")
       .type("FORMAT")
       .values(one_of({"text", "markdown", "schema", "quantities", "columns"}))
       .show_default();

@@ -260,23 +260,25 @@ std::string measures_html(const Sweep& sweep, const run::KnownQuantities& known,
   }
 }
 
-std::string runs_html(const Sweep& sweep) {
+std::string runs_html(const Sweep& sweep, const run::KnownQuantities& known) {
   std::vector<std::string> names = sweep.keys;
+  std::vector<std::string> headings = sweep.keys;
   for (const char* name : {"seed", "status", "steps", "state_hash", "error"}) {
     names.emplace_back(name);
+    headings.push_back(known.label(name));
   }
   std::string html =
       R"(<div class="wide" tabindex="0" role="region" aria-label="Runs"><table><thead><tr>)";
-  for (const std::string& name : names) {
-    html += fmt::format(R"(<th scope="col">{}</th>)", escaped(name));
+  for (const std::string& heading : headings) {
+    html += fmt::format(R"(<th scope="col">{}</th>)", escaped(heading));
   }
   html += "</tr></thead><tbody>\n";
   const std::size_t shown = std::min(sweep.table.rows(), kMaxRuns);
   for (std::size_t row = 0; row < shown; ++row) {
     html += "<tr>";
-    for (const std::string& name : names) {
-      html += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(name),
-                          escaped(cell(sweep.table, name, row)));
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      html += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(headings[column]),
+                          escaped(cell(sweep.table, names[column], row)));
     }
     html += "</tr>\n";
   }
@@ -321,7 +323,7 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
           .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
                        {"figures", "Figures", figures_html(folder, warnings)},
                        {"measures", "Measures", measures_html(sweep, known, warnings)},
-                       {"runs", "Runs", runs_html(sweep)},
+                       {"runs", "Runs", runs_html(sweep, known)},
                        {"repeat", "How to repeat it", command_html(sweep)},
                        {"files", "Tables", files_html(folder)}}};
 }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,12 +15,6 @@
 namespace clca::run {
 
 namespace {
-
-constexpr auto kOfSweeps = std::to_array<Quantity>({
-    {"steps", "Steps", "", "of the stage"},
-    {"discharged_until_clog", "Discharged until a clog", "particles",
-     "all that left in the runs, over the number of clogs"},
-});
 
 /// Name and meaning, in a table in Markdown.
 std::string described(const Quantity& quantity) {
@@ -70,8 +63,8 @@ const Quantity* find_of_each(std::string_view key) {
   return nullptr;
 }
 
-const Quantity* find_column(std::string_view name) {
-  for (const TableInfo& table : all_tables()) {
+const Quantity* find_column(const std::vector<TableInfo>& tables, std::string_view name) {
+  for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
       return std::ranges::count(one.names(), name) > 0;
     });
@@ -97,17 +90,22 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  if (const Quantity* found = find_in(kOfSweeps, whole)) {
+  if (const Quantity* found = find_in(sweep_quantities(), whole)) {
     return found;
   }
-  if (const Quantity* found = whole == key ? find_column(whole) : find_of_each(whole)) {
+  if (const Quantity* found =
+          whole == key ? find_column(all_tables(), whole) : find_of_each(whole)) {
     return found;
   }
-  return whole == key ? find_of_each(whole) : find_column(whole);
+  return whole == key ? find_of_each(whole) : find_column(all_tables(), whole);
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
   return find_in(gas_quantities(), key);
+}
+
+const Quantity* find_sweep_column(std::string_view key) {
+  return find_column(sweep_tables(), key);
 }
 
 std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
@@ -118,7 +116,8 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
                          .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                          .meaning = own->value};
   }
-  const Quantity* known = of_gas ? find_gas_quantity(key) : find_quantity(key);
+  const Quantity* of_run = of_gas ? find_gas_quantity(key) : find_quantity(key);
+  const Quantity* known = of_run != nullptr ? of_run : find_sweep_column(key);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -167,16 +166,17 @@ std::string columns_table(std::string_view table) {
   if (table == "trajectory") {
     return store::datasets_table();
   }
-  constexpr std::string_view kGas = "gas.";
-  const bool is_gas = table.starts_with(kGas);
-  const std::string_view name = is_gas ? table.substr(kGas.size()) : table;
+  const std::string_view prefix = table.substr(0, table.find('.') + 1);  // npos + 1 is 0
+  const std::string_view name = table.substr(prefix.size());
   std::string text = "| column | unit | what |\n|---|---|---|\n";
   const auto add = [&text](const std::string& names, const Quantity& what, std::string_view where) {
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
                         where.empty() ? "" : "; ", where);
   };
   std::vector<std::string_view> known = {"trajectory"};
-  for (const TableInfo& info : is_gas ? gas_tables() : all_tables()) {
+  for (const TableInfo& info : prefix == "gas."     ? gas_tables()
+                               : prefix == "sweep." ? sweep_tables()
+                                                    : all_tables()) {
     known.push_back(info.name);
     if (info.name != name) {
       continue;

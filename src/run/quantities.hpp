@@ -50,4 +50,8 @@ std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
 const std::vector<Quantity>& gas_quantities();
 const std::vector<TableInfo>& gas_tables();
 
+// Of sweeps: measures, and tables with names in capitals where they have several columns.
+const std::vector<Quantity>& sweep_quantities();
+const std::vector<TableInfo>& sweep_tables();
+
 }  // namespace clca::run

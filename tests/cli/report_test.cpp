@@ -100,7 +100,7 @@ TEST_F(ReportCommand, WritesAPageAboutASweep) {
   for (const std::string stage : {"packing", "flow"}) {
     EXPECT_EQ(count_of(page, "<h3>" + stage + "</h3>"), 1U) << stage;
   }
-  EXPECT_EQ(count_of(page, "<td data-of=\"status\">done</td>"), 4U);
+  EXPECT_EQ(count_of(page, "<td data-of=\"Status\">done</td>"), 4U);
   EXPECT_GT(count_of(page, "<figure class=\"chart\""), 3U);
   EXPECT_EQ(clca({"report", "sweep"}).code, 0);
   EXPECT_EQ(text("sweep/report.html"), page);

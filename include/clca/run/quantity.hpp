@@ -1,6 +1,7 @@
 #pragma once
 // What the numbers in run.json and in the tables of a run are.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct Quantity {
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
+/// Of a column that tables of a sweep have besides the measures of runs.
+const Quantity* find_sweep_column(std::string_view key);
 
 /// A quantity of one run or sweep.
 struct ShownQuantity {
@@ -62,8 +65,13 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();
-/// The columns of a table of a run, such as `series`, of a gas `gas.series`, or the datasets of the
-/// `trajectory`, likewise. Throws text::InputError for one that there is not.
+/// The columns of a table of a run, such as `series`, of a gas `gas.series`, of a sweep
+/// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
+/// that there is not.
 std::string columns_table(std::string_view table);
+/// The names of the columns of `runs`, `measures` or `mean`, a table of a sweep, with `names` in
+/// place of those that are declared in capitals.
+std::vector<std::string> sweep_columns(
+    std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names);
 
 }  // namespace clca::run

@@ -30,11 +30,13 @@ TEST(Quantity, TheTableOfTheDocumentationIsThatOfTheDeclarations) {
 
 TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
   const std::string documents =
-      page("scene-format.md") + page("boltzmann.md") + page("trajectory.md");
+      page("scene-format.md") + page("boltzmann.md") + page("sweep.md") + page("trajectory.md");
   for (const char* table :
-       {"series", "probes", "lines", "fields", "fluctuation", "profile", "cycles", "mixing",
-        "weight_paths", "convection", "contacts", "forces", "loads", "walls", "stress",
-        "gas.series", "gas.histogram", "gas.closure", "trajectory"}) {
+       {"series",     "probes",        "lines",       "fields",       "fluctuation",
+        "profile",    "cycles",        "mixing",      "weight_paths", "convection",
+        "contacts",   "forces",        "loads",       "walls",        "stress",
+        "gas.series", "gas.histogram", "gas.closure", "sweep.runs",   "sweep.measures",
+        "sweep.mean", "trajectory"}) {
     EXPECT_THAT(documents, HasSubstr(std::string("<!-- columns: ") + table + " -->\n" +
                                      columns_table(table) + "<!-- end of columns -->\n"))
         << "call scripts/update-format";
