@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "clca/scene/format.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 
@@ -104,8 +105,39 @@ const Quantity* find_gas_quantity(std::string_view key) {
   return find_in(gas_quantities(), key);
 }
 
-const Quantity* find_sweep_column(std::string_view key) {
-  return find_column(sweep_tables(), key);
+std::vector<NamedQuantity> named_quantities() {
+  std::vector<NamedQuantity> all;
+  const auto add_measures = [&all](const std::vector<Quantity>& quantities, const char* where) {
+    for (const Quantity& one : quantities) {
+      all.push_back({std::string(one.key), &one, where, true});
+    }
+  };
+  const auto add_tables = [&all](const std::vector<TableInfo>& tables, const char* of) {
+    for (const TableInfo& table : tables) {
+      const std::string name(table.name);
+      const std::string where =
+          (table.kind == TableInfo::Kind::parts ? store::table_name(name, "STAGE")
+                                                : store::table_name(name)) +
+          of;
+      for (const ColumnInfo& column : table.columns) {
+        for (const std::string& key : column.names()) {
+          all.push_back({key, &column.quantity, where});
+        }
+      }
+      for (const auto& [quantity, of_what] : table.of_each) {
+        all.push_back({std::string(quantity.key), &quantity, where, true});
+      }
+    }
+  };
+  for (const QuantityGroup& group : stage_quantities()) {
+    add_measures(group.quantities, "run.json, tables of a sweep");
+  }
+  add_tables(all_tables(), "");
+  add_measures(gas_quantities(), "run.json of a gas");
+  add_tables(gas_tables(), " of a gas");
+  add_measures(sweep_quantities(), "tables of a sweep");
+  add_tables(sweep_tables(), " of a sweep");
+  return all;
 }
 
 std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
@@ -117,7 +149,7 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
                          .meaning = own->value};
   }
   const Quantity* of_run = of_gas ? find_gas_quantity(key) : find_quantity(key);
-  const Quantity* known = of_run != nullptr ? of_run : find_sweep_column(key);
+  const Quantity* known = of_run != nullptr ? of_run : find_column(sweep_tables(), key);
   if (known == nullptr) {
     return std::nullopt;
   }

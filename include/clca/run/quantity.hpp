@@ -27,8 +27,16 @@ struct Quantity {
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
-/// Of a column that tables of a sweep have besides the measures of runs.
-const Quantity* find_sweep_column(std::string_view key);
+
+/// A name in run.json or in tables, and what it stands for.
+struct NamedQuantity {
+  std::string name;
+  const Quantity* quantity;
+  std::string where;        ///< as `series.csv`
+  bool is_of_each = false;  ///< there may be NAME.OUTLET or NAME.WALL, too
+};
+/// All that are declared; a name may come several times.
+std::vector<NamedQuantity> named_quantities();
 
 /// A quantity of one run or sweep.
 struct ShownQuantity {
