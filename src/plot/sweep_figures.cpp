@@ -131,6 +131,7 @@ class SweepTable {
   std::optional<Interval> interval(std::size_t row) const;
   std::optional<Interval> place(std::size_t row) const;
   Cells combination(std::size_t row) const;
+  bool is_of_turned_floor(std::size_t row) const;
   std::vector<Points> found() const;
   Figure figure(const Template& one, const Points& points, std::size_t number) const;
   const std::string& x_name() const { return x_is_key_ ? table_.names[along_.front()] : choice_.x; }
@@ -146,6 +147,7 @@ class SweepTable {
   std::vector<std::size_t> apart_;
   bool x_is_key_ = true;
   std::map<Cells, std::size_t> x_rows_;  ///< of the measure on the axis, by combination
+  std::set<Cells> turned_;               ///< combinations that end with a vessel that is turned
   Cells words_;                          ///< of the axis, if not all are numbers
   RowLabels lines_;
   RowLabels parts_;
@@ -203,6 +205,12 @@ SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const C
   for (std::size_t row = 0; !x_is_key_ && row < table.rows(); ++row) {
     if (cell("measure", row) == choice.x) {
       x_rows_.emplace(combination(row), row);
+    }
+  }
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& angle = cell("mean", row);
+    if (cell("measure", row) == run::kVesselAngleKey && is_number(angle) && std::stod(angle) != 0) {
+      turned_.insert(combination(row));
     }
   }
   if (x_is_key_ && !std::ranges::all_of(table.cells[along_.front()], is_number)) {
@@ -265,14 +273,23 @@ Cells SweepTable::combination(std::size_t row) const {
   return values;
 }
 
+/// Whether it is measured along or above the floor of a vessel that is turned.
+bool SweepTable::is_of_turned_floor(std::size_t row) const {
+  if (turned_.empty() || !turned_.contains(combination(row))) {
+    return false;
+  }
+  const auto known = known_.find(cell("measure", row));
+  return known && known->of_floor;
+}
+
 std::vector<Points> SweepTable::found() const {
   std::vector<Points> found;  // by first row, in the order of the table
   std::map<std::tuple<std::string, std::string, std::size_t>, std::size_t> numbers;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     const std::string& stage = cell("stage", row);
     const std::string& measure = cell("measure", row);
-    const bool is_wanted =
-        choice_.y.empty() ? measure != x_name() : std::ranges::count(choice_.y, measure) > 0;
+    const bool is_wanted = choice_.y.empty() ? measure != x_name() && !is_of_turned_floor(row)
+                                             : std::ranges::count(choice_.y, measure) > 0;
     const auto y = interval(row);
     const auto x = is_wanted && y ? place(row) : std::nullopt;
     if (!x || !is_label(stage) || !is_label(measure)) {

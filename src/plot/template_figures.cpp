@@ -146,8 +146,6 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   text += fmt::format("templates = {};", literal(fs::absolute(one.file).parent_path().string()));
   const auto& units = tables.summary().units;
   text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
-  text += fmt::format("time_title = {};",
-                      literal(units ? fmt::format("Time ({})", units->time_unit) : "Step"));
   text +=
       fmt::format("velocity_unit = {};", literal(units ? units->velocity_unit : "spacings/step"));
   const auto& box = tables.summary().box;

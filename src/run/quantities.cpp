@@ -91,18 +91,21 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  if (const Quantity* found = find_in(sweep_quantities(), whole)) {
-    return found;
-  }
-  if (const Quantity* found =
-          whole == key ? find_column(all_tables(), whole) : find_of_each(whole)) {
-    return found;
-  }
-  return whole == key ? find_of_each(whole) : find_column(all_tables(), whole);
+  const Quantity* column = find_column(all_tables(), whole);
+  const Quantity* of_each = find_of_each(whole);
+  const Quantity* first = whole == key ? column : of_each;
+  const Quantity* second = whole == key ? of_each : column;
+  return first != nullptr ? first : second != nullptr ? second : find_in(sweep_quantities(), whole);
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
   return find_in(gas_quantities(), key);
+}
+
+const Quantity* find_sweep_quantity(std::string_view key) {
+  const Quantity* measure = find_in(sweep_quantities(), key.substr(0, key.find('.')));
+  const Quantity* of_runs = measure != nullptr ? measure : find_quantity(key);
+  return of_runs != nullptr ? of_runs : find_column(sweep_tables(), key);
 }
 
 std::vector<NamedQuantity> named_quantities() {
@@ -148,8 +151,9 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
                          .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                          .meaning = own->value};
   }
-  const Quantity* of_run = of_gas ? find_gas_quantity(key) : find_quantity(key);
-  const Quantity* known = of_run != nullptr ? of_run : find_column(sweep_tables(), key);
+  const Quantity* known = of == Of::gas     ? find_gas_quantity(key)
+                          : of == Of::sweep ? find_sweep_quantity(key)
+                                            : find_quantity(key);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -172,8 +176,12 @@ std::string KnownQuantities::label(std::string_view key) const {
 }
 
 KnownQuantities known_quantities(const store::RunSummary& summary) {
-  return {
-      .of_gas = summary.kind == "boltzmann", .units = summary.units, .derived = summary.derived};
+  using Of = KnownQuantities::Of;
+  return {.of = summary.kind == "boltzmann" ? Of::gas
+                : summary.kind == "sweep"   ? Of::sweep
+                                            : Of::run,
+          .units = summary.units,
+          .derived = summary.derived};
 }
 
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {

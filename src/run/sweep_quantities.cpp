@@ -24,6 +24,7 @@ TableInfo sweep_table(std::string_view name, const std::vector<Quantity>& column
 const std::vector<Quantity>& sweep_quantities() {
   static const std::vector<Quantity> kAll = {
       {"steps", "Steps", "", "of the stage"},
+      {"time", "Time", "time", "of the stage"},
       {"discharged_until_clog", "Discharged until a clog", "particles",
        "all that left in the runs, over the number of clogs"}};
   return kAll;

@@ -1,6 +1,7 @@
 #pragma once
 // What the numbers in run.json and in the tables of a run are.
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct Quantity {
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
+/// Of the tables of a sweep over runs of grains.
+const Quantity* find_sweep_quantity(std::string_view key);
 
 /// A name in run.json or in tables, and what it stands for.
 struct NamedQuantity {
@@ -37,6 +40,9 @@ struct NamedQuantity {
 };
 /// All that are declared; a name may come several times.
 std::vector<NamedQuantity> named_quantities();
+
+/// Measure of a stage that ends with a vessel at this angle, other than 0 if it is turned.
+inline constexpr std::string_view kVesselAngleKey = "vessel_angle_deg";
 
 /// A quantity of one run or sweep.
 struct ShownQuantity {
@@ -49,7 +55,9 @@ struct ShownQuantity {
 
 /// What is known of the quantities of one run or sweep.
 struct KnownQuantities {
-  bool of_gas = false;
+  enum class Of : std::uint8_t { run, gas, sweep };
+
+  Of of = Of::run;
   std::optional<scene::Conversion> units = {};
   std::vector<scene::DerivedMeasure> derived = {};
 

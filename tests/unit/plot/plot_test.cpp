@@ -173,14 +173,13 @@ TEST_F(FiguresTest, UnreadableTablesLeaveTheOtherFigures) {
 TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {
   write_template("t", "# needs: series.csv: x\n");
   write("series.csv", "x\n1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";time_title = \"Step\";"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";"));
   store::RunSummary summary;
   summary.scene = "small";
   summary.units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
   write("run.json", store::to_json(summary));
-  EXPECT_THAT(found().at(0).setting,
-              HasSubstr("time_column = \"time\";time_title = \"Time (s)\";"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"time\";"));
 }
 
 TEST_F(FiguresTest, TemplatesLearnTheNamesAndUnitsOfColumns) {

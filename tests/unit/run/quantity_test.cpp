@@ -71,6 +71,15 @@ TEST(Quantity, OfAGasMayHaveTheKeyOfOneOfGrains) {
   EXPECT_NE(find_quantity("time")->unit, find_gas_quantity("time")->unit);
 }
 
+TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
+  EXPECT_EQ(find_sweep_quantity("time")->meaning, "of the stage");
+  EXPECT_EQ(find_quantity("time")->meaning, "of the whole run");
+  EXPECT_EQ(find_sweep_quantity("discharged_until_clog.drain")->unit, "particles");
+  EXPECT_EQ(find_sweep_quantity("standard_error")->name, "Standard error");
+  EXPECT_EQ(find_quantity("standard_error"), nullptr);
+  EXPECT_EQ(find_sweep_quantity("runout_99"), find_quantity("runout_99"));
+}
+
 TEST(Quantity, HasTheUnitsOfARun) {
   const scene::Conversion units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
   EXPECT_EQ(shown_unit("sites/time", units), "sites/s");
