@@ -48,7 +48,7 @@ const std::vector<TableInfo>& all_tables() {
 /// x or y of a column of a vector; empty for others.
 std::string_view part_of_vector(const Quantity& quantity, std::string_view column) {
   const std::string_view end = column.substr(std::min(quantity.key.size(), column.size()));
-  const bool is_part = !quantity.key.empty() && column.starts_with(quantity.key);
+  const bool is_part = column.starts_with(quantity.key);
   return is_part && (end == "x" || end == "y") ? end : "";
 }
 
