@@ -152,15 +152,15 @@ std::string combination(const store::ReadTable& table, const std::vector<std::st
   return text;
 }
 
-/// A key of a scene, KEY=VALUE or a heading; a line may end behind the dots of a key.
-std::string breakable(const std::string& line) {
+/// A key of a scene, KEY=VALUE or a heading; a line may end behind the dots of a key and `=`.
+std::string breakable(const std::string& line, const char* end = "<wbr>") {
   const std::string text = escaped(line);
   std::string html;
   for (std::size_t i = 0; i < text.size(); ++i) {
     html += text[i];
     const bool goes_on =
         i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0;
-    html += text[i] == '.' && goes_on ? "<wbr>" : "";
+    html += text[i] == '=' || (text[i] == '.' && goes_on) ? end : "";
   }
   return html;
 }
@@ -255,7 +255,7 @@ class StageTable {
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       html += fmt::format(R"(<td data-of="{}">{}</td>)",
-                          columns_[i].empty() ? "Mean" : escaped(columns_[i]),
+                          columns_[i].empty() ? "Mean" : breakable(columns_[i], "&#8203;"),
                           std::isnan(means[i]) ? "–" : number_html(means[i], errors[i], decimals));
     }
     return html + fmt::format(

@@ -366,9 +366,9 @@ TEST_F(Report, LeavesItOutOfASweepToo) {
     return page();
   };
   const std::string html = sweep("0");
-  EXPECT_THAT(html, AllOf(HasSubstr("<td data-of=\"a.tilt=0\">1025</td>"),
-                          HasSubstr("<td data-of=\"a.tilt=0.5\">–</td>"),
-                          HasSubstr("<th scope=\"col\">a.<wbr>tilt=0.5</th>"),
+  EXPECT_THAT(html, AllOf(HasSubstr("<td data-of=\"a.&#8203;tilt=&#8203;0\">1025</td>"),
+                          HasSubstr("<td data-of=\"a.&#8203;tilt=&#8203;0.5\">–</td>"),
+                          HasSubstr("<th scope=\"col\">a.<wbr>tilt=<wbr>0.5</th>"),
                           HasSubstr("Time<small>of the stage</small>"), HasSubstr("is left out")));
   EXPECT_THAT(sweep("20"), Not(HasSubstr("runout_99")));
 }
