@@ -7,7 +7,7 @@
 # groups: restitution
 quantity = 'dh_rot'
 @set_time_axis
-set ylabel 'Hellinger distance of rotational energy'
+set ylabel upright(label_of(quantity)) noenhanced
 is_logarithmic = 1
 set logscale y
 set format y '10^{%T}'

@@ -6,7 +6,7 @@
 # groups: restitution
 quantity = 'dh_tr'
 @set_time_axis
-set ylabel 'Hellinger distance of translational energy'
+set ylabel upright(label_of(quantity)) noenhanced
 is_logarithmic = 1
 set logscale y
 set format y '10^{%T}'

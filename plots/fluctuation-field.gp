@@ -6,6 +6,6 @@
 load templates . '/cells.gpi'
 set palette defined (0 '#ffffff', 1 '#0072b2')
 set cbrange [0:*]
-set title title_of_stage . "\nenergy, (" . velocity_unit . ')²'
+set title title_of_stage . "\n" . label_of('fluctuation') noenhanced
 plot $cells using (column('x')):(column('y')):(cell_width / 2):(cell_height / 2):(column('energy')) \
          with boxxyerror fillstyle solid noborder fillcolor palette

@@ -4,7 +4,7 @@
 # rank: 6
 # groups: stage
 quantity = 'kinetic_energy'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:*]
 plot @stages

@@ -5,7 +5,7 @@
 # groups: line
 # one figure for each: file
 load templates . '/lines.gpi'
-set ylabel 'velocity, ' . velocity_unit noenhanced
+set ylabel 'Velocity (' . velocity_unit . ')' noenhanced
 quantity = 'v_across'
 plot @profile, \
      for [g = 1:|groups|] files[1] using (of_group(g, column(across))):(column('v_along')) \

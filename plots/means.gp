@@ -22,4 +22,5 @@ plot for [i = 1:|lines|] files[1] every ::firsts[i]::lasts[i] using (column(x_co
          (column(y_column) - column(y_column . '_se')):(column(y_column) + column(y_column . '_se')) \
          with filledcurves fillstyle transparent solid 0.25 noborder linecolor rgb color(i, |lines|) notitle, \
      for [i = 1:|lines|] files[1] every ::firsts[i]::lasts[i] using (column(x_column)):(column(y_column)) \
-         with lines linewidth 2 linecolor rgb color(i, |lines|) title lines[i]
+         with linespoints pointtype 7 pointsize (lasts[i] - firsts[i] < 30 ? 0.5 : 0) \
+         linewidth 2 linecolor rgb color(i, |lines|) title lines[i]

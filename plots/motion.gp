@@ -4,7 +4,7 @@
 # rank: 5
 # groups: stage
 quantity = 'moving_share'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:1]
 plot @stages

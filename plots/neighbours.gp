@@ -5,9 +5,9 @@
 # one figure for each: file
 enough(x) = column('pairs') >= 100 ? x : NaN
 set title titled(labels[1])
-set xlabel 'distance fallen, mean diameters'
-set ylabel 'share of neighbours kept'
-set y2label 'diffusion of pairs, spacings'
+set xlabel label_of('fallen_d') noenhanced
+set ylabel upright(label_of('kept')) noenhanced
+set y2label upright(label_of('pair_diffusion')) noenhanced
 set y2tics
 set border 11
 set yrange [0:1]

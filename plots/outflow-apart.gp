@@ -2,7 +2,7 @@
 #
 # needs: series.csv: step, discharged.*
 # rank: 7
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of('discharged')) noenhanced
 set yrange [0:*]
 plot @walls

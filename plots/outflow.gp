@@ -4,7 +4,7 @@
 # rank: 8
 # groups: stage
 quantity = 'discharged_sites'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:*]
 plot @stages

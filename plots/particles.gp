@@ -3,7 +3,7 @@
 # needs: series.csv: step, changing particles
 # groups: stage
 quantity = 'particles'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:*]
 plot @stages

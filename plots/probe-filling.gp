@@ -3,7 +3,7 @@
 # needs: probes.csv: step, filling
 # groups: probe
 quantity = 'filling'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 set yrange [0:1]
 plot @stages

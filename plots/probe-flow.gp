@@ -4,6 +4,6 @@
 # rank: 6
 # groups: probe
 quantity = 'flow'
-set xlabel time_title noenhanced
+set xlabel label_of(time_column) noenhanced
 set ylabel upright(label_of(quantity)) noenhanced
 plot @stages

@@ -89,7 +89,7 @@ walls = "for [i = 1:|columns|] files[1] using (column(time_column)):(column(colu
 
 # Parts of plot commands, for figures of a `quantity` over time with a curve for each restitution.
 restitution_title(g) = groups[g] eq '' ? 'simulation' : 'ε = ' . groups[g]
-set_time_axis = "set xlabel 'time,  1 / (π N (2a)² v_0)'"
+set_time_axis = "set xlabel label_of('time') noenhanced"
 curves = "for [g = 1:|groups|] 'series.csv' \
     using (of_group(g, column('time'))):(column(quantity)) \
     with lines linewidth 2 linecolor rgb color(g, |groups|) title restitution_title(g)"

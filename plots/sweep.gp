@@ -50,8 +50,8 @@ if (has_words) {
   set xrange [LEFT_min - pad:RIGHT_max + pad]
 }}
 set xlabel x_label noenhanced
-set ylabel upright(measure_label) noenhanced
-set title titled(stage) noenhanced
+set ylabel upright(y_label) noenhanced
+set title titled(part) noenhanced
 # Bars lie over pale points, so that they are seen where they are shorter.
 pale(c) = between(c, 0xffffff, 0.55)
 bar_style = "with vectors heads size graph 0.012, 90 linewidth 1.5"

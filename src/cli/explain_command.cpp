@@ -1,16 +1,23 @@
 // clca explain: the keys of the scene format.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/run/quantity.hpp"
 #include "clca/scene/format.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/units.hpp"
+#include "clca/text/message.hpp"
 #include "cli/command.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -19,25 +26,78 @@ namespace {
 
 struct ExplainOptions {
   std::vector<std::string> keys;
+  std::string scene;
   std::string format = "text";
 };
 
-/// Of keys of a scene, or of a quantity that run.json and tables have.
-std::string explained(const std::string& name) {
-  try {
-    return scene::explain(name);
-  } catch (const scene::UnknownKeyError&) {
-    const run::Quantity* of_grains = run::find_quantity(name);
-    const run::Quantity* quantity = of_grains != nullptr ? of_grains : run::find_gas_quantity(name);
-    if (quantity == nullptr) {
-      throw;
+/// What a scene derives.
+struct Derived {
+  std::vector<scene::DerivedMeasure> measures;
+  std::optional<scene::Conversion> units;
+};
+
+Derived derived_of(const std::string& file) {
+  if (file.empty()) {
+    return {};
+  }
+  const scene::AnyScene any = scene::parse_any_file(file);
+  const auto* scene = std::get_if<scene::Scene>(&any);
+  return scene == nullptr ? Derived() : Derived{scene->derived, scene::conversion(*scene)};
+}
+
+std::string text_of(const std::string& name, const std::string& title, const std::string& meaning,
+                    const std::string& unit, const std::vector<std::string>& where) {
+  return fmt::format("{}: {}{}{}{}\n  in {}\n", name, title, meaning.empty() ? "" : ": ", meaning,
+                     unit.empty() ? "" : "; in " + unit, fmt::join(where, ", "));
+}
+
+/// A quantity that run.json and tables have, once for each meaning; empty if there is none.
+std::string quantity_text(const std::string& name) {
+  const std::size_t dot = name.find('.');
+  std::vector<std::pair<const run::Quantity*, std::vector<std::string>>> found;
+  for (const run::NamedQuantity& one : run::named_quantities()) {
+    if (one.name != name && !(one.is_of_each && one.name == name.substr(0, dot))) {
+      continue;
     }
-    return fmt::format(
-        "{}: {}{}{}\n  a number in run.json or a column of a table of the run; in tables of a "
-        "sweep\n",
-        name, quantity->name,
-        quantity->meaning.empty() ? "" : fmt::format(": {}", quantity->meaning),
-        quantity->unit.empty() ? "" : fmt::format("; in {}", quantity->unit));
+    const auto same = std::ranges::find_if(found, [&](const auto& other) {
+      return other.first->name == one.quantity->name && other.first->unit == one.quantity->unit &&
+             other.first->meaning == one.quantity->meaning;
+    });
+    (same == found.end() ? found.emplace_back(one.quantity, std::vector<std::string>()) : *same)
+        .second.push_back(one.where);
+  }
+  std::string text;
+  for (const auto& [quantity, where] : found) {
+    text += text_of(name, std::string(quantity->name), std::string(quantity->meaning),
+                    std::string(quantity->unit), where);
+  }
+  return text;
+}
+
+/// A key of scenes, a quantity, or what a scene derives.
+std::string explained(const std::string& name, const Derived& derived) {
+  const auto own = std::ranges::find(derived.measures, name, &scene::DerivedMeasure::name);
+  if (own != derived.measures.end()) {
+    return text_of(name, own->about.value_or(name), own->value,
+                   own->unit == "1" ? "" : run::shown_unit(own->unit, derived.units),
+                   {"run.json: the scene derives it"});
+  }
+  const std::string quantity = quantity_text(name);
+  try {
+    const std::string key = scene::explain(name);
+    return quantity.empty() ? key : key + "\n" + quantity;
+  } catch (const scene::UnknownKeyError& error) {
+    if (!quantity.empty()) {
+      return quantity;
+    }
+    std::vector<std::string_view> names;
+    const std::vector<run::NamedQuantity> declared = run::named_quantities();
+    std::ranges::transform(declared, std::back_inserter(names), &run::NamedQuantity::name);
+    std::ranges::transform(derived.measures, std::back_inserter(names),
+                           &scene::DerivedMeasure::name);
+    const auto near = text::nearest(name, names);
+    throw text::InputError(
+        error.what() + (near ? fmt::format("; there is a quantity {}", text::shown(*near)) : ""));
   }
 }
 
@@ -48,8 +108,15 @@ std::string text_of(const ExplainOptions& options) {
   if (options.format == "quantities") {
     return run::quantities_table();
   }
-  const std::vector<std::string> keys =
-      options.keys.empty() ? std::vector<std::string>{""} : options.keys;
+  const Derived derived = derived_of(options.scene);
+  std::vector<std::string> keys = options.keys;
+  if (keys.empty()) {
+    std::ranges::transform(derived.measures, std::back_inserter(keys),
+                           &scene::DerivedMeasure::name);
+  }
+  if (keys.empty()) {
+    keys.emplace_back();
+  }
   if (options.format == "columns") {
     return run::columns_table(keys.front());
   }
@@ -58,7 +125,7 @@ std::string text_of(const ExplainOptions& options) {
   }
   std::string text;
   for (const std::string& key : keys) {
-    text += (text.empty() ? "" : "\n") + explained(key);
+    text += (text.empty() ? "" : "\n") + explained(key, derived);
   }
   return text;
 }
@@ -73,15 +140,19 @@ void add_explain_command(CommandLine& command_line) {
       .option(
           "KEY", &options->keys,
           "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
-          "quantities of run.json [the top]")
+          "quantities of run.json and tables [the top]")
       .type("NAME")
       .values(key_of_scene());
+  command
+      .option("--scene", &options->scene,
+              "A scene whose derived measures may be among the names; without KEY all of them")
+      .values(scene_names());
   command
       .option("--format", &options->format,
               "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
               "measures), or "
-              "columns (of a table of a run: KEY is its name, such as series or gas.series; of the "
-              "trajectory its datasets)")
+              "columns (of a table of a run: KEY is its name, such as series, gas.series or "
+              "sweep.runs; of the trajectory its datasets)")
       .type("FORMAT")
       .values(one_of({"text", "markdown", "schema", "quantities", "columns"}))
       .show_default();

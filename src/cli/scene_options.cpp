@@ -71,16 +71,20 @@ std::vector<Candidate> scenes_of_program() {
   return scenes;
 }
 
+OptionValues scene_names() {
+  return {[](std::string& name) {
+            name = run::scene_file(name);
+            return std::string();
+          },
+          "", [](const std::string& /*begun*/) { return scenes_of_program(); }};
+}
+
 void add_scene_and_set(Command& command, SceneOptions& options) {
   command
       .option("SCENE", &options.file,
               "Scene file (YAML), - for standard input, or the name of a scene of this program")
       .required()
-      .values({[](std::string& name) {
-                 name = run::scene_file(name);
-                 return std::string();
-               },
-               "", [](const std::string& /*begun*/) { return scenes_of_program(); }});
+      .values(scene_names());
   command
       .option("--set", &options.overrides,
               "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "

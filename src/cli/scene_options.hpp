@@ -30,6 +30,9 @@ struct SceneOptions {
 /// Name and title of each scene that comes with the program. Throws scene::SceneError.
 std::vector<Candidate> scenes_of_program();
 
+/// A file, or the name of one of them in place of its file.
+OptionValues scene_names();
+
 void add_scene_options(Command& command, SceneOptions& options);
 
 /// SCENE, --set and --begin only.

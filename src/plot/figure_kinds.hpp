@@ -17,10 +17,27 @@ std::vector<Figure> template_figures(RunTables& tables, const Template& one);
 /// StoreError, and text::InputError for a choice of what is not there.
 std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice);
 
-/// KEY=VALUE, KEY=VALUE of these columns for each row. Words of a single key that was chosen speak
-/// for themselves.
-std::vector<std::string> labels_of(const store::ReadTable& table,
-                                   const std::vector<std::size_t>& keys, bool is_chosen);
+/// KEY=VALUE, KEY=VALUE of some columns.
+struct RowLabels {
+  std::vector<std::string> all;      ///< each once, in the order of their values
+  std::vector<std::size_t> of_rows;  ///< places in `all`
+};
+
+/// Words of a single key that was chosen speak for themselves.
+RowLabels labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
+                    bool is_chosen);
+
+/// What figures of a sweep set, with a curve for each of the lines. `part`: of the sweep.
+struct SweepSetting {
+  std::string file;
+  std::string part;
+  std::string x_label;
+  std::string y_label;
+  std::vector<std::string> lines;
+  bool log_x = false;
+  bool log_y = false;
+};
+std::string to_text(const SweepSetting& setting);
 
 /// One for each stage and measure with a mean other than 0 in measures.csv, if a key is varied; in
 /// the order of the table. Throws StoreError, and text::InputError for a choice of what is not

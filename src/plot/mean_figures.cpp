@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 /// The rows of one combination in one figure: from the first to the last.
 struct Block {
-  std::string label;
+  std::size_t line;  ///< its place among the labels
   std::size_t first;
   std::size_t last;
 };
@@ -43,20 +43,33 @@ class MeanTable {
       const std::string& name = table_.names[column];
       (name == "stage" || name == "probe" || name == "line" ? groups_ : places_).push_back(column);
     }
+    std::vector<std::size_t> over;
+    std::vector<std::size_t> apart;
+    for (std::size_t key = 0; key < keys; ++key) {
+      const bool is_over =
+          choice.over.empty() || std::ranges::count(choice.over, table_.names[key]) > 0;
+      (is_over ? over : apart).push_back(key);
+    }
+    lines_ = labels_of(table_, over, !choice.over.empty());
+    others_ = labels_of(table_, apart, false);
   }
 
   std::vector<Figure> figures(const Template& one) const;
 
  private:
   std::string group(std::size_t row) const;
-  /// The group of rows, and the values of keys that have figures of their own.
-  using Part = std::pair<std::string, std::string>;
-  std::map<Part, std::vector<Block>> blocks() const;
+  /// What has figures of its own.
+  struct Part {
+    std::string group;   ///< of rows
+    std::string others;  ///< values of keys
+    std::vector<Block> blocks = {};
+  };
+  std::vector<Part> parts() const;
   std::string place() const;
   /// x_low, x_high, y_low and y_high: where there is something to see.
   std::string ranges(const std::vector<Block>& blocks, const std::string& column) const;
   Figure figure(const Template& one, const Part& part, std::size_t number,
-                const std::vector<Block>& blocks, const std::string& column) const;
+                const std::string& column) const;
 
   const RunTables& tables_;
   const Choice& choice_;
@@ -67,6 +80,8 @@ class MeanTable {
   std::size_t values_ = 0;  ///< the first column with means
   std::vector<std::size_t> groups_;
   std::vector<std::size_t> places_;
+  RowLabels lines_;
+  RowLabels others_;
 };
 
 std::string MeanTable::group(std::size_t row) const {
@@ -77,28 +92,33 @@ std::string MeanTable::group(std::size_t row) const {
   return fmt::format("{}", fmt::join(words, "-"));
 }
 
-std::map<MeanTable::Part, std::vector<Block>> MeanTable::blocks() const {
-  std::vector<std::size_t> over;
-  std::vector<std::size_t> apart;
-  for (std::size_t key = 0; key < keys_; ++key) {
-    const bool is_over =
-        choice_.over.empty() || std::ranges::count(choice_.over, table_.names[key]) > 0;
-    (is_over ? over : apart).push_back(key);
-  }
-  const Words labels = labels_of(table_, over, !choice_.over.empty());
-  const Words others = labels_of(table_, apart, false);
-  std::map<Part, std::vector<Block>> result;
+std::vector<MeanTable::Part> MeanTable::parts() const {
+  Words groups;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    std::vector<Block>& blocks = result[{group(row), others[row]}];
-    const bool goes_on =
-        !blocks.empty() && blocks.back().label == labels[row] && blocks.back().last + 1 == row;
+    groups.push_back(group(row));
+  }
+  const Words all_groups = in_order(groups);
+  std::map<std::pair<std::ptrdiff_t, std::size_t>, Part> found;  // by their places
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const std::size_t others = others_.of_rows[row];
+    const auto group_place = std::ranges::find(all_groups, groups[row]) - all_groups.begin();
+    Part& part = found[{group_place, others}];
+    part.group = groups[row];
+    part.others = others_.all[others];
+    const bool goes_on = !part.blocks.empty() && part.blocks.back().line == lines_.of_rows[row] &&
+                         part.blocks.back().last + 1 == row;
     if (goes_on) {
-      blocks.back().last = row;
+      part.blocks.back().last = row;
     } else {
-      blocks.push_back({labels[row], row, row});
+      part.blocks.push_back({lines_.of_rows[row], row, row});
     }
   }
-  return result;
+  std::vector<Part> parts;
+  for (auto& [place, part] : found) {
+    std::ranges::stable_sort(part.blocks, {}, &Block::line);
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 /// The column of the axis: time where all runs have it.
@@ -138,17 +158,15 @@ std::string MeanTable::ranges(const std::vector<Block>& blocks, const std::strin
 }
 
 Figure MeanTable::figure(const Template& one, const Part& part, std::size_t number,
-                         const std::vector<Block>& blocks, const std::string& column) const {
-  const auto& [group, others] = part;
-  Words labels;
+                         const std::string& column) const {
+  const auto& [group, others, blocks] = part;
+  Words lines;
   std::vector<std::size_t> firsts;
   std::vector<std::size_t> lasts;
-  std::size_t longest = 0;
   for (const Block& block : blocks) {
-    labels.push_back(block.label);
+    lines.push_back(lines_.all[block.line]);
     firsts.push_back(block.first);
     lasts.push_back(block.last);
-    longest = std::max(longest, block.label.size());
   }
   const std::string stem = file_.substr(0, file_.rfind('.'));
   const std::string stage = stem.substr(std::min(stem.find('-', stem.find('-') + 1), stem.size()));
@@ -165,26 +183,27 @@ Figure MeanTable::figure(const Template& one, const Part& part, std::size_t numb
                           known_.label(place()), of, one.description),
           .script = one.file,
           .run = tables_.run(),
-          .setting =
-              fmt::format("known_columns = '|'; time_column = 'step'; x_column = {}; y_column = {};"
-                          "x_label = {}; y_label = {}; part = {}; longest_label = {};"
-                          "log_axes = '{}{}'; array firsts[{}] = [{}]; array lasts[{}] = [{}];",
-                          literal(place()), literal(column), literal(known_.label(place())),
-                          literal(known_.label(column)), literal(of), longest,
-                          choice_.log_x ? "x" : "", choice_.log_y ? "y" : "", firsts.size(),
-                          fmt::join(firsts, ", "), lasts.size(), fmt::join(lasts, ", ")) +
-              ranges(blocks, column) + array_text("files", {file_}) + array_text("groups", {""}) +
-              array_text("quantity_keys", {""}) + array_text("quantity_labels", {""}) +
-              array_text("lines", labels),
+          .setting = to_text(SweepSetting{.file = file_,
+                                          .part = of,
+                                          .x_label = known_.label(place()),
+                                          .y_label = known_.label(column),
+                                          .lines = lines,
+                                          .log_x = choice_.log_x,
+                                          .log_y = choice_.log_y}) +
+                     fmt::format("x_column = {}; y_column = {}; array firsts[{}] = [{}];"
+                                 "array lasts[{}] = [{}];",
+                                 literal(place()), literal(column), firsts.size(),
+                                 fmt::join(firsts, ", "), lasts.size(), fmt::join(lasts, ", ")) +
+                     ranges(blocks, column),
           .rank = one.rank};
 }
 
 std::vector<Figure> MeanTable::figures(const Template& one) const {
   std::vector<Figure> result;
   std::map<std::string, std::size_t> numbers;  // by group
-  for (const auto& [part, blocks] : blocks()) {
-    const std::string& group = part.first;
-    const std::size_t number = part.second.empty() ? 0 : ++numbers[group];
+  for (const Part& part : parts()) {
+    const std::string& group = part.group;
+    const std::size_t number = part.others.empty() ? 0 : ++numbers[group];
     for (std::size_t at = values_; at < table_.names.size(); at += 2) {
       const std::string& column = table_.names[at];
       const auto is_drawn = [&](const Block& block) {
@@ -194,8 +213,8 @@ std::vector<Figure> MeanTable::figures(const Template& one) const {
       };
       const bool is_wanted = choice_.y.empty() || std::ranges::count(choice_.y, column) > 0;
       if (is_wanted && is_label(column) && (group.empty() || is_label(group)) &&
-          std::ranges::any_of(blocks, is_drawn)) {
-        result.push_back(figure(one, part, number, blocks, column));
+          std::ranges::any_of(part.blocks, is_drawn)) {
+        result.push_back(figure(one, part, number, column));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -56,8 +57,8 @@ store::RunSummary some_summary(const fs::path& folder) {
   return {};
 }
 
-/// Of a sweep, which has no run.json: its title and the name of its folder, units and derived
-/// measures as of some run.
+/// Of a sweep, which has no run.json: its title and the name of its folder; units, stages and
+/// derived measures as of some run.
 store::RunSummary summary_of(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder / "sweep.json", error) && !fs::exists(folder / "run.json", error)) {
@@ -67,6 +68,7 @@ store::RunSummary summary_of(const fs::path& folder) {
     summary.scene = fs::weakly_canonical(folder, error).filename().string();
     summary.title = sweep_title(folder / "sweep.json");
     summary.units = one.units;
+    summary.stages = one.stages;
     summary.derived = one.derived;
     for (scene::DerivedMeasure& derived : summary.derived) {
       derived.value.clear();  // whose numbers may vary
@@ -98,6 +100,23 @@ bool is_label(const std::string& text) {
   constexpr std::string_view kLetters =
       "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.";
   return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
+}
+
+bool is_number(const std::string& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+std::vector<std::string> in_order(const std::vector<std::string>& values) {
+  std::vector<std::string> result;
+  std::set<std::string> known;
+  std::ranges::copy_if(values, std::back_inserter(result),
+                       [&](const std::string& value) { return known.insert(value).second; });
+  if (std::ranges::all_of(result, is_number)) {
+    std::ranges::stable_sort(result, {}, [](const std::string& value) { return std::stod(value); });
+  }
+  return result;
 }
 
 bool has_values(const store::ReadTable& table, const std::string& column,

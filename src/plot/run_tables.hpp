@@ -59,4 +59,9 @@ std::vector<std::string> matching_columns(const store::ReadTable& table, const s
 /// Names of stages and numbers are made of these.
 bool is_label(const std::string& text);
 
+bool is_number(const std::string& text);
+
+/// The values in order: numbers ascend, where all are; words as they appear.
+std::vector<std::string> in_order(const std::vector<std::string>& values);
+
 }  // namespace clca::plot

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -24,32 +23,13 @@ using Cells = std::vector<std::string>;
 /// Rank of what the scene itself derives.
 constexpr double kFirst = 1e6;
 
-/// The values in order of appearance.
-Cells distinct(const Cells& cells) {
-  Cells result;
-  std::set<std::string> known;
-  std::copy_if(cells.begin(), cells.end(), std::back_inserter(result),
-               [&](const std::string& cell) { return known.insert(cell).second; });
-  return result;
-}
-
-bool is_number(const std::string& text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
-bool are_numbers(const Cells& cells) {
-  return std::all_of(cells.begin(), cells.end(), is_number);
-}
-
 /// Whether two keys vary together: each value of the first comes with one of the second.
 bool vary_together(const Cells& first, const Cells& second) {
   std::set<std::pair<std::string, std::string>> pairs;
   for (std::size_t row = 0; row < first.size(); ++row) {
     pairs.emplace(first[row], second[row]);
   }
-  return pairs.size() == distinct(first).size() && pairs.size() == distinct(second).size();
+  return pairs.size() == in_order(first).size() && pairs.size() == in_order(second).size();
 }
 
 /// So that they stand side by side under an axis.
@@ -83,13 +63,13 @@ struct Interval {
 struct Point {
   Interval x;
   Interval y;
-  double line = 0;  ///< its number, from 1
+  std::size_t line = 0;  ///< its number, from 1
 };
 
 /// The points of one figure.
 struct Points {
-  std::size_t row = 0;  ///< the first
-  std::string of;       ///< values of keys that neither the axis nor the lines have
+  std::size_t row = 0;   ///< the first
+  std::size_t part = 0;  ///< by values of keys that neither the axis nor the lines have
   std::vector<Point> points = {};
 };
 
@@ -119,7 +99,7 @@ std::string setting_of(std::vector<Point> points) {
          all("means", [](const Point& point) { return point.y.mean; }) +
          all("lows", [](const Point& point) { return point.y.low; }) +
          all("highs", [](const Point& point) { return point.y.high; }) +
-         all("of_lines", [](const Point& point) { return point.line; });
+         all("of_lines", [](const Point& point) { return static_cast<double>(point.line); });
 }
 
 /// Whether it is a column of a table that is averaged over the seeds.
@@ -151,6 +131,7 @@ class SweepTable {
   std::optional<Interval> interval(std::size_t row) const;
   std::optional<Interval> place(std::size_t row) const;
   Cells combination(std::size_t row) const;
+  bool is_of_turned_floor(std::size_t row) const;
   std::vector<Points> found() const;
   Figure figure(const Template& one, const Points& points, std::size_t number) const;
   const std::string& x_name() const { return x_is_key_ ? table_.names[along_.front()] : choice_.x; }
@@ -166,9 +147,10 @@ class SweepTable {
   std::vector<std::size_t> apart_;
   bool x_is_key_ = true;
   std::map<Cells, std::size_t> x_rows_;  ///< of the measure on the axis, by combination
+  std::set<Cells> turned_;               ///< combinations that end with a vessel that is turned
   Cells words_;                          ///< of the axis, if not all are numbers
-  Cells lines_;
-  Cells line_labels_;  ///< by row
+  RowLabels lines_;
+  RowLabels parts_;
 };
 
 SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const Choice& choice)
@@ -186,7 +168,7 @@ SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const C
   if (keys_ == 0) {
     return;  // only the seed varies
   }
-  const Cells measures = distinct(*table.find("measure"));
+  const Cells measures = in_order(*table.find("measure"));
   const auto require = [&](const std::string& name, bool may_be_key, bool may_be_measure) {
     if ((may_be_key && is_key(name)) ||
         (may_be_measure && std::ranges::count(measures, name) > 0)) {
@@ -218,15 +200,21 @@ SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const C
     require(name, true, false);
   }
   divide_keys();
-  line_labels_ = labels_of(table, over_, !choice.over.empty());
-  lines_ = distinct(line_labels_);
+  lines_ = labels_of(table, over_, !choice.over.empty());
+  parts_ = labels_of(table, apart_, false);
   for (std::size_t row = 0; !x_is_key_ && row < table.rows(); ++row) {
     if (cell("measure", row) == choice.x) {
       x_rows_.emplace(combination(row), row);
     }
   }
-  if (x_is_key_ && !are_numbers(table.cells[along_.front()])) {
-    words_ = distinct(table.cells[along_.front()]);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& angle = cell("mean", row);
+    if (cell("measure", row) == run::kVesselAngleKey && is_number(angle) && std::stod(angle) != 0) {
+      turned_.insert(combination(row));
+    }
+  }
+  if (x_is_key_ && !std::ranges::all_of(table.cells[along_.front()], is_number)) {
+    words_ = in_order(table.cells[along_.front()]);
   }
 }
 
@@ -285,25 +273,34 @@ Cells SweepTable::combination(std::size_t row) const {
   return values;
 }
 
+/// Whether it is measured along or above the floor of a vessel that is turned.
+bool SweepTable::is_of_turned_floor(std::size_t row) const {
+  if (turned_.empty() || !turned_.contains(combination(row))) {
+    return false;
+  }
+  const auto known = known_.find(cell("measure", row));
+  return known && known->of_floor;
+}
+
 std::vector<Points> SweepTable::found() const {
-  const Cells apart = labels_of(table_, apart_, false);
   std::vector<Points> found;  // by first row, in the order of the table
-  std::map<std::array<std::string, 3>, std::size_t> numbers;
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::size_t> numbers;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     const std::string& stage = cell("stage", row);
     const std::string& measure = cell("measure", row);
-    const bool is_wanted =
-        choice_.y.empty() ? measure != x_name() : std::ranges::count(choice_.y, measure) > 0;
+    const bool is_wanted = choice_.y.empty() ? measure != x_name() && !is_of_turned_floor(row)
+                                             : std::ranges::count(choice_.y, measure) > 0;
     const auto y = interval(row);
     const auto x = is_wanted && y ? place(row) : std::nullopt;
     if (!x || !is_label(stage) || !is_label(measure)) {
       continue;
     }
-    const auto [at, is_new] = numbers.emplace(std::array{stage, measure, apart[row]}, found.size());
+    const std::size_t part = parts_.of_rows[row];
+    const auto [at, is_new] = numbers.emplace(std::tuple(stage, measure, part), found.size());
     if (is_new) {
-      found.push_back({.row = row, .of = apart[row]});
+      found.push_back({.row = row, .part = part});
     }
-    found[at->second].points.push_back({*x, *y, position_of(lines_, line_labels_[row])});
+    found[at->second].points.push_back({*x, *y, lines_.of_rows[row] + 1});
   }
   std::erase_if(found, [this](const Points& one) {
     return std::ranges::none_of(one.points, [this](const Point& point) {
@@ -312,6 +309,7 @@ std::vector<Points> SweepTable::found() const {
              (!choice_.log_y || point.y.mean > 0);
     });
   });
+  std::ranges::stable_sort(found, {}, &Points::part);
   return found;
 }
 
@@ -326,11 +324,8 @@ Figure SweepTable::figure(const Template& one, const Points& points, std::size_t
   const std::string& stage = cell("stage", points.row);
   const std::string& measure = cell("measure", points.row);
   const auto known = known_.find(measure);
-  const std::string of = points.of.empty() ? "" : ", " + points.of;
-  std::size_t longest = 0;
-  for (const std::string& line : lines_) {
-    longest = std::max(longest, line.size());
-  }
+  const std::string& part = parts_.all[points.part];
+  const std::string of = part.empty() ? "" : ", " + part;
   return {.name = fmt::format("{}-{}-{}{}", one.name, stage, measure,
                               number > 0 ? fmt::format("-{}", number) : ""),
           .title = tables_.title(),
@@ -341,19 +336,18 @@ Figure SweepTable::figure(const Template& one, const Points& points, std::size_t
                                      x_label(), stage, of, one.description),
           .script = one.file,
           .run = tables_.run(),
-          .setting =
-              fmt::format("known_columns = '|'; time_column = 'step'; x_label = {}; has_words = {};"
-                          "stage = {}; measure = {}; measure_label = {}; longest_label = {};"
-                          "log_axes = '{}{}'; templates = {};",
-                          literal(x_label()), words_.empty() ? 0 : 1, literal(stage + of),
-                          literal(measure), literal(known_.label(measure)), longest,
-                          choice_.log_x ? "x" : "",
-                          choice_.log_y || measure.starts_with("discharged_until_clog") ? "y" : "",
-                          literal(one.file.parent_path().string())) +
-              array_text("files", {table_.file.filename().string()}) + array_text("groups", {""}) +
-              array_text("quantity_keys", {""}) + array_text("quantity_labels", {""}) +
-              array_text("words", words_.empty() ? Cells{""} : shortened(words_)) +
-              array_text("lines", lines_) + setting_of(points.points),
+          .setting = to_text(SweepSetting{
+                         .file = table_.file.filename().string(),
+                         .part = stage + of,
+                         .x_label = x_label(),
+                         .y_label = known_.label(measure),
+                         .lines = lines_.all,
+                         .log_x = choice_.log_x,
+                         .log_y = choice_.log_y || measure.starts_with("discharged_until_clog")}) +
+                     fmt::format("has_words = {}; templates = {};", words_.empty() ? 0 : 1,
+                                 literal(one.file.parent_path().string())) +
+                     array_text("words", words_.empty() ? Cells{""} : shortened(words_)) +
+                     setting_of(points.points),
           .rank = contrast(points.points) +
                   (std::ranges::count(known_.derived, measure, &scene::DerivedMeasure::name) > 0
                        ? kFirst
@@ -375,19 +369,46 @@ std::vector<Figure> SweepTable::figures(const Template& one) const {
 
 }  // namespace
 
-Cells labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
-                bool is_chosen) {
-  Cells labels(table.rows());
+RowLabels labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
+                    bool is_chosen) {
+  std::vector<std::pair<std::vector<double>, std::string>> rows(table.rows());  // places, label
   for (const std::size_t key : keys) {
     const Cells& cells = table.cells[key];
     const bool is_alone =
         is_chosen && keys.size() == 1 && std::none_of(cells.begin(), cells.end(), is_number);
-    for (std::size_t row = 0; row < labels.size(); ++row) {
-      labels[row] += (labels[row].empty() ? "" : ", ") +
-                     (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
+    const Cells values = in_order(cells);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      auto& [places, label] = rows[row];
+      places.push_back(position_of(values, cells[row]));
+      label += (label.empty() ? "" : ", ") +
+               (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
     }
   }
+  std::map<std::pair<std::vector<double>, std::string>, std::size_t> all;
+  for (const auto& row : rows) {
+    all.emplace(row, 0);
+  }
+  RowLabels labels;
+  for (auto& [row, place] : all) {
+    place = labels.all.size();
+    labels.all.push_back(row.second);
+  }
+  for (const auto& row : rows) {
+    labels.of_rows.push_back(all.at(row));
+  }
   return labels;
+}
+
+std::string to_text(const SweepSetting& setting) {
+  const std::string& longest = std::ranges::max(setting.lines, {}, &std::string::size);
+  return fmt::format(
+             "known_columns = '|'; time_column = 'step'; part = {}; x_label = {}; y_label = {};"
+             "longest_label = {}; log_axes = '{}{}';",
+             literal(setting.part), literal(setting.x_label), literal(setting.y_label),
+             longest.size(), setting.log_x ? "x" : "", setting.log_y ? "y" : "") +
+         array_text("files", {setting.file}) + array_text("groups", {""}) +
+         array_text("quantity_keys", {""}) + array_text("quantity_labels", {""}) +
+         array_text("lines", setting.lines);
 }
 
 std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice) {

@@ -22,7 +22,8 @@ struct Content {
   std::vector<std::string> groups;
 };
 
-/// The values of a column in order of appearance; one empty value if there is no such column.
+/// The values of a column in order, stages in that of the run; one empty value if there is no such
+/// column.
 std::vector<std::string> group_names(RunTables& tables, const std::vector<TableFile>& files,
                                      const std::string& column) {
   std::vector<std::string> names;
@@ -40,7 +41,7 @@ std::vector<std::string> group_names(RunTables& tables, const std::vector<TableF
       }
     }
   }
-  return names.empty() ? std::vector<std::string>{""} : names;
+  return names.empty() ? std::vector<std::string>{""} : column == "stage" ? names : in_order(names);
 }
 
 /// |TABLE:COLUMN| for each column with values; read by has() of the style.
@@ -145,8 +146,6 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   text += fmt::format("templates = {};", literal(fs::absolute(one.file).parent_path().string()));
   const auto& units = tables.summary().units;
   text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
-  text += fmt::format("time_title = {};",
-                      literal(units ? fmt::format("Time ({})", units->time_unit) : "Step"));
   text +=
       fmt::format("velocity_unit = {};", literal(units ? units->velocity_unit : "spacings/step"));
   const auto& box = tables.summary().box;

@@ -63,9 +63,12 @@ py::object cells_of(const store::ReadTable& table, const std::string& key, bool 
 py::list table(const fs::path& folder, const std::string& name, const std::set<std::string>& text,
                const std::optional<fs::path>& run) {
   const store::ReadTable table = store::read_table(folder / store::table_name(name));
-  const run::KnownQuantities all =
+  run::KnownQuantities all =
       run ? run::known_quantities(store::read_summary(*run / store::kSummaryFile))
           : run::KnownQuantities();
+  if (run != folder) {
+    all.of = run::KnownQuantities::Of::sweep;
+  }
   py::list columns;
   for (const std::string& key : table.names) {
     columns.append(

@@ -72,7 +72,7 @@ std::string value_html(const StageSummary& stage, const std::string& name, int d
 
 /// The vessel is turned at the end of the stage.
 bool is_turned(const StageSummary& stage) {
-  const MeasureValue angle = value_in(stage, "vessel_angle_deg");
+  const MeasureValue angle = value_in(stage, std::string(run::kVesselAngleKey));
   const auto* degrees = std::get_if<double>(&angle);
   return degrees != nullptr && *degrees != 0;
 }
@@ -160,9 +160,7 @@ std::string measures_html(const store::RunSummary& summary) {
   }
   html += "</tbody></table></div>\n";
   if (std::any_of(stages.begin(), stages.end(), is_turned)) {
-    html +=
-        "<p class=\"note\">Where a stage ends with a vessel that is turned, what is measured "
-        "along or above its floor is left out.</p>\n";
+    html += kTurnedNote;
   }
   if (stages.size() < summary.stages.size()) {
     html += fmt::format(

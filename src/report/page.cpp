@@ -9,41 +9,6 @@ namespace clca::report {
 
 namespace {
 
-std::string head_html(const std::string& title) {
-  // Forbids all loading, whatever the files of the run contain.
-  return fmt::format(R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="generator" content="clca">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; media-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'">
-<title>{}</title>
-<style>
-{}</style>
-</head>
-)",
-                     escaped(title), kStyle);
-}
-
-std::string header_html(const Page& page) {
-  std::string facts;
-  for (const auto& [name, value] : page.facts) {
-    facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
-  }
-  return fmt::format(
-      R"(<header>
-<p class="kind">{} <b class="status{}">{}</b></p>
-<h1>{}</h1>
-<p class="scene-name">Scene <code>{}</code></p>
-<dl class="facts">
-{}</dl>
-</header>
-)",
-      page.kind, page.status == "done" ? "" : " incomplete", escaped(page.status),
-      escaped(page.title), escaped(page.scene), facts);
-}
-
 std::string warnings_html(const Warnings& warnings) {
   std::string items;
   for (const std::string& text : warnings.texts()) {
@@ -57,31 +22,30 @@ std::string warnings_html(const Warnings& warnings) {
                              items);
 }
 
-std::string navigation_html(const std::vector<Section>& sections) {
-  std::string links;
-  for (const Section& section : sections) {
-    links += fmt::format("<a href=\"#{}\">{}</a>\n", section.id, section.name);
-  }
-  return fmt::format("<nav aria-label=\"Sections\">\n{}</nav>\n", links);
-}
-
 }  // namespace
 
 std::string to_html(const Page& page, const Warnings& warnings) {
-  std::vector<Section> sections = page.sections;
-  std::erase_if(sections, [](const Section& section) { return section.content.empty(); });
-  std::string html = head_html(page.title);
-  html += "<body>\n" + header_html(page) + navigation_html(sections) + "<main>\n";
-  html += warnings_html(warnings);
-  for (const Section& section : sections) {
-    html += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n", section.id, section.name);
-    html += section.content;
-    html += "</section>\n";
+  std::string facts;
+  for (const auto& [name, value] : page.facts) {
+    facts += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   }
-  html += "</main>\n<script>\n";
-  html += kScript;
-  html += "</script>\n</body>\n</html>\n";
-  return html;
+  std::string links;
+  std::string sections;
+  for (const Section& section : page.sections) {
+    if (!section.content.empty()) {
+      links += fmt::format("<a href=\"#{}\">{}</a>\n", section.id, section.name);
+      sections += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.id,
+                              section.name, section.content);
+    }
+  }
+  // The page forbids all loading, whatever the files of the run contain.
+  return fmt::format(fmt::runtime(kPage), fmt::arg("title", escaped(page.title)),
+                     fmt::arg("style", kStyle), fmt::arg("kind", page.kind),
+                     fmt::arg("status_class", page.status == "done" ? "done" : "incomplete"),
+                     fmt::arg("status", escaped(page.status)),
+                     fmt::arg("scene", escaped(page.scene)), fmt::arg("facts", facts),
+                     fmt::arg("links", links), fmt::arg("warnings", warnings_html(warnings)),
+                     fmt::arg("sections", sections), fmt::arg("script", kScript));
 }
 
 }  // namespace clca::report

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "clca/run/quantity.hpp"
 #include "clca/store/summary.hpp"
@@ -25,6 +26,11 @@ std::string files_html(const std::filesystem::path& folder);
 
 /// The heading of a row of a table: name and meaning of a measure, as HTML.
 std::string measure_heading(const std::string& key, const std::optional<run::ShownQuantity>& known);
+
+/// Under tables of measures.
+inline constexpr std::string_view kTurnedNote =
+    "<p class=\"note\">Where a stage ends with a vessel that is turned, what is measured along or "
+    "above its floor is left out.</p>\n";
 
 /// A table of the measures, a row for each, a column for each stage.
 std::string measures_html(const store::RunSummary& summary);

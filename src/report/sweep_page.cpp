@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ using Json = nlohmann::json;
 
 constexpr double kMaxBytes = 64 << 20;  // of a file
 constexpr std::size_t kMaxColumns = 16;
+constexpr std::size_t kMaxOverviewColumns = 8;
 constexpr std::size_t kMaxRuns = 500;
 
 /// sweep.json and its tables.
@@ -108,18 +110,32 @@ std::optional<store::RunSummary> some_summary(const Sweep& sweep) {
   return std::nullopt;
 }
 
+std::vector<std::string> distinct(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts) {
+    if (std::find(result.begin(), result.end(), text) == result.end()) {
+      result.push_back(text);
+    }
+  }
+  return result;
+}
+
 std::string overview_html(const Sweep& sweep, Warnings& warnings) {
   const fs::path file = sweep.folder / "overview.png";
   std::error_code error;
   if (!fs::exists(file, error)) {
     return {};
   }
+  const std::vector<std::string>* seeds = sweep.table.find("seed");
+  const std::size_t several = seeds != nullptr ? distinct(*seeds).size() : 1;
+  const std::size_t columns =
+      std::min<std::size_t>(several > 1 ? several : sweep.table.rows(), kMaxOverviewColumns);
   try {
     return fmt::format(
         "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Overview\"><img "
-        "class=\"overview\" alt=\"The final pictures of the runs\" "
+        "class=\"overview\" style=\"min-width: {}rem\" alt=\"The final pictures of the runs\" "
         "src=\"data:image/png;base64,{}\"></div>\n",
-        base64(store::read_whole(file, kMaxBytes)));
+        8 * columns, base64(store::read_whole(file, kMaxBytes)));
   } catch (const store::StoreError& problem) {
     warnings.add(problem.what());
     return {};
@@ -136,23 +152,26 @@ std::string combination(const store::ReadTable& table, const std::vector<std::st
   return text;
 }
 
-std::string lines_html(const std::string& text) {
+/// A key of a scene, KEY=VALUE or a heading; a line may end behind the dots of a key and `=`.
+std::string breakable(const std::string& line, const char* end = "<wbr>") {
+  const std::string text = escaped(line);
   std::string html;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    html += (html.empty() ? "" : "<br>") + escaped(line);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    html += text[i];
+    const bool goes_on =
+        i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0;
+    html += text[i] == '=' || (text[i] == '.' && goes_on) ? end : "";
   }
   return html;
 }
 
-std::vector<std::string> distinct(const std::vector<std::string>& texts) {
-  std::vector<std::string> result;
-  for (const std::string& text : texts) {
-    if (std::find(result.begin(), result.end(), text) == result.end()) {
-      result.push_back(text);
-    }
+std::string lines_html(const std::string& text) {
+  std::string html;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    html += (html.empty() ? "" : "<br>") + breakable(line);
   }
-  return result;
+  return html;
 }
 
 /// A table of one stage: a row for each measure, a column for each combination.
@@ -176,9 +195,10 @@ class StageTable {
         names.push_back(measures[row]);
       }
     }
+    const std::vector<double> angles = cells(stage, std::string(run::kVesselAngleKey)).means;
     std::string body;
     for (const std::string& name : distinct(names)) {
-      body += row_html(stage, name);
+      body += row_html(stage, name, angles);
     }
     std::string head = R"(<tr><th scope="col">Measure</th>)";
     for (const std::string& column : columns_) {
@@ -189,30 +209,53 @@ class StageTable {
         R"(<h3>{}</h3>
 <div class="wide" tabindex="0" role="region" aria-label="Measures"><table><thead>{}<th scope="col" class="unit">Unit</th><th scope="col" class="key">In measures.csv</th></tr></thead><tbody>
 {}</tbody></table></div>
-)",
-        escaped(stage), head, body);
+{})",
+        escaped(stage), head, body, std::ranges::any_of(angles, is_turned) ? kTurnedNote : "");
   }
 
  private:
-  std::string row_html(const std::string& stage, const std::string& measure) const {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> means(columns_.size(), kNone);
-    std::vector<double> errors(columns_.size(), kNone);
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  static bool is_turned(double angle) { return !std::isnan(angle) && angle != 0; }
+
+  /// Of a measure, by column.
+  struct Cells {
+    std::vector<double> means;
+    std::vector<double> errors;
+  };
+  Cells cells(const std::string& stage, const std::string& measure) const {
+    Cells cells = {std::vector(columns_.size(), kNone), std::vector(columns_.size(), kNone)};
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       const auto column = std::find(columns_.begin(), columns_.end(), column_of_row_[row]);
       if (column != columns_.end() && cell(table_, "stage", row) == stage &&
           cell(table_, "measure", row) == measure) {
         const auto place = static_cast<std::size_t>(column - columns_.begin());
-        means[place] = means_[row];
-        errors[place] = errors_[row];
+        cells.means[place] = means_[row];
+        cells.errors[place] = errors_[row];
       }
     }
+    return cells;
+  }
+
+  /// `angles`: of the vessel, by column. Empty if there is none to show.
+  std::string row_html(const std::string& stage, const std::string& measure,
+                       const std::vector<double>& angles) const {
+    auto [means, errors] = cells(stage, measure);
     const auto known = known_.find(measure);
+    if (known && known->of_floor) {
+      if (std::ranges::all_of(angles, is_turned)) {
+        return {};
+      }
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        means[i] = is_turned(angles[i]) ? kNone : means[i];
+        errors[i] = is_turned(angles[i]) ? kNone : errors[i];
+      }
+    }
     std::string html = "<tr>" + measure_heading(measure, known);
     const int decimals = decimals_for(means, errors);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       html += fmt::format(R"(<td data-of="{}">{}</td>)",
-                          columns_[i].empty() ? "Mean" : escaped(columns_[i]),
+                          columns_[i].empty() ? "Mean" : breakable(columns_[i], "&#8203;"),
                           std::isnan(means[i]) ? "–" : number_html(means[i], errors[i], decimals));
     }
     return html + fmt::format(
@@ -260,23 +303,25 @@ std::string measures_html(const Sweep& sweep, const run::KnownQuantities& known,
   }
 }
 
-std::string runs_html(const Sweep& sweep) {
+std::string runs_html(const Sweep& sweep, const run::KnownQuantities& known) {
   std::vector<std::string> names = sweep.keys;
+  std::vector<std::string> headings = sweep.keys;
   for (const char* name : {"seed", "status", "steps", "state_hash", "error"}) {
     names.emplace_back(name);
+    headings.push_back(known.label(name));
   }
   std::string html =
       R"(<div class="wide" tabindex="0" role="region" aria-label="Runs"><table><thead><tr>)";
-  for (const std::string& name : names) {
-    html += fmt::format(R"(<th scope="col">{}</th>)", escaped(name));
+  for (const std::string& heading : headings) {
+    html += fmt::format(R"(<th scope="col">{}</th>)", breakable(heading));
   }
   html += "</tr></thead><tbody>\n";
   const std::size_t shown = std::min(sweep.table.rows(), kMaxRuns);
   for (std::size_t row = 0; row < shown; ++row) {
     html += "<tr>";
-    for (const std::string& name : names) {
-      html += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(name),
-                          escaped(cell(sweep.table, name, row)));
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      html += fmt::format(R"(<td data-of="{}">{}</td>)", escaped(headings[column]),
+                          escaped(cell(sweep.table, names[column], row)));
     }
     html += "</tr>\n";
   }
@@ -302,6 +347,7 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
   const Sweep sweep = read_sweep(folder);
   const std::optional<store::RunSummary> summary = some_summary(sweep);
   run::KnownQuantities known = run::known_quantities(summary.value_or(store::RunSummary()));
+  known.of = run::KnownQuantities::Of::sweep;
   for (scene::DerivedMeasure& derived : known.derived) {
     derived.value.clear();  // whose numbers may vary
   }
@@ -314,14 +360,14 @@ Page sweep_page(const fs::path& folder, Warnings& warnings) {
           .scene = scene,
           .facts = {{"Varied", sweep.keys.empty()
                                    ? "seed"
-                                   : escaped(fmt::format("{}", fmt::join(sweep.keys, ", ")))},
+                                   : breakable(fmt::format("{}", fmt::join(sweep.keys, ", ")))},
                     {"Runs", whole(sweep.runs)},
                     {"Done", whole(done)},
                     {"Failed", whole(failed)}},
           .sections = {{"pictures", "Pictures", overview_html(sweep, warnings)},
                        {"figures", "Figures", figures_html(folder, warnings)},
                        {"measures", "Measures", measures_html(sweep, known, warnings)},
-                       {"runs", "Runs", runs_html(sweep)},
+                       {"runs", "Runs", runs_html(sweep, known)},
                        {"repeat", "How to repeat it", command_html(sweep)},
                        {"files", "Tables", files_html(folder)}}};
 }

@@ -124,8 +124,12 @@ int decimals_for(std::span<const double> numbers, std::span<const double> errors
 
 std::string number_html(double number, double error, int decimals) {
   const std::string text = number == 0 ? "0" : with_decimals(number, decimals);
-  return std::isnan(error) ? text
-                           : text + fmt::format("<small> ± {:.{}f}</small>", error, decimals);
+  if (std::isnan(error)) {
+    return text;
+  }
+  const bool is_small = error > 0 && is_scientific(number, decimals);
+  return text + fmt::format("<small> ± {}</small>",
+                            is_small ? scientific(error) : fmt::format("{:.{}f}", error, decimals));
 }
 
 std::string with_decimals(double number, int decimals) {

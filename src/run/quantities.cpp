@@ -4,24 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "clca/scene/format.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::run {
 
 namespace {
-
-constexpr auto kOfSweeps = std::to_array<Quantity>({
-    {"steps", "Steps", "", "of the stage"},
-    {"discharged_until_clog", "Discharged until a clog", "particles",
-     "all that left in the runs, over the number of clogs"},
-});
 
 /// Name and meaning, in a table in Markdown.
 std::string described(const Quantity& quantity) {
@@ -54,7 +48,7 @@ const std::vector<TableInfo>& all_tables() {
 /// x or y of a column of a vector; empty for others.
 std::string_view part_of_vector(const Quantity& quantity, std::string_view column) {
   const std::string_view end = column.substr(std::min(quantity.key.size(), column.size()));
-  const bool is_part = !quantity.key.empty() && column.starts_with(quantity.key);
+  const bool is_part = column.starts_with(quantity.key);
   return is_part && (end == "x" || end == "y") ? end : "";
 }
 
@@ -70,8 +64,8 @@ const Quantity* find_of_each(std::string_view key) {
   return nullptr;
 }
 
-const Quantity* find_column(std::string_view name) {
-  for (const TableInfo& table : all_tables()) {
+const Quantity* find_column(const std::vector<TableInfo>& tables, std::string_view name) {
+  for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
       return std::ranges::count(one.names(), name) > 0;
     });
@@ -97,17 +91,56 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  if (const Quantity* found = find_in(kOfSweeps, whole)) {
-    return found;
-  }
-  if (const Quantity* found = whole == key ? find_column(whole) : find_of_each(whole)) {
-    return found;
-  }
-  return whole == key ? find_of_each(whole) : find_column(whole);
+  const Quantity* column = find_column(all_tables(), whole);
+  const Quantity* of_each = find_of_each(whole);
+  const Quantity* first = whole == key ? column : of_each;
+  const Quantity* second = whole == key ? of_each : column;
+  return first != nullptr ? first : second != nullptr ? second : find_in(sweep_quantities(), whole);
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
   return find_in(gas_quantities(), key);
+}
+
+const Quantity* find_sweep_quantity(std::string_view key) {
+  const Quantity* measure = find_in(sweep_quantities(), key.substr(0, key.find('.')));
+  const Quantity* of_runs = measure != nullptr ? measure : find_quantity(key);
+  return of_runs != nullptr ? of_runs : find_column(sweep_tables(), key);
+}
+
+std::vector<NamedQuantity> named_quantities() {
+  std::vector<NamedQuantity> all;
+  const auto add_measures = [&all](const std::vector<Quantity>& quantities, const char* where) {
+    for (const Quantity& one : quantities) {
+      all.push_back({std::string(one.key), &one, where, true});
+    }
+  };
+  const auto add_tables = [&all](const std::vector<TableInfo>& tables, const char* of) {
+    for (const TableInfo& table : tables) {
+      const std::string name(table.name);
+      const std::string where =
+          (table.kind == TableInfo::Kind::parts ? store::table_name(name, "STAGE")
+                                                : store::table_name(name)) +
+          of;
+      for (const ColumnInfo& column : table.columns) {
+        for (const std::string& key : column.names()) {
+          all.push_back({key, &column.quantity, where});
+        }
+      }
+      for (const auto& [quantity, of_what] : table.of_each) {
+        all.push_back({std::string(quantity.key), &quantity, where, true});
+      }
+    }
+  };
+  for (const QuantityGroup& group : stage_quantities()) {
+    add_measures(group.quantities, "run.json, tables of a sweep");
+  }
+  add_tables(all_tables(), "");
+  add_measures(gas_quantities(), "run.json of a gas");
+  add_tables(gas_tables(), " of a gas");
+  add_measures(sweep_quantities(), "tables of a sweep");
+  add_tables(sweep_tables(), " of a sweep");
+  return all;
 }
 
 std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
@@ -118,7 +151,9 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
                          .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                          .meaning = own->value};
   }
-  const Quantity* known = of_gas ? find_gas_quantity(key) : find_quantity(key);
+  const Quantity* known = of == Of::gas     ? find_gas_quantity(key)
+                          : of == Of::sweep ? find_sweep_quantity(key)
+                                            : find_quantity(key);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -141,8 +176,12 @@ std::string KnownQuantities::label(std::string_view key) const {
 }
 
 KnownQuantities known_quantities(const store::RunSummary& summary) {
-  return {
-      .of_gas = summary.kind == "boltzmann", .units = summary.units, .derived = summary.derived};
+  using Of = KnownQuantities::Of;
+  return {.of = summary.kind == "boltzmann" ? Of::gas
+                : summary.kind == "sweep"   ? Of::sweep
+                                            : Of::run,
+          .units = summary.units,
+          .derived = summary.derived};
 }
 
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
@@ -167,16 +206,17 @@ std::string columns_table(std::string_view table) {
   if (table == "trajectory") {
     return store::datasets_table();
   }
-  constexpr std::string_view kGas = "gas.";
-  const bool is_gas = table.starts_with(kGas);
-  const std::string_view name = is_gas ? table.substr(kGas.size()) : table;
+  const std::string_view prefix = table.substr(0, table.find('.') + 1);  // npos + 1 is 0
+  const std::string_view name = table.substr(prefix.size());
   std::string text = "| column | unit | what |\n|---|---|---|\n";
   const auto add = [&text](const std::string& names, const Quantity& what, std::string_view where) {
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
                         where.empty() ? "" : "; ", where);
   };
   std::vector<std::string_view> known = {"trajectory"};
-  for (const TableInfo& info : is_gas ? gas_tables() : all_tables()) {
+  for (const TableInfo& info : prefix == "gas."     ? gas_tables()
+                               : prefix == "sweep." ? sweep_tables()
+                                                    : all_tables()) {
     known.push_back(info.name);
     if (info.name != name) {
       continue;

@@ -9,7 +9,7 @@
 namespace clca::run {
 
 // Measures of a stage that are also columns of tables.
-inline constexpr Quantity kVesselAngle = {"vessel_angle_deg", "Angle of the vessel", "degrees",
+inline constexpr Quantity kVesselAngle = {kVesselAngleKey, "Angle of the vessel", "degrees",
                                           "anticlockwise from upright"};
 inline constexpr Quantity kHeightMean = {"height_mean", "Mean height", "spacings",
                                          "of the surface, over the columns with particles", true};
@@ -49,5 +49,9 @@ std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
 // Of gases.
 const std::vector<Quantity>& gas_quantities();
 const std::vector<TableInfo>& gas_tables();
+
+// Of sweeps: measures, and tables with names in capitals where they have several columns.
+const std::vector<Quantity>& sweep_quantities();
+const std::vector<TableInfo>& sweep_tables();
 
 }  // namespace clca::run

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "clca/run/quantity.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
@@ -241,15 +242,12 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
                         });
   Names columns;
   std::ranges::for_each(all, [&](const Means& means) { add_new(columns, means.columns); });
-  Names heads = keys;
-  heads.insert(heads.end(), what.groups.begin(), what.groups.end());
+  Names place = what.groups;
   const Names times = has_time ? Names{"step", "time"} : Names{"step"};
   const Names& places = what.places.empty() ? times : what.places;
-  heads.insert(heads.end(), places.begin(), places.end());
-  heads.emplace_back("runs");
-  for (const std::string& column : columns) {
-    heads.insert(heads.end(), {column, column + std::string(kErrorEnding)});
-  }
+  place.insert(place.end(), places.begin(), places.end());
+  const Names heads =
+      run::sweep_columns("mean", {{"KEY", keys}, {"PLACE", place}, {"COLUMN", columns}});
   if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "clca/run/quantity.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/table.hpp"
 
@@ -182,13 +183,11 @@ std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
 
 std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
   const Measures measures(results, 0, results.size());
-  std::vector<std::string> columns = plan.keys();
-  columns.insert(columns.end(), {"seed", "status", "steps", "state_hash"});
+  std::vector<std::string> names;
   for (const auto& [stage, measure] : measures.keys()) {
-    columns.push_back(fmt::format("{}.{}", stage, measure));
+    names.push_back(fmt::format("{}.{}", stage, measure));
   }
-  columns.insert(columns.end(), {"folder", "error"});
-  store::Table table(std::move(columns));
+  store::Table table(run::sweep_columns("runs", {{"KEY", plan.keys()}, {"STAGE.MEASURE", names}}));
   for (std::size_t run = 0; run < results.size(); ++run) {
     table.add_row(run_row(plan, run, results[run], measures));
   }
@@ -196,10 +195,7 @@ std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
 }
 
 std::string measures_table(const Plan& plan, const std::vector<Result>& results) {
-  std::vector<std::string> columns = plan.keys();
-  columns.insert(columns.end(), {"stage", "measure", "mean", "standard_deviation", "standard_error",
-                                 "runs", "min", "max", "low", "high"});
-  store::Table table(std::move(columns));
+  store::Table table(run::sweep_columns("measures", {{"KEY", plan.keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
     add_statistics(table, plan.variants[i].values, results, i * seeds, (i + 1) * seeds);

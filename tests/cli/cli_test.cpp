@@ -183,6 +183,28 @@ TEST_F(CliTest, ExplainsAQuantityOfARun) {
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(StartsWith("runout_99: Run-out of 99 %: "), HasSubstr("spacings"),
                                 HasSubstr("run.json")));
+  const auto several = run({"explain", "low"});
+  EXPECT_THAT(several.out, AllOf(HasSubstr("\n  in forces-STAGE.csv\n"),
+                                 HasSubstr("\n  in measures.csv of a sweep\n")));
+  EXPECT_THAT(run({"explain", "seed"}).out,
+              AllOf(StartsWith("seed: seed of all draws"), HasSubstr("in runs.csv of a sweep")));
+  const auto unknown = run({"explain", "runnout_99"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.err,
+            "clca: error: the scene format has no key 'runnout_99'; there is a quantity "
+            "'runout_99'\n");
+}
+
+TEST_F(CliTest, ExplainsWhatASceneDerives) {
+  const auto result = run({"explain", "runout_ratio", "--scene", "collapse-aspect"});
+  EXPECT_EQ(result.out,
+            "runout_ratio: Run-out over width of the column: =runout_99 / 40\n"
+            "  in run.json: the scene derives it\n")
+      << result.err;
+  EXPECT_THAT(run({"explain", "--scene", "collapse-aspect"}).out,
+              AllOf(StartsWith("a: "), HasSubstr("\nrunout_ratio: ")));
+  EXPECT_THAT(run({"explain", "runout_rato", "--scene", "collapse-aspect"}).err,
+              HasSubstr("there is a quantity 'runout_ratio'"));
 }
 
 TEST_F(CliTest, ASettingWithoutItsEqualsSignIsToldSo) {

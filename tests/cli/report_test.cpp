@@ -96,11 +96,11 @@ TEST_F(ReportCommand, WritesAPageAboutASweep) {
   EXPECT_THAT(
       page,
       HasSubstr("<pre>clca sweep small.yaml --vary &#39;rules.inertia=0,0.5&#39; --seeds 1..2"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"col\">rules.inertia=0.5</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"col\">rules.<wbr>inertia=<wbr>0.5</th>"));
   for (const std::string stage : {"packing", "flow"}) {
     EXPECT_EQ(count_of(page, "<h3>" + stage + "</h3>"), 1U) << stage;
   }
-  EXPECT_EQ(count_of(page, "<td data-of=\"status\">done</td>"), 4U);
+  EXPECT_EQ(count_of(page, "<td data-of=\"Status\">done</td>"), 4U);
   EXPECT_GT(count_of(page, "<figure class=\"chart\""), 3U);
   EXPECT_EQ(clca({"report", "sweep"}).code, 0);
   EXPECT_EQ(text("sweep/report.html"), page);

@@ -1,6 +1,8 @@
 #pragma once
 // What the numbers in run.json and in the tables of a run are.
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +28,21 @@ struct Quantity {
 const Quantity* find_quantity(std::string_view key);
 /// Of a gas.
 const Quantity* find_gas_quantity(std::string_view key);
+/// Of the tables of a sweep over runs of grains.
+const Quantity* find_sweep_quantity(std::string_view key);
+
+/// A name in run.json or in tables, and what it stands for.
+struct NamedQuantity {
+  std::string name;
+  const Quantity* quantity;
+  std::string where;        ///< as `series.csv`
+  bool is_of_each = false;  ///< there may be NAME.OUTLET or NAME.WALL, too
+};
+/// All that are declared; a name may come several times.
+std::vector<NamedQuantity> named_quantities();
+
+/// Measure of a stage that ends with a vessel at this angle, other than 0 if it is turned.
+inline constexpr std::string_view kVesselAngleKey = "vessel_angle_deg";
 
 /// A quantity of one run or sweep.
 struct ShownQuantity {
@@ -38,7 +55,9 @@ struct ShownQuantity {
 
 /// What is known of the quantities of one run or sweep.
 struct KnownQuantities {
-  bool of_gas = false;
+  enum class Of : std::uint8_t { run, gas, sweep };
+
+  Of of = Of::run;
   std::optional<scene::Conversion> units = {};
   std::vector<scene::DerivedMeasure> derived = {};
 
@@ -62,8 +81,13 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
 std::string quantities_table();
-/// The columns of a table of a run, such as `series`, of a gas `gas.series`, or the datasets of the
-/// `trajectory`, likewise. Throws text::InputError for one that there is not.
+/// The columns of a table of a run, such as `series`, of a gas `gas.series`, of a sweep
+/// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
+/// that there is not.
 std::string columns_table(std::string_view table);
+/// The names of the columns of `runs`, `measures` or `mean`, a table of a sweep, with `names` in
+/// place of those that are declared in capitals.
+std::vector<std::string> sweep_columns(
+    std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names);
 
 }  // namespace clca::run

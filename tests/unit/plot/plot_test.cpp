@@ -173,14 +173,13 @@ TEST_F(FiguresTest, UnreadableTablesLeaveTheOtherFigures) {
 TEST_F(FiguresTest, TemplatesLearnTheTimeThatStepsTake) {
   write_template("t", "# needs: series.csv: x\n");
   write("series.csv", "x\n1\n");
-  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";time_title = \"Step\";"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"step\";"));
   store::RunSummary summary;
   summary.scene = "small";
   summary.units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.001};
   write("run.json", store::to_json(summary));
-  EXPECT_THAT(found().at(0).setting,
-              HasSubstr("time_column = \"time\";time_title = \"Time (s)\";"));
+  EXPECT_THAT(found().at(0).setting, HasSubstr("time_column = \"time\";"));
 }
 
 TEST_F(FiguresTest, TemplatesLearnTheNamesAndUnitsOfColumns) {
@@ -221,6 +220,9 @@ TEST_F(FiguresTest, ColumnsThatAreChosenAreDrawnInPlaceOfTheOthers) {
   const Figure other = found({}, {.x = "c", .y = {"d"}, .over = {"kind"}}).at(0);
   EXPECT_THAT(other.setting, HasSubstr("array files[1] = [\"other.csv\"];"));
   EXPECT_THAT(other.setting, HasSubstr("array groups[1] = [\"x\"];"));
+  write("numbers.csv", "n,e,f\n10,1,2\n2,1,2\n");
+  EXPECT_THAT(found({}, {.x = "e", .y = {"f"}, .over = {"n"}}).at(0).setting,
+              HasSubstr("array groups[2] = [\"2\", \"10\"];"));
   const auto expect = [&](const Choice& choice, const std::string& reason) {
     EXPECT_THAT([&] { found({}, choice); }, ThrowsMessage<text::InputError>(HasSubstr(reason)));
   };
@@ -299,9 +301,9 @@ TEST_F(SweepFiguresTest, AxisAndTitleSayWhatIsDrawn) {
   const std::vector<Figure> all = found();
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[0].title, "Collapse");
-  EXPECT_THAT(all[0].setting, HasSubstr("measure_label = \"Slope (degrees)\";"));
-  EXPECT_THAT(all[1].setting, HasSubstr("measure_label = \"Clogged, drain\";"));
-  EXPECT_THAT(all[2].setting, HasSubstr("measure_label = \"own\";"));
+  EXPECT_THAT(all[0].setting, HasSubstr("y_label = \"Slope (degrees)\";"));
+  EXPECT_THAT(all[1].setting, HasSubstr("y_label = \"Clogged, drain\";"));
+  EXPECT_THAT(all[2].setting, HasSubstr("y_label = \"own\";"));
 }
 
 TEST_F(SweepFiguresTest, NamesAndUnitsAreThoseOfTheRuns) {
@@ -315,9 +317,8 @@ TEST_F(SweepFiguresTest, NamesAndUnitsAreThoseOfTheRuns) {
   write("runs.csv", "a,status,folder\n0,failed,\n0,done,runs/a\n");
   write("measures.csv", std::string("a,") + kSweepColumns + "0,flow,own,1,0,,4,1,1,,\n" +
                             "0,flow,outflow_sites_per_time,1,0,,4,1,1,,\n");
-  EXPECT_THAT(found().front().setting, HasSubstr("measure_label = \"Duration (s)\";"));
-  EXPECT_THAT(found().back().setting,
-              HasSubstr("measure_label = \"Outflow over time (sites/s)\";"));
+  EXPECT_THAT(found().front().setting, HasSubstr("y_label = \"Duration (s)\";"));
+  EXPECT_THAT(found().back().setting, HasSubstr("y_label = \"Outflow over time (sites/s)\";"));
 }
 
 TEST_F(SweepFiguresTest, FurtherKeysAreLinesAndWordsStandSideBySide) {
@@ -351,7 +352,7 @@ TEST_F(SweepFiguresTest, TheAxisTheMeasuresAndTheCurvesMayBeChosen) {
   const Figure first = found({}, over).at(0);
   EXPECT_THAT(first.setting, HasSubstr("array xs[3] = [0.25, 0.5, 0.5];"));
   EXPECT_THAT(first.setting, HasSubstr("array lines[2] = [\"automaton\", \"contact\"];"));
-  EXPECT_THAT(first.setting, HasSubstr("stage = \"flow, b=1\";"));
+  EXPECT_THAT(first.setting, HasSubstr("part = \"flow, b=1\";"));
   EXPECT_THAT(first.setting, HasSubstr("log_axes = 'xy';"));
   // Against a measure, which has errors as well.
   const Figure against = found({}, {.x = "reach", .y = {"slope"}, .over = {"model"}}).at(0);
@@ -401,16 +402,33 @@ TEST_F(SweepFiguresTest, MeansOverTheSeedsHaveACurveForEachCombination) {
         "1,automaton,0,flow,0,2,1,0.5,0,0\n1,automaton,0,flow,2,2,2,,0,0\n"
         "1,automaton,0,end,0,2,1,0.5,0,0\n1,contact,0,flow,0,2,4,1,0,0\n");
   const auto names = chosen({.y = {"h"}});
-  EXPECT_THAT(names, ElementsAre("mean-series-end-h", "mean-series-flow-h"));
+  EXPECT_THAT(names, ElementsAre("mean-series-flow-h", "mean-series-end-h"));
   const Figure flow = found({"mean-series-flow-h"}).at(0);
   EXPECT_EQ(flow.description, "h, against Step: flow. Means.");
-  EXPECT_THAT(flow.setting, HasSubstr("array firsts[2] = [0, 3]; array lasts[2] = [1, 3];"));
+  EXPECT_THAT(flow.setting, HasSubstr("array firsts[2] = [0, 3];array lasts[2] = [1, 3];"));
   EXPECT_THAT(flow.setting, HasSubstr("x_low = 0; x_high = 2; y_low = 0.5; y_high = 5;"));
   EXPECT_THAT(flow.setting,
               HasSubstr("array lines[2] = [\"a=1, model=automaton, b=0\", \"a=1, model=contact, "
                         "b=0\"];"));
-  EXPECT_THAT(found({}, {.y = {"h"}, .over = {"model"}}).back().setting,
+  EXPECT_THAT(found({}, {.y = {"h"}, .over = {"model"}}).front().setting,
               HasSubstr("array lines[2] = [\"automaton\", \"contact\"];"));
+}
+
+TEST_F(SweepFiguresTest, NumbersAreInTheirOrderHoweverTheyWereVaried) {
+  write_template("means", "# Means.\n#\n# one figure for each: mean\n");
+  write("measures.csv", std::string("a,b,c,") + kSweepColumns +
+                            "1,10,u,flow,slope,40,1,1,4,39,41,39,41\n"
+                            "1,2,u,flow,slope,41,1,1,4,39,41,40,42\n");
+  write("mean-series.csv",
+        "a,b,c,stage,step,runs,h,h_se\n1,10,u,flow,0,2,1,0.5\n1,2,u,flow,0,2,2,0.5\n");
+  for (const char* name : {"sweep", "means"}) {
+    EXPECT_THAT(found({name}, {.over = {"b"}}).at(0).setting,
+                HasSubstr("array lines[2] = [\"b=2\", \"b=10\"];"));
+    const std::vector<Figure> apart = found({name}, {.over = {"c"}});
+    ASSERT_EQ(apart.size(), 2U);
+    EXPECT_THAT(apart[0].setting, HasSubstr("b=2\";"));
+    EXPECT_THAT(apart[1].setting, HasSubstr("b=10\";"));
+  }
 }
 
 TEST_F(SweepFiguresTest, ThereIsNoneWhereOnlyTheSeedVaries) {

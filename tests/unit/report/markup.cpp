@@ -8,7 +8,7 @@ namespace clca::testing {
 
 namespace {
 
-const std::set<std::string> kVoid = {"!DOCTYPE", "meta", "img", "input", "br"};
+const std::set<std::string> kVoid = {"!DOCTYPE", "meta", "img", "input", "br", "wbr"};
 
 /// Position after the end of the element, for those that hold no markup.
 std::size_t after_raw(std::string_view html, std::size_t from, const std::string& name) {

@@ -294,7 +294,7 @@ TEST_F(Report, OfARunWithUnitsIsInThese) {
             HasSubstr("<td data-of=\"packing\">20 (0.0100 s) "),
             HasSubstr("End of <b>packing</b>, step 20, t = 0.0100 s"),
             HasSubstr("\"time\":\"0.0100 s\""), HasSubstr(">Time (s)<"), HasSubstr(">sites/s<"),
-            HasSubstr(">(m/s)²<"), HasSubstr("energy, (m/s)²"));
+            HasSubstr(">(m/s)²<"), HasSubstr("Energy of fluctuations ((m/s)²)"));
   EXPECT_THAT(page(), AllOf(Not(HasSubstr("0.0150 s")), HasSubstr("(spacings/step)²")));
   summary_.units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.0005};
@@ -348,6 +348,29 @@ TEST_F(Report, LeavesOutWhatIsMeasuredAlongTheFloorOfAVesselThatIsTurned) {
   summary_.stages[1].measures[1].second = 0.0;
   EXPECT_THAT(page(), AllOf(HasSubstr(">21.5"), HasSubstr("segregation_index"),
                             Not(HasSubstr("is left out"))));
+}
+
+TEST_F(Report, LeavesItOutOfASweepToo) {
+  write("sweep.json",
+        R"({"scene": "small.yaml", "runs": 2, "set": [], "seeds": "1",
+            "vary": [{"keys": ["a.tilt"], "rows": [["0"], ["0.5"]]}]})");
+  write("runs.csv",
+        "a.tilt,seed,status,steps,state_hash,folder,error\n0,1,done,1,a,x,\n0.5,1,done,1,b,y,\n");
+  const auto sweep = [this](const std::string& angle) {
+    std::string table = "a.tilt,stage,measure,mean,standard_error,low,high\n";
+    for (const std::string& tilt : {std::string("0"), std::string("0.5")}) {
+      table += tilt + ",flow,runout_99,1" + tilt + "25,,,\n" + tilt + ",flow,vessel_angle_deg," +
+               (tilt == "0" ? angle : "30") + ",,,\n" + tilt + ",flow,time,7,,,\n";
+    }
+    write("measures.csv", table);
+    return page();
+  };
+  const std::string html = sweep("0");
+  EXPECT_THAT(html, AllOf(HasSubstr("<td data-of=\"a.&#8203;tilt=&#8203;0\">1025</td>"),
+                          HasSubstr("<td data-of=\"a.&#8203;tilt=&#8203;0.5\">–</td>"),
+                          HasSubstr("<th scope=\"col\">a.<wbr>tilt=<wbr>0.5</th>"),
+                          HasSubstr("Time<small>of the stage</small>"), HasSubstr("is left out")));
+  EXPECT_THAT(sweep("20"), Not(HasSubstr("runout_99")));
 }
 
 TEST_F(Report, NamesTheColumnsOfWallsAndTheirUnits) {

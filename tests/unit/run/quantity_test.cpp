@@ -30,11 +30,13 @@ TEST(Quantity, TheTableOfTheDocumentationIsThatOfTheDeclarations) {
 
 TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
   const std::string documents =
-      page("scene-format.md") + page("boltzmann.md") + page("trajectory.md");
+      page("scene-format.md") + page("boltzmann.md") + page("sweep.md") + page("trajectory.md");
   for (const char* table :
-       {"series", "probes", "lines", "fields", "fluctuation", "profile", "cycles", "mixing",
-        "weight_paths", "convection", "contacts", "forces", "loads", "walls", "stress",
-        "gas.series", "gas.histogram", "gas.closure", "trajectory"}) {
+       {"series",     "probes",        "lines",       "fields",       "fluctuation",
+        "profile",    "cycles",        "mixing",      "weight_paths", "convection",
+        "contacts",   "forces",        "loads",       "walls",        "stress",
+        "gas.series", "gas.histogram", "gas.closure", "sweep.runs",   "sweep.measures",
+        "sweep.mean", "trajectory"}) {
     EXPECT_THAT(documents, HasSubstr(std::string("<!-- columns: ") + table + " -->\n" +
                                      columns_table(table) + "<!-- end of columns -->\n"))
         << "call scripts/update-format";
@@ -67,6 +69,15 @@ TEST(Quantity, OfAGasMayHaveTheKeyOfOneOfGrains) {
   EXPECT_EQ(find_gas_quantity("t_tr")->name, "Translational temperature");
   EXPECT_EQ(find_quantity("t_tr"), nullptr);
   EXPECT_NE(find_quantity("time")->unit, find_gas_quantity("time")->unit);
+}
+
+TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
+  EXPECT_EQ(find_sweep_quantity("time")->meaning, "of the stage");
+  EXPECT_EQ(find_quantity("time")->meaning, "of the whole run");
+  EXPECT_EQ(find_sweep_quantity("discharged_until_clog.drain")->unit, "particles");
+  EXPECT_EQ(find_sweep_quantity("standard_error")->name, "Standard error");
+  EXPECT_EQ(find_quantity("standard_error"), nullptr);
+  EXPECT_EQ(find_sweep_quantity("runout_99"), find_quantity("runout_99"));
 }
 
 TEST(Quantity, HasTheUnitsOfARun) {
