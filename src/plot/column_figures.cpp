@@ -44,6 +44,11 @@ std::string table_with(RunTables& tables, const std::vector<std::string>& column
 }  // namespace
 
 std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice) {
+  if (choice.over.size() > 1) {
+    throw text::InputError(
+        fmt::format("{}: of a run, a curve is drawn for each value of one column, not of {}",
+                    tables.run().string(), fmt::join(choice.over, " and ")));
+  }
   std::vector<Figure> result;
   for (const std::string& y : choice.y) {
     std::vector<std::string> columns = choice.over;

@@ -229,6 +229,7 @@ TEST_F(FiguresTest, ColumnsThatAreChosenAreDrawnInPlaceOfTheOthers) {
   expect({.y = {"stagg"}}, "no table with a column 'stagg'; did you mean 'stage'?");
   expect({.x = "c", .y = {"a"}}, "no table with all of the columns a, c");
   expect({.y = {"d"}}, "say which column of other.csv is x");
+  expect({.y = {"a"}, .over = {"b", "c"}}, "for each value of one column, not of b and c");
   expect({.log_x = true}, "of a run, say which columns are y, too");
 }
 
