@@ -145,9 +145,9 @@ def nut(run):
 def convection(run):
     """Rise inside less that at the walls in d a cycle: in the bed below the surface, and of all cells."""
     cells = run.table("convection-shaking")
-    cells = cells[cells["y"] <= 104]
-    inside, x = abs(cells["x"] - 101) < 202 / 6, cells["x"]
-    wall = (x == x.min()) | (x == x.max())
+    cells = cells[cells["y"] <= 112]
+    from_middle = abs(cells["x"] - 101)
+    inside, wall = from_middle < 202 / 6, from_middle > 101 - 2 * DIAMETER
     rise = [np.average(cells["dy"][part], weights=cells["weight"][part]) for part in (inside, wall)]
     return {"bed": (rise[0] - rise[1]) / DIAMETER, "all": run.measures["shaking"]["convection_centre_minus_wall"] / DIAMETER}
 
