@@ -78,7 +78,8 @@ TABLES = [
           [Line(f"{turns} turns", key=turns) for turns in (0.05, 0.5, 1, 1.5, 1.95)], "101..103", sources.drum, output=IN_TIME),
     Table("phenomena.md: level surface", "rotating-drum", [Line("surface against the level", key="surface"), Line("direction of the centre", key="centre")],
           [Line(f"{angle}°", [rolling("free"), "stages.turn.until={steps: 1}", "stages.fill.max_steps=30000", "stages.refill.max_steps=30000",
-                              "stages.refill.fill.region=[27, 27, 139, 139]", *(f"stages.{stage}.vessel={{tilt: {angle}}}" for stage in ("fill", "refill", "turn"))])
+                              "stages.refill.fill.region=[27, 27, 139, 139]",
+                              *(f"stages.{stage}.vessel={{tilt: {angle}}}" for stage in ("fill", "refill", "turn"))])
            for angle in (0, 10, 20, 30, 40, 50)], source=sources.standing_drum, decimals=1, output=IN_TIME),
     Table("phenomena.md: tilted box", "tilting-box",
           [Line("5 % have moved", key=0.05), Line("10 %", key=0.1), Line("20 %", key=0.2), Line("surface before", key="before"),

@@ -153,17 +153,18 @@ def convection(run):
 
 
 def rotation(run):
-    """Of the collapse of 540 grains, from states 20 steps apart."""
+    """Of the collapse of 540 grains, by sums over its states 20 steps apart, while kinetic energy is above 1 % of its most."""
     frames = of_stage(run, "flow")
     mass = masses(frames[0], 1)
     radius = np.sqrt(mass * math.sqrt(0.75) / math.pi)  # of discs of the same area
     spins = [frame.angular_velocities * radius for frame in frames]
     energies = [(mass @ (frame.velocities ** 2).sum(axis=1), mass @ spin ** 2 / 2) for frame, spin in zip(frames, spins)]
     fast = 0.0075 * frames[0].step / frames[0].time  # 0.0075 spacings a step
-    sums = dict.fromkeys(("rotation", "kinetic", "spin", "signed", "speed", "pairs", "opposite", "product", "squares", "slip", "bare", "holding"), 0.0)
+    sums = dict.fromkeys(("rotation", "kinetic", "spin", "signed", "speed", "pairs", "opposite", "product", "squares", "slip", "bare", "holding"),
+                         0.0)
     path, turn, net = np.zeros((3, len(mass)))
     strongest = max(sum(energy) for energy in energies)
-    for i, (frame, spin, energy) in enumerate(zip(frames, spins, energies)):
+    for frame, spin, energy in zip(frames, spins, energies):
         if sum(energy) < strongest / 100:
             continue
         sums["rotation"] += energy[1]
