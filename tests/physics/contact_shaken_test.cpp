@@ -20,10 +20,10 @@ double height_of_nut(int seeds, double gamma, int cycles) {
 }
 
 // At 1 no run of 300 cycles came above 0.006, the place where the grain begins. At 3, after 100
-// cycles, 8 seeds gave 0.47 with a standard deviation of 0.15: 0.15 is 4 standard errors away.
+// cycles, 8 seeds gave 0.45 with a standard deviation of 0.19: 0.07 is 4 standard errors away.
 TEST(ContactShaken, TheLargeGrainRisesAboveAThresholdOfTheAcceleration) {
   testing::expect_within("height_at_1", height_of_nut(2, 1, 20), 0, 0.02);
-  testing::expect_within("height_at_3", height_of_nut(4, 3, 100), 0.15, 1.2);
+  testing::expect_within("height_at_3", height_of_nut(4, 3, 100), 0.07, 1.2);
 }
 
 double centre_minus_wall(double friction) {
@@ -37,12 +37,11 @@ double centre_minus_wall(double friction) {
   return testing::sample(values).mean;
 }
 
-// Six seeds gave 0.09 with a standard deviation of 0.09, and 0.42 with 0.08; these numbers count
-// the surface, too, and so are smaller than those of discrete elements. 3.7 standard errors or
-// more.
+// Six seeds gave 0.00 with a standard deviation of 0.07, and 0.44 with 0.06; these numbers count
+// the surface, too, and so are smaller than those of discrete elements. 4 standard errors.
 TEST(ContactShaken, FrictionOfTheSideWallsDrivesConvection) {
-  testing::expect_within("smooth", centre_minus_wall(0), -0.16, 0.27);
-  testing::expect_within("rough", centre_minus_wall(0.8), 0.3, 0.55);
+  testing::expect_within("smooth", centre_minus_wall(0), -0.2, 0.2);
+  testing::expect_within("rough", centre_minus_wall(0.8), 0.27, 0.61);
 }
 
 }  // namespace
