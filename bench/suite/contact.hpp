@@ -21,8 +21,8 @@ struct ContactMeasurement {
   std::uint64_t steps = 0;
   std::uint64_t moved = 0;
   bool at_rest = false;
-  std::vector<double> seconds = {};  ///< a step, processor time of each run, ascending
-  grains::PhaseTimes phase_times;    ///< of one more run
+  std::vector<double> seconds = {};     ///< a step, processor time of each run, ascending
+  grains::PhaseTimes phase_times = {};  ///< of one more run
 };
 
 /// Both settings, on one thread: settling and collapse only. At least two runs each, and more
