@@ -43,7 +43,8 @@ std::string table_with(RunTables& tables, const std::vector<std::string>& column
 
 }  // namespace
 
-std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice) {
+std::vector<Figure> column_figures(RunTables& tables, const Template& template_,
+                                   const Choice& choice) {
   std::vector<Figure> result;
   for (const std::string& y : choice.y) {
     std::vector<std::string> columns = choice.over;
@@ -53,7 +54,7 @@ std::vector<Figure> column_figures(RunTables& tables, const Template& one, const
     }
     const std::string table = table_with(tables, columns);
     const std::vector<std::string>& names = tables.read(table).names;
-    Template chosen = one;
+    Template chosen = template_;
     TableRequirement need;
     need.table = table;
     need.columns = {y};
