@@ -24,8 +24,8 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
 
 }  // namespace
 
-double step_bytes(double places) {
-  return SiteReservations::bytes_for(places);
+double step_bytes(double index_count) {
+  return SiteReservations::bytes_for(index_count);
 }
 
 Automaton::Automaton(grains::State state, const Rules& rules, const Options& options)

@@ -102,11 +102,13 @@ Choice Rule::choice(std::uint32_t id) const {
   const std::array<bool, kVelocities> is_open = open(grain.site());
   const Energies energies = neighbour_energies(grain.site());
   const bool can_fall = is_open[velocity_of(Direction::down)];
-  const bool can_descend = std::any_of(kDownward.begin(), kDownward.end(),
-                                       [&](Direction one) { return is_open[velocity_of(one)]; });
+  const bool can_descend =
+      std::any_of(kDownward.begin(), kDownward.end(),
+                  [&](Direction direction) { return is_open[velocity_of(direction)]; });
   // The least is chosen.
-  const auto rank = [&grain](const Choice& one) {
-    return std::tuple(one.energy, one.velocity != grains::kRest, one.axis != axis_of(grain));
+  const auto rank = [&grain](const Choice& choice) {
+    return std::tuple(choice.energy, choice.velocity != grains::kRest,
+                      choice.axis != axis_of(grain));
   };
   std::vector<Choice> least;
   for (std::size_t velocity = 0; velocity < kVelocities; ++velocity) {
@@ -116,13 +118,13 @@ Choice Rule::choice(std::uint32_t id) const {
     const bool pays = (can_descend && !is_downward(velocity)) ||
                       (can_fall && velocity != velocity_of(Direction::down));
     for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
-      const Choice one = {id, static_cast<grains::Move>(velocity), axis,
-                          energies[velocity][axis] + (pays ? gravity_ : 0)};
-      if (!least.empty() && rank(one) < rank(least.front())) {
+      const Choice choice = {id, static_cast<grains::Move>(velocity), axis,
+                             energies[velocity][axis] + (pays ? gravity_ : 0)};
+      if (!least.empty() && rank(choice) < rank(least.front())) {
         least.clear();
       }
-      if (least.empty() || rank(one) == rank(least.front())) {
-        least.push_back(one);
+      if (least.empty() || rank(choice) == rank(least.front())) {
+        least.push_back(choice);
       }
     }
   }
@@ -142,18 +144,18 @@ std::vector<Choice> Rule::winners(const std::vector<Choice>& choices) const {
     const Choice* choice;
   };
   std::vector<Claim> claims;
-  for (const Choice& one : choices) {
-    if (one.velocity != grains::kRest) {
+  for (const Choice& choice : choices) {
+    if (choice.velocity != grains::kRest) {
       const lattice::Site target =
-          box_.state.particles[one.id].site() + unit(static_cast<Direction>(one.velocity));
-      claims.push_back(
-          {box_.state.lattice.index(target), one.energy,
-           random::draw(box_.state.seed, box_.state.step, one.id, random::Purpose::contested_site),
-           &one});
+          box_.state.particles[choice.id].site() + unit(static_cast<Direction>(choice.velocity));
+      claims.push_back({box_.state.lattice.index(target), choice.energy,
+                        random::draw(box_.state.seed, box_.state.step, choice.id,
+                                     random::Purpose::contested_site),
+                        &choice});
     }
   }
-  const auto key = [](const Claim& one) {
-    return std::tuple(one.site, one.energy, one.bits, one.choice->id);
+  const auto key = [](const Claim& claim) {
+    return std::tuple(claim.site, claim.energy, claim.bits, claim.choice->id);
   };
   std::sort(claims.begin(), claims.end(),
             [&](const Claim& one, const Claim& other) { return key(one) < key(other); });

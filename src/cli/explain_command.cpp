@@ -55,16 +55,17 @@ std::string text_of(const std::string& name, const std::string& title, const std
 std::string quantity_text(const std::string& name) {
   const std::size_t dot = name.find('.');
   std::vector<std::pair<const run::Quantity*, std::vector<std::string>>> found;
-  for (const run::NamedQuantity& one : run::named_quantities()) {
-    if (one.name != name && !(one.is_of_each && one.name == name.substr(0, dot))) {
+  for (const run::NamedQuantity& named : run::named_quantities()) {
+    if (named.name != name && !(named.is_of_each && named.name == name.substr(0, dot))) {
       continue;
     }
     const auto same = std::ranges::find_if(found, [&](const auto& other) {
-      return other.first->name == one.quantity->name && other.first->unit == one.quantity->unit &&
-             other.first->meaning == one.quantity->meaning;
+      return other.first->name == named.quantity->name &&
+             other.first->unit == named.quantity->unit &&
+             other.first->meaning == named.quantity->meaning;
     });
-    (same == found.end() ? found.emplace_back(one.quantity, std::vector<std::string>()) : *same)
-        .second.push_back(one.where);
+    (same == found.end() ? found.emplace_back(named.quantity, std::vector<std::string>()) : *same)
+        .second.push_back(named.where);
   }
   std::string text;
   for (const auto& [quantity, where] : found) {

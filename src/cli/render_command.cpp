@@ -142,15 +142,15 @@ void set_folders(std::vector<run::RunToDraw>& runs, const RenderOptions& options
 void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOptions& options,
                   std::size_t drawn, std::size_t moments) {
   print_out("{} of {} {} drawn\n", drawn, moments, runs.size() > 1 ? "moments" : "pictures");
-  std::vector<fs::path> places;
+  std::vector<fs::path> paths;
   for (const run::RunToDraw& run : runs) {
-    places.push_back(run.pictures ? run.pictures->path() : fs::path());
+    paths.push_back(run.pictures ? run.pictures->path() : fs::path());
   }
-  places.insert(places.end(), {options.movie, options.sheet,
-                               options.space_time ? options.space_time->file : fs::path()});
-  for (const fs::path& place : places) {
-    if (!place.empty() && drawn > 0) {
-      print_out("{}\n", place.string());
+  paths.insert(paths.end(), {options.movie, options.sheet,
+                             options.space_time ? options.space_time->file : fs::path()});
+  for (const fs::path& path : paths) {
+    if (!path.empty() && drawn > 0) {
+      print_out("{}\n", path.string());
     }
   }
 }

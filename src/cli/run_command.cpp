@@ -42,7 +42,7 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
 
 int run_scene(const RunCommandOptions& options) {
   const scene::AnyScene scene = load_any_scene(options.scene, threads_here(options.run));
-  return std::visit([&](const auto& one) { return run_one(one, options); }, scene);
+  return std::visit([&](const auto& held) { return run_one(held, options); }, scene);
 }
 
 /// As run_scene(), for Boltzmann scenes only.

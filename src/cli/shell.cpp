@@ -41,7 +41,7 @@ bool is_option(std::string_view word) {
 /// The option or argument that the word after `words` is a value of; null: none.
 const CLI::Option* open_option(const CLI::App& command, const std::vector<std::string>& words) {
   const CLI::Option* open = nullptr;
-  std::size_t place = 0;  // among the arguments
+  std::size_t position = 0;  // among the arguments
   for (const std::string& word : words) {
     if (open != nullptr) {
       open = nullptr;
@@ -49,7 +49,7 @@ const CLI::Option* open_option(const CLI::App& command, const std::vector<std::s
       const CLI::Option* option = command.get_option_no_throw(word);
       open = takes_value(option) ? option : nullptr;
     } else {
-      ++place;
+      ++position;
     }
   }
   const auto arguments = arguments_of(command);
@@ -58,8 +58,8 @@ const CLI::Option* open_option(const CLI::App& command, const std::vector<std::s
   }
   const bool repeats =
       arguments.back()->get_expected_max() == CLI::detail::expected_max_vector_size;
-  place = repeats ? std::min(place, arguments.size() - 1) : place;
-  return place < arguments.size() ? arguments[place] : nullptr;
+  position = repeats ? std::min(position, arguments.size() - 1) : position;
+  return position < arguments.size() ? arguments[position] : nullptr;
 }
 
 /// TEXT is the type of options and arguments that do not say one.

@@ -45,8 +45,8 @@ std::string comparison_csv(const Comparison& comparison) {
   const std::vector<double> reference = equal_shares(comparison.distributions[0].shares.size());
   const auto bins = static_cast<double>(reference.size());
   for (std::size_t bin = 0; bin < reference.size(); ++bin) {
-    const auto place = static_cast<double>(bin);
-    std::vector<store::Cell> row = {place / bins, (place + 1) / bins};
+    const auto number = static_cast<double>(bin);
+    std::vector<store::Cell> row = {number / bins, (number + 1) / bins};
     for (const Distribution& distribution : comparison.distributions) {
       row.emplace_back(distribution.shares[bin]);
     }
@@ -64,8 +64,9 @@ std::string distances_csv(const Comparison& comparison) {
   return table.to_csv();
 }
 
-double from_chi_square(const Distribution& one) {
-  return statistics::hellinger_distance(one.shares, equal_shares(one.shares.size()));
+double from_chi_square(const Distribution& distribution) {
+  return statistics::hellinger_distance(distribution.shares,
+                                        equal_shares(distribution.shares.size()));
 }
 
 /// Lets figures be drawn of the folder as of a run.
@@ -75,8 +76,8 @@ store::RunSummary summary(const Comparison& comparison) {
   summary.scene = comparison.title;
   summary.status = "done";
   store::StageSummary stage = {.name = comparison.stage, .steps = 0, .ended = "", .measures = {}};
-  for (const Distribution& one : comparison.distributions) {
-    stage.measures.emplace_back("hellinger_" + one.name, from_chi_square(one));
+  for (const Distribution& distribution : comparison.distributions) {
+    stage.measures.emplace_back("hellinger_" + distribution.name, from_chi_square(distribution));
   }
   summary.stages.push_back(stage);
   return summary;
@@ -121,8 +122,9 @@ Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_r
 
 std::vector<Distance> distances(const Comparison& comparison) {
   std::vector<Distance> result;
-  for (const Distribution& one : comparison.distributions) {
-    result.push_back({one.name, from_chi_square(one), noise_floor(one), one.samples});
+  for (const Distribution& distribution : comparison.distributions) {
+    result.push_back({distribution.name, from_chi_square(distribution), noise_floor(distribution),
+                      distribution.samples});
   }
   for (const Distribution& one : comparison.distributions) {
     for (const Distribution& other : comparison.distributions) {

@@ -70,10 +70,10 @@ void check_valid(const State& state) {
   if (state.wall_remainders.size() != state.grains.walls.size()) {
     fail("there is not one remainder for each wall");
   }
-  for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
-    const grains::Wall& one = state.grains.walls[wall];
-    const std::int64_t ahead = state.wall_remainders[wall];
-    if (one.motion ? !grains::can_be_ahead(*one.motion, one.travel, ahead) : ahead != 0) {
+  for (std::size_t number = 0; number < state.wall_remainders.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    const std::int64_t ahead = state.wall_remainders[number];
+    if (wall.motion ? !grains::can_be_ahead(*wall.motion, wall.travel, ahead) : ahead != 0) {
       fail("a wall is not where its motion has brought it");
     }
   }

@@ -28,7 +28,7 @@ double mass_of(const State& state, std::size_t id) {
 }
 
 /// Centre of mass.
-Eigen::Vector2d place_of(const State& state, std::size_t id) {
+Eigen::Vector2d position_of(const State& state, std::size_t id) {
   return grains::centre(state.grains, state.grains.particles[id]) +
          in_spacings(state.remainders[id]);
 }
@@ -41,7 +41,7 @@ Energy energy_of(const State& state, std::size_t id, double gravity) {
   const double spin = static_cast<double>(velocity.spin) / kSpacing;
   return {.kinetic = mass * (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) /
                      2 / gravity,
-          .potential = -mass * gravity_direction(state.vessel).dot(place_of(state, id))};
+          .potential = -mass * gravity_direction(state.vessel).dot(position_of(state, id))};
 }
 
 // The sum of energy_of() of all grains, faster: runs ask for it in each step.
@@ -117,14 +117,14 @@ double vessel_work(const State& state, const Vessel& before, double gravity) {
       std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
   const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);
   Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // mass times place
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // mass times position
   double outwards = 0;                               // mass times velocity from the centre
   for (std::size_t id = 0; id < state.velocities.size(); ++id) {
     if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
       const Eigen::Vector2d impulse =
           mass_of(state, id) * in_spacings(state.velocities[id].x, state.velocities[id].y);
       momentum += impulse;
-      moment += mass_of(state, id) * place_of(state, id);
+      moment += mass_of(state, id) * position_of(state, id);
       outwards += impulse.dot(lattice::position(grain.site()) - centre);
     }
   }

@@ -85,8 +85,8 @@ Sum sum_of(const Force& force) {
   const Eigen::Vector2d on_upper = force.on_upper();
   return {.upper = force.upper,
           .other = force.other,
-          .place_x = force.point.x(),
-          .place_y = force.point.y(),
+          .point_x = force.point.x(),
+          .point_y = force.point.y(),
           .normal_x = force.normal.x(),
           .normal_y = force.normal.y(),
           .branch_x = force.branch.x(),
@@ -96,12 +96,12 @@ Sum sum_of(const Force& force) {
 }
 
 void add_one(ForceSums& sums, Sum later) {
-  const auto [place, is_new] = sums.places.try_emplace(key(later), sums.sums.size());
+  const auto [found, is_new] = sums.numbers.try_emplace(key(later), sums.sums.size());
   if (is_new) {
     sums.sums.push_back(later);
     return;
   }
-  Sum& sum = sums.sums[place->second];
+  Sum& sum = sums.sums[found->second];
   const double sign = sum.upper == later.upper ? 1 : -1;
   later.force_x += sign * sum.force_x;
   later.force_y += sign * sum.force_y;
@@ -109,10 +109,10 @@ void add_one(ForceSums& sums, Sum later) {
 }
 
 /// Rebuilds the index of sums that were loaded.
-void find_places(ForceSums& sums) {
-  if (sums.places.empty()) {
+void number_sums(ForceSums& sums) {
+  if (sums.numbers.empty()) {
     for (std::size_t i = 0; i < sums.sums.size(); ++i) {
-      sums.places.emplace(key(sums.sums[i]), i);
+      sums.numbers.emplace(key(sums.sums[i]), i);
     }
   }
 }
@@ -167,7 +167,7 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
 }
 
 void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
-  find_places(sums);
+  number_sums(sums);
   for (const Force& force : forces_of_a_step) {
     add_one(sums, sum_of(force));
   }
@@ -175,7 +175,7 @@ void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
 }
 
 void add(ForceSums& sums, const ForceSums& later) {
-  find_places(sums);
+  number_sums(sums);
   for (const Sum& sum : later.sums) {
     add_one(sums, sum);
   }
@@ -194,7 +194,7 @@ std::vector<Force> means(const ForceSums& sums) {
         Eigen::Vector2d(sum.force_x, sum.force_y) / static_cast<double>(sums.steps);
     result.push_back({.upper = sum.upper,
                       .other = sum.other,
-                      .point = {sum.place_x, sum.place_y},
+                      .point = {sum.point_x, sum.point_y},
                       .normal = normal,
                       .branch = {sum.branch_x, sum.branch_y},
                       .along_normal = mean.dot(normal),

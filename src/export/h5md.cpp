@@ -38,8 +38,8 @@ std::string path(const std::string& name) {
 Handle species_type(const std::vector<scene::Species>& species) {
   Handle type(H5Tenum_create(H5T_NATIVE_INT32), H5Tclose, "species");
   std::int32_t value = 0;
-  for (const scene::Species& one : species) {
-    check(H5Tenum_insert(type.id(), one.name.c_str(), &value), "species");
+  for (const scene::Species& entry : species) {
+    check(H5Tenum_insert(type.id(), entry.name.c_str(), &value), "species");
     ++value;
   }
   return type;

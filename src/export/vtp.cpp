@@ -13,12 +13,12 @@ namespace clca::exports {
 
 namespace {
 
-std::vector<std::optional<lattice::Axial>> places_of(const std::vector<grains::Wall>& walls) {
-  std::vector<std::optional<lattice::Axial>> places;
+std::vector<std::optional<lattice::Axial>> shifts_of(const std::vector<grains::Wall>& walls) {
+  std::vector<std::optional<lattice::Axial>> shifts;
   for (const grains::Wall& wall : walls) {
-    places.push_back(wall.present ? std::optional(wall.shift()) : std::nullopt);
+    shifts.push_back(wall.present ? std::optional(wall.shift()) : std::nullopt);
   }
-  return places;
+  return shifts;
 }
 
 /// Sites as vectors from the first site of the lattice, sorted.
@@ -103,11 +103,11 @@ void VtpWriter::add(const grains::State& state, const store::ContactFrame& conta
   if (state.walls.empty()) {
     return;
   }
-  std::vector<Place> places = places_of(state.walls);
-  if (wall_file_.empty() || places != seen_) {
+  std::vector<Shift> shifts = shifts_of(state.walls);
+  if (wall_file_.empty() || shifts != seen_) {
     wall_file_ = beside("-walls", state.step);
     write_walls(wall_file_, state);
-    seen_ = std::move(places);
+    seen_ = std::move(shifts);
   }
   collect(state.step, 1, "walls", wall_file_);
 }

@@ -21,7 +21,7 @@ class VtpWriter : public Writer {
 
  private:
   /// Position of a wall; none if it is not present.
-  using Place = std::optional<lattice::Axial>;
+  using Shift = std::optional<lattice::Axial>;
 
   /// STEM-000120.vtp beside the collection; STEM-000120-2.vtp for a second frame of that step.
   std::string beside(const std::string& part, std::uint64_t step) const;
@@ -41,7 +41,7 @@ class VtpWriter : public Writer {
   std::vector<std::string> wall_names_;
   int step_digits_;
   std::vector<KindAppearance> kinds_;
-  std::vector<Place> seen_;  // the walls that wall_file_ shows
+  std::vector<Shift> seen_;  // the walls that wall_file_ shows
   std::string wall_file_;
   std::optional<std::uint64_t> step_;  // of the last frame
   int earlier_ = 0;                    // frames of the same step before it

@@ -7,9 +7,9 @@
 namespace clca::grains {
 
 std::size_t outlet_around(const State& state, const Particle& particle) {
-  const auto outlet =
-      std::find_if(state.outlets.begin(), state.outlets.end(),
-                   [&](const Outlet& one) { return lies_inside(state, particle, one.region); });
+  const auto outlet = std::find_if(
+      state.outlets.begin(), state.outlets.end(),
+      [&](const Outlet& candidate) { return lies_inside(state, particle, candidate.region); });
   return static_cast<std::size_t>(outlet - state.outlets.begin());
 }
 

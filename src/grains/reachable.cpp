@@ -21,7 +21,9 @@ void require(bool holds, const char* reason) {
 constexpr std::int32_t kMaxCoordinate = 1 << 29;
 
 bool in_reach(lattice::Site site) {
-  const auto near = [](int place) { return place > -kMaxCoordinate && place < kMaxCoordinate; };
+  const auto near = [](int coordinate) {
+    return coordinate > -kMaxCoordinate && coordinate < kMaxCoordinate;
+  };
   return near(site.column) && near(site.row);
 }
 

@@ -19,8 +19,8 @@ lattice::Axial Wall::shift() const {
   if (!motion) {
     return {};
   }
-  const lattice::Axial one = unit(motion->direction);
-  return {travel.offset * one.x, travel.offset * one.q};
+  const lattice::Axial unit_vector = unit(motion->direction);
+  return {travel.offset * unit_vector.x, travel.offset * unit_vector.q};
 }
 
 std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall& wall) {

@@ -6,12 +6,12 @@ namespace clca::grains {
 
 namespace {
 
-std::vector<std::size_t> places_now(const State& state, const Wall& wall) {
-  std::vector<std::size_t> places;
+std::vector<std::size_t> indices_now(const State& state, const Wall& wall) {
+  std::vector<std::size_t> indices;
   for (const lattice::Site site : sites_now(state.lattice, wall)) {
-    places.push_back(state.lattice.index(site));
+    indices.push_back(state.lattice.index(site));
   }
-  return places;
+  return indices;
 }
 
 /// Gives the sites of a removed wall, in ascending order, to other walls that cover them.
@@ -20,9 +20,9 @@ void leave_to_others(Box& box, const std::vector<std::size_t>& vacated) {
     if (!box.state.walls[other].present) {
       continue;
     }
-    for (const std::size_t place : places_now(box.state, box.state.walls[other])) {
-      if (std::binary_search(vacated.begin(), vacated.end(), place)) {
-        box.occupancy.take(place, wall_code(other));
+    for (const std::size_t index : indices_now(box.state, box.state.walls[other])) {
+      if (std::binary_search(vacated.begin(), vacated.end(), index)) {
+        box.occupancy.take(index, wall_code(other));
       }
     }
   }
@@ -35,9 +35,9 @@ void remove_wall(Box& box, std::size_t number) {
   const Owner code = wall_code(number);
   wall.present = false;
   std::vector<std::size_t> vacated;
-  for (const std::size_t place : places_now(box.state, wall)) {
-    if (box.occupancy.has(place, code) && box.occupancy.remove(place, code)) {
-      vacated.push_back(place);
+  for (const std::size_t index : indices_now(box.state, wall)) {
+    if (box.occupancy.has(index, code) && box.occupancy.remove(index, code)) {
+      vacated.push_back(index);
     }
   }
   std::sort(vacated.begin(), vacated.end());
@@ -49,22 +49,22 @@ bool insert_wall(Box& box, std::size_t number) {
   if (wall.present) {
     return true;
   }
-  const std::vector<std::size_t> places = places_now(box.state, wall);
+  const std::vector<std::size_t> indices = indices_now(box.state, wall);
   const auto moves = [&](Owner owner) {
     return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
   };
-  const bool blocked = std::any_of(places.begin(), places.end(), [&](std::size_t place) {
-    const Owner owner = box.occupancy.owner(place);
+  const bool blocked = std::any_of(indices.begin(), indices.end(), [&](std::size_t index) {
+    const Owner owner = box.occupancy.owner(index);
     return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
   if (blocked) {
     return false;
   }
   wall.present = true;
-  for (const std::size_t place : places) {
-    const Owner owner = box.occupancy.owner(place);
+  for (const std::size_t index : indices) {
+    const Owner owner = box.occupancy.owner(index);
     if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
-      box.occupancy.take(place, wall_code(number));
+      box.occupancy.take(index, wall_code(number));
     }
   }
   return true;

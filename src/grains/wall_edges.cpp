@@ -47,8 +47,8 @@ class Outline {
   std::vector<lattice::Site> sites_;
 };
 
-std::vector<std::size_t> places(const lattice::Lattice& lattice,
-                                const std::vector<lattice::Site>& home, lattice::Axial shift) {
+std::vector<std::size_t> indices(const lattice::Lattice& lattice,
+                                 const std::vector<lattice::Site>& home, lattice::Axial shift) {
   std::vector<std::size_t> result;
   for (const lattice::Site site : home) {
     if (lattice.contains(site + shift)) {
@@ -80,8 +80,8 @@ WallStep WallEdges::step_of(const State& state, std::size_t number, int desired)
   const Edge& sides = edges_[number][desired > 0 ? 0 : 1];
   return {.wall = number,
           .direction = desired > 0 ? forward : opposite(forward),
-          .enters = places(state.lattice, sides.lead, shift),
-          .leaves = places(state.lattice, sides.trail, shift)};
+          .enters = indices(state.lattice, sides.lead, shift),
+          .leaves = indices(state.lattice, sides.trail, shift)};
 }
 
 }  // namespace clca::grains

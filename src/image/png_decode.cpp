@@ -26,7 +26,7 @@ constexpr std::size_t kMaxInflationRatio = 1040;  // times; deflate packs 1032 t
 struct ReadJob {
   std::span<const std::uint8_t> bytes;
   bool with_text = true;
-  std::size_t place = 0;
+  std::size_t position = 0;
   std::vector<png_byte> rgba;
   std::vector<png_bytep> rows;
   PngError error;
@@ -34,11 +34,11 @@ struct ReadJob {
 
 void take(png_structp png, png_bytep data, png_size_t size) {
   auto* job = static_cast<ReadJob*>(png_get_io_ptr(png));
-  if (size > job->bytes.size() - job->place) {
+  if (size > job->bytes.size() - job->position) {
     png_error(png, "the file ends too soon");
   }
-  std::memcpy(data, job->bytes.data() + job->place, size);
-  job->place += size;
+  std::memcpy(data, job->bytes.data() + job->position, size);
+  job->position += size;
 }
 
 /// libpng allocates the claimed size of a chunk before reading it, so no chunk may claim more than
@@ -46,16 +46,16 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 void require_honest_chunks(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kSignature = 8;
   constexpr std::size_t kFrame = 12;  // length, name, checksum
-  std::size_t place = kSignature;
-  while (place + kFrame <= bytes.size()) {
+  std::size_t position = kSignature;
+  while (position + kFrame <= bytes.size()) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      length = (length << 8U) | bytes[place + i];
+      length = (length << 8U) | bytes[position + i];
     }
-    if (length > bytes.size() - place - kFrame) {
+    if (length > bytes.size() - position - kFrame) {
       throw std::runtime_error("cannot read a PNG file: it is cut off or no PNG file");
     }
-    place += kFrame + length;
+    position += kFrame + length;
   }
 }
 

@@ -27,10 +27,10 @@ std::size_t reachable(const std::vector<Axial>& sites) {
     for (const Direction direction : kDirections) {
       const Axial neighbour = site + unit(direction);
       const auto found = std::lower_bound(sites.begin(), sites.end(), neighbour);
-      const auto place = static_cast<std::size_t>(found - sites.begin());
-      if (found != sites.end() && *found == neighbour && !seen[place]) {
-        seen[place] = true;
-        open.push_back(place);
+      const auto number = static_cast<std::size_t>(found - sites.begin());
+      if (found != sites.end() && *found == neighbour && !seen[number]) {
+        seen[number] = true;
+        open.push_back(number);
       }
     }
   }

@@ -10,7 +10,7 @@ namespace clca::measure {
 
 /// Throws std::invalid_argument if it belongs to another box.
 inline void check_occupancy(const grains::State& state, const grains::Occupancy& occupancy) {
-  if (occupancy.places() != state.lattice.index_count()) {
+  if (occupancy.index_count() != state.lattice.index_count()) {
     throw std::invalid_argument("the occupancy is that of another box");
   }
 }

@@ -15,7 +15,7 @@ namespace {
 
 using lattice::Site;
 
-/// The places from which a particle can fall into an outlet.
+/// The sites from which a particle can fall into an outlet.
 struct Ways {
   std::vector<bool> from;  ///< by index of the first site of the shape, which lies in the box
   bool none = true;        ///< not even inside the outlet is room
@@ -41,9 +41,9 @@ class Search {
   }
 
   /// Of a particle with this reference site, which may lie outside the box.
-  std::size_t place(Site site) const { return index(site + sites_.front()); }
+  std::size_t first_index(Site site) const { return index(site + sites_.front()); }
 
-  /// `past_particles`: only walls and the sides of the box are in the way. Places above another
+  /// `past_particles`: only walls and the sides of the box are in the way. Sites above another
   /// outlet do not count: from there a particle falls into that one.
   Ways ways(bool past_particles) const {
     const auto stops = [&](grains::Owner owner) {
@@ -51,15 +51,15 @@ class Search {
     };
     const std::vector<bool> above_others = this->above_others();
     Ways result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
-    std::vector<Site> places = inside(outlet_);
-    std::erase_if(places, [&](Site site) { return any_owner(site, sites_, stops); });
-    result.none = places.empty();
-    for (const Site site : places) {
-      result.from[place(site)] = true;
+    std::vector<Site> sites = inside(outlet_);
+    std::erase_if(sites, [&](Site site) { return any_owner(site, sites_, stops); });
+    result.none = sites.empty();
+    for (const Site site : sites) {
+      result.from[first_index(site)] = true;
     }
-    while (!places.empty()) {
-      const Site site = places.back();
-      places.pop_back();
+    while (!sites.empty()) {
+      const Site site = sites.back();
+      sites.pop_back();
       bool ends = true;
       bool below_particle = false;
       for (std::size_t way = 0; way < up_.size(); ++way) {
@@ -69,9 +69,9 @@ class Search {
         }
         ends = false;
         const Site next = moved(site, up_[way]);
-        if (!result.from[place(next)] && !above_others[place(next)]) {
-          result.from[place(next)] = true;
-          places.push_back(next);
+        if (!result.from[first_index(next)] && !above_others[first_index(next)]) {
+          result.from[first_index(next)] = true;
+          sites.push_back(next);
         }
       }
       const bool at_top =
@@ -99,7 +99,7 @@ class Search {
     return {state_.lattice.wrapped(next.column), next.row};
   }
 
-  /// Places from which a particle falls straight into another outlet, past all particles.
+  /// Sites from which a particle falls straight into another outlet, past all particles.
   std::vector<bool> above_others() const {
     const auto stops = [](grains::Owner owner) {
       return owner != grains::kFree && !grains::is_particle(owner);
@@ -110,8 +110,8 @@ class Search {
         continue;
       }
       for (Site site : inside(other)) {
-        while (!result[place(site)]) {
-          result[place(site)] = true;
+        while (!result[first_index(site)]) {
+          result[first_index(site)] = true;
           if (any_owner(site, lead_[0], stops)) {
             break;
           }
@@ -155,10 +155,10 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
              lattice::Direction down) {
   check_occupancy(state, occupancy);
   static_cast<void>(state.outlets.at(outlet));
-  std::vector<std::vector<Site>> places(state.kinds.size());
+  std::vector<std::vector<Site>> sites(state.kinds.size());
   for (const grains::Particle& particle : state.particles) {
     if (particle.present) {
-      places[particle.kind].push_back(particle.site());
+      sites[particle.kind].push_back(particle.site());
     }
   }
   std::vector<std::uint16_t> kinds(state.kinds.size());
@@ -167,13 +167,13 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
     return state.kinds[one].shape.size() > state.kinds[other].shape.size();
   });
   for (const std::uint16_t kind : kinds) {
-    if (places[kind].empty()) {
+    if (sites[kind].empty()) {
       continue;
     }
     const Search search(state, occupancy, kind, outlet, down);
     const Ways past = search.ways(true);
-    if (std::any_of(places[kind].begin(), places[kind].end(),
-                    [&](Site site) { return past.from[search.place(site)]; })) {
+    if (std::any_of(sites[kind].begin(), sites[kind].end(),
+                    [&](Site site) { return past.from[search.first_index(site)]; })) {
       const Ways now = search.ways(false);
       return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
     }

@@ -205,8 +205,8 @@ std::optional<double> penetration(const State& now, const Wall& wall,
     foremost = down ? std::min(foremost, height) : std::max(foremost, height + 1);
     const int column = now.lattice.wrapped(site.column);
     if (column >= 0 && column < now.lattice.columns()) {
-      const auto place = static_cast<std::size_t>(column);
-      covered[place] = surface_at_start[place];
+      const auto number = static_cast<std::size_t>(column);
+      covered[number] = surface_at_start[number];
     }
   }
   const double surface = mean_height(covered);

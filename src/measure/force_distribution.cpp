@@ -111,8 +111,8 @@ void ForceAverage::add(const std::vector<OverlapContact>& contacts) {
 }
 
 bool ForceAverage::precedes(const grains::State& now) const {
-  return std::all_of(sums_.begin(), sums_.end(), [&](const auto& one) {
-    const auto [first, second] = one.first;
+  return std::all_of(sums_.begin(), sums_.end(), [&](const auto& pair) {
+    const auto [first, second] = pair.first;
     const bool known =
         grains::is_particle(second)
             ? static_cast<std::size_t>(second) < now.particles.size()

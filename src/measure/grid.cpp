@@ -53,13 +53,13 @@ Eigen::Vector2d Grid::in_cells(const Eigen::Vector2d& point) const {
 }
 
 std::size_t Grid::index(const Eigen::Vector2d& point) const {
-  const Eigen::Vector2d place = in_cells(point);
+  const Eigen::Vector2d position = in_cells(point);
   const auto columns = static_cast<double>(columns_);
-  double column = part_at(place.x());
+  double column = part_at(position.x());
   if (periodic_) {
     column -= columns * std::floor(column / columns);
   }
-  return nearest_part(part_at(place.y()), rows_) * columns_ + nearest_part(column, columns_);
+  return nearest_part(part_at(position.y()), rows_) * columns_ + nearest_part(column, columns_);
 }
 
 std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,

@@ -165,8 +165,8 @@ void Line::add_covering(const grains::Occupancy& occupancy,
                         LineBlock& block) const {
   for (std::size_t part = 0; part < parts(); ++part) {
     LinePartSums& sums = block.parts[part];
-    for (const std::size_t place : points_[part]) {
-      const grains::Owner owner = occupancy.owner(place);
+    for (const std::size_t index : points_[part]) {
+      const grains::Owner owner = occupancy.owner(index);
       if (grains::is_wall(owner)) {
         continue;
       }

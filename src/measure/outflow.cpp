@@ -23,7 +23,7 @@ Discharge discharge(const grains::Outlet& outlet) {
 std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species) {
   std::vector<std::uint64_t> counts(state.outlets.size() * species, 0);
   for (const grains::Particle& particle : state.particles) {
-    if (!particle.present) {  // it keeps the place at which it was removed
+    if (!particle.present) {  // it keeps the position at which it was removed
       const std::size_t outlet = grains::outlet_around(state, particle);
       if (outlet == state.outlets.size()) {
         throw std::invalid_argument("a particle that has left lies in no outlet");

@@ -106,25 +106,25 @@ std::vector<double> surface_profile(const grains::State& state) {
 }
 
 std::vector<double> surface_profile(const grains::State& state, const Eigen::Vector2d& down) {
-  std::vector<Eigen::Vector2d> places;  // to the right, up
+  std::vector<Eigen::Vector2d> points;  // to the right, up
   Eigen::Vector2d lowest = Eigen::Vector2d::Constant(kInfinity);
   double last = -kInfinity;
   for_each_site(state, [&](lattice::Site site) {
-    const Eigen::Vector2d place = lattice::position(site);
-    places.emplace_back(down.x() * place.y() - down.y() * place.x(), -place.dot(down));
-    lowest = lowest.cwiseMin(places.back());
-    last = std::max(last, places.back().x());
+    const Eigen::Vector2d point = lattice::position(site);
+    points.emplace_back(down.x() * point.y() - down.y() * point.x(), -point.dot(down));
+    lowest = lowest.cwiseMin(points.back());
+    last = std::max(last, points.back().x());
   });
   std::vector<double> profile;
   const auto column_of = [&](double x) {
     return static_cast<std::size_t>(part_at((x - lowest.x()) / lattice::kColumnPitch));
   };
-  if (!places.empty()) {
+  if (!points.empty()) {
     profile.resize(column_of(last) + 1, 0.0);
   }
-  for (const Eigen::Vector2d& place : places) {
-    double& height = profile[column_of(place.x())];
-    height = std::max(height, place.y() - lowest.y() + kSiteTop);
+  for (const Eigen::Vector2d& point : points) {
+    double& height = profile[column_of(point.x())];
+    height = std::max(height, point.y() - lowest.y() + kSiteTop);
   }
   return profile;
 }

@@ -85,10 +85,10 @@ std::vector<StressCell> stress_field(const grains::State& state,
         with_grain || contact::is_side(force.other) ? force.branch : walls.path(force);
     const Eigen::Vector2d on_upper = force.on_upper() / grid.cell_area();
     for (const Grid::Part& part : grid.parts(centre - path, path)) {
-      StressCell& one = cells[part.cell];
-      one.xx += part.share * on_upper.x() * path.x();
-      one.xy += part.share * (on_upper.x() * path.y() + on_upper.y() * path.x()) / 2;
-      one.yy += part.share * on_upper.y() * path.y();
+      StressCell& sum = cells[part.cell];
+      sum.xx += part.share * on_upper.x() * path.x();
+      sum.xy += part.share * (on_upper.x() * path.y() + on_upper.y() * path.x()) / 2;
+      sum.yy += part.share * on_upper.y() * path.y();
     }
   }
   return cells;

@@ -102,7 +102,7 @@ std::vector<Passed> in_shares(const grains::State& state, const Vector2d& force,
   return result;
 }
 
-/// As a force of the contact model, with the same places on floor and walls.
+/// As a force of the contact model, with the same points on floor and walls.
 contact::Force as_contact(const grains::State& state, std::uint32_t id, const Passed& passed) {
   const grains::Particle& grain = state.particles[id];
   const Vector2d centre = grains::centre_in_box(state, grain);
@@ -205,7 +205,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
 
 Base base_of(const grains::State& state) {
   constexpr double kLeftOut = 0.01;               // of the sites, on either side
-  std::vector<std::pair<double, double>> grains;  // place and sites
+  std::vector<std::pair<double, double>> grains;  // position and sites
   double all = 0;
   for (const grains::Particle& grain : state.particles) {
     if (grain.present) {
@@ -229,10 +229,10 @@ Base base_of(const grains::State& state) {
 std::vector<double> base_pressure(const Base& base, const std::vector<contact::Force>& forces) {
   std::vector<double> bins(Base::kBins, 0);
   for (const contact::Force& force : forces) {
-    const double place = (force.point.x() - base.left) / base.width() * Base::kBins;
-    if (!grains::is_particle(force.other) && force.normal.y() > kLeastSlope && place >= 0 &&
-        place < Base::kBins) {
-      bins[static_cast<std::size_t>(place)] += force.on_upper().y();
+    const double position = (force.point.x() - base.left) / base.width() * Base::kBins;
+    if (!grains::is_particle(force.other) && force.normal.y() > kLeastSlope && position >= 0 &&
+        position < Base::kBins) {
+      bins[static_cast<std::size_t>(position)] += force.on_upper().y();
     }
   }
   const double mean = std::accumulate(bins.begin(), bins.end(), 0.0) / Base::kBins;

@@ -43,7 +43,8 @@ std::string table_with(RunTables& tables, const std::vector<std::string>& column
 
 }  // namespace
 
-std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice) {
+std::vector<Figure> column_figures(RunTables& tables, const Template& figure_template,
+                                   const Choice& choice) {
   if (choice.over.size() > 1) {
     throw text::InputError(
         fmt::format("{}: of a run, a curve is drawn for each value of one column, not of {}",
@@ -58,7 +59,7 @@ std::vector<Figure> column_figures(RunTables& tables, const Template& one, const
     }
     const std::string table = table_with(tables, columns);
     const std::vector<std::string>& names = tables.read(table).names;
-    Template chosen = one;
+    Template chosen = figure_template;
     TableRequirement need;
     need.table = table;
     need.columns = {y};

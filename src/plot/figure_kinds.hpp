@@ -11,16 +11,17 @@ namespace clca::plot {
 
 /// Those of a template, one for each of its divisions; none if the tables lack something. Throws
 /// StoreError.
-std::vector<Figure> template_figures(RunTables& tables, const Template& one);
+std::vector<Figure> template_figures(RunTables& tables, const Template& figure_template);
 
 /// Of a run: one for each chosen column, with a curve for each value of another one. Throws
 /// StoreError, and text::InputError for a choice of what is not there.
-std::vector<Figure> column_figures(RunTables& tables, const Template& one, const Choice& choice);
+std::vector<Figure> column_figures(RunTables& tables, const Template& figure_template,
+                                   const Choice& choice);
 
 /// KEY=VALUE, KEY=VALUE of some columns.
 struct RowLabels {
   std::vector<std::string> all;      ///< each once, in the order of their values
-  std::vector<std::size_t> of_rows;  ///< places in `all`
+  std::vector<std::size_t> of_rows;  ///< positions in `all`
 };
 
 /// Words of a single key that was chosen speak for themselves.
@@ -42,10 +43,12 @@ std::string to_text(const SweepSetting& setting);
 /// One for each stage and measure with a mean other than 0 in measures.csv, if a key is varied; in
 /// the order of the table. Throws StoreError, and text::InputError for a choice of what is not
 /// there.
-std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice);
+std::vector<Figure> sweep_figures(RunTables& tables, const Template& figure_template,
+                                  const Choice& choice);
 
 /// One for each group of rows and column of the tables that are averaged over the seeds,
 /// `mean-*.csv`, with a curve for each combination. Throws StoreError.
-std::vector<Figure> mean_figures(RunTables& tables, const Template& one, const Choice& choice);
+std::vector<Figure> mean_figures(RunTables& tables, const Template& figure_template,
+                                 const Choice& choice);
 
 }  // namespace clca::plot

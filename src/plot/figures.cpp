@@ -14,29 +14,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Figure> figures_of(RunTables& tables, const Template& one, const Choice& choice) {
+std::vector<Figure> figures_of(RunTables& tables, const Template& figure_template,
+                               const Choice& choice) {
   const bool is_chosen = !choice.y.empty();
   const bool is_sweep = tables.summary().kind == "sweep";
-  if (one.division == Division::by_measure) {
-    return sweep_figures(tables, one, choice);
+  if (figure_template.division == Division::by_measure) {
+    return sweep_figures(tables, figure_template, choice);
   }
-  if (one.division == Division::by_mean) {
-    return is_sweep && choice.x.empty() ? mean_figures(tables, one, choice) : std::vector<Figure>();
+  if (figure_template.division == Division::by_mean) {
+    return is_sweep && choice.x.empty() ? mean_figures(tables, figure_template, choice)
+                                        : std::vector<Figure>();
   }
-  if (one.division == Division::by_column) {
-    return is_chosen && !is_sweep ? column_figures(tables, one, choice) : std::vector<Figure>();
+  if (figure_template.division == Division::by_column) {
+    return is_chosen && !is_sweep ? column_figures(tables, figure_template, choice)
+                                  : std::vector<Figure>();
   }
-  return is_chosen ? std::vector<Figure>() : template_figures(tables, one);
+  return is_chosen ? std::vector<Figure>() : template_figures(tables, figure_template);
 }
 
 /// Explains why there is no figure of that name.
 std::string reason(const std::vector<Template>& templates, const std::vector<Figure>& possible,
                    const std::string& name) {
-  const auto one = std::find_if(templates.begin(), templates.end(),
-                                [&](const Template& any) { return any.name == name; });
-  if (one != templates.end()) {
+  const auto found = std::find_if(templates.begin(), templates.end(),
+                                  [&](const Template& any) { return any.name == name; });
+  if (found != templates.end()) {
     std::string needs;
-    for (const TableRequirement& need : one->needs) {
+    for (const TableRequirement& need : found->needs) {
       needs += (needs.empty() ? "" : "; ") + to_text(need);
     }
     return fmt::format("the tables do not allow the figure '{}', which needs {}", name, needs);
@@ -55,11 +58,12 @@ bool is_named(const Figure& figure, const std::string& name) {
 std::vector<Figure> chosen(const std::vector<Figure>& possible,
                            const std::vector<std::string>& only) {
   std::vector<Figure> result;
-  std::copy_if(possible.begin(), possible.end(), std::back_inserter(result), [&](const auto& one) {
-    return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& name) {
-             return is_named(one, name);
-           });
-  });
+  std::copy_if(
+      possible.begin(), possible.end(), std::back_inserter(result), [&](const auto& figure) {
+        return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& name) {
+                 return is_named(figure, name);
+               });
+      });
   return result;
 }
 
@@ -75,9 +79,9 @@ std::vector<Figure> possible_figures(
           fmt::format("{}: of a run, say which columns are y, too", run.string()));
     }
     std::vector<Figure> all;
-    for (const Template& one : templates) {
+    for (const Template& figure_template : templates) {
       try {
-        const std::vector<Figure> more = figures_of(tables, one, choice);
+        const std::vector<Figure> more = figures_of(tables, figure_template, choice);
         all.insert(all.end(), more.begin(), more.end());
       } catch (const store::StoreError& error) {
         unreadable(error);

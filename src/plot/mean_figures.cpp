@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 /// The rows of one combination in one figure: from the first to the last.
 struct Block {
-  std::size_t line;  ///< its place among the labels
+  std::size_t line;  ///< its position among the labels
   std::size_t first;
   std::size_t last;
 };
@@ -41,7 +41,8 @@ class MeanTable {
     values_ = static_cast<std::size_t>(runs) + 1;
     for (std::size_t column = keys; column + 1 < values_; ++column) {
       const std::string& name = table_.names[column];
-      (name == "stage" || name == "probe" || name == "line" ? groups_ : places_).push_back(column);
+      (name == "stage" || name == "probe" || name == "line" ? groups_ : positions_)
+          .push_back(column);
     }
     std::vector<std::size_t> over;
     std::vector<std::size_t> apart;
@@ -54,7 +55,7 @@ class MeanTable {
     others_ = labels_of(table_, apart, false);
   }
 
-  std::vector<Figure> figures(const Template& one) const;
+  std::vector<Figure> figures(const Template& figure_template) const;
 
  private:
   std::string group(std::size_t row) const;
@@ -65,10 +66,10 @@ class MeanTable {
     std::vector<Block> blocks = {};
   };
   std::vector<Part> parts() const;
-  std::string place() const;
+  std::string x_name() const;
   /// x_low, x_high, y_low and y_high: where there is something to see.
   std::string ranges(const std::vector<Block>& blocks, const std::string& column) const;
-  Figure figure(const Template& one, const Part& part, std::size_t number,
+  Figure figure(const Template& figure_template, const Part& part, std::size_t number,
                 const std::string& column) const;
 
   const RunTables& tables_;
@@ -79,7 +80,7 @@ class MeanTable {
   std::size_t keys_;
   std::size_t values_ = 0;  ///< the first column with means
   std::vector<std::size_t> groups_;
-  std::vector<std::size_t> places_;
+  std::vector<std::size_t> positions_;
   RowLabels lines_;
   RowLabels others_;
 };
@@ -98,11 +99,11 @@ std::vector<MeanTable::Part> MeanTable::parts() const {
     groups.push_back(group(row));
   }
   const Words all_groups = in_order(groups);
-  std::map<std::pair<std::ptrdiff_t, std::size_t>, Part> found;  // by their places
+  std::map<std::pair<std::ptrdiff_t, std::size_t>, Part> found;  // by their numbers
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     const std::size_t others = others_.of_rows[row];
-    const auto group_place = std::ranges::find(all_groups, groups[row]) - all_groups.begin();
-    Part& part = found[{group_place, others}];
+    const auto group_number = std::ranges::find(all_groups, groups[row]) - all_groups.begin();
+    Part& part = found[{group_number, others}];
     part.group = groups[row];
     part.others = others_.all[others];
     const bool goes_on = !part.blocks.empty() && part.blocks.back().line == lines_.of_rows[row] &&
@@ -114,7 +115,7 @@ std::vector<MeanTable::Part> MeanTable::parts() const {
     }
   }
   std::vector<Part> parts;
-  for (auto& [place, part] : found) {
+  for (auto& [numbers, part] : found) {
     std::ranges::stable_sort(part.blocks, {}, &Block::line);
     parts.push_back(std::move(part));
   }
@@ -122,19 +123,19 @@ std::vector<MeanTable::Part> MeanTable::parts() const {
 }
 
 /// The column of the axis: time where all runs have it.
-std::string MeanTable::place() const {
-  for (const std::size_t column : places_) {
+std::string MeanTable::x_name() const {
+  for (const std::size_t column : positions_) {
     const Words& cells = table_.cells[column];
     if (table_.names[column] == "time" && std::ranges::count(cells, "") == 0) {
       return "time";
     }
   }
-  return table_.names[places_.front()];
+  return table_.names[positions_.front()];
 }
 
 std::string MeanTable::ranges(const std::vector<Block>& blocks, const std::string& column) const {
   constexpr double kMost = std::numeric_limits<double>::max();
-  const std::vector<double> xs = table_.numbers(place());
+  const std::vector<double> xs = table_.numbers(x_name());
   const std::vector<double> means = table_.numbers(column);
   const std::vector<double> errors = table_.numbers(column + "_se");
   std::array<double, 4> ends = {kMost, -kMost, kMost, -kMost};
@@ -157,7 +158,7 @@ std::string MeanTable::ranges(const std::vector<Block>& blocks, const std::strin
                      ends[3]);
 }
 
-Figure MeanTable::figure(const Template& one, const Part& part, std::size_t number,
+Figure MeanTable::figure(const Template& figure_template, const Part& part, std::size_t number,
                          const std::string& column) const {
   const auto& [group, others, blocks] = part;
   Words lines;
@@ -180,25 +181,25 @@ Figure MeanTable::figure(const Template& one, const Part& part, std::size_t numb
           .description =
               fmt::format("{}{}{}, against {}: {}. {}", known ? known->name : column,
                           known && !known->meaning.empty() ? ": " : "", known ? known->meaning : "",
-                          known_.label(place()), of, one.description),
-          .script = one.file,
+                          known_.label(x_name()), of, figure_template.description),
+          .script = figure_template.file,
           .run = tables_.run(),
           .setting = to_text(SweepSetting{.file = file_,
                                           .part = of,
-                                          .x_label = known_.label(place()),
+                                          .x_label = known_.label(x_name()),
                                           .y_label = known_.label(column),
                                           .lines = lines,
                                           .log_x = choice_.log_x,
                                           .log_y = choice_.log_y}) +
                      fmt::format("x_column = {}; y_column = {}; array firsts[{}] = [{}];"
                                  "array lasts[{}] = [{}];",
-                                 literal(place()), literal(column), firsts.size(),
+                                 literal(x_name()), literal(column), firsts.size(),
                                  fmt::join(firsts, ", "), lasts.size(), fmt::join(lasts, ", ")) +
                      ranges(blocks, column),
-          .rank = one.rank};
+          .rank = figure_template.rank};
 }
 
-std::vector<Figure> MeanTable::figures(const Template& one) const {
+std::vector<Figure> MeanTable::figures(const Template& figure_template) const {
   std::vector<Figure> result;
   std::map<std::string, std::size_t> numbers;  // by group
   for (const Part& part : parts()) {
@@ -214,7 +215,7 @@ std::vector<Figure> MeanTable::figures(const Template& one) const {
       const bool is_wanted = choice_.y.empty() || std::ranges::count(choice_.y, column) > 0;
       if (is_wanted && is_label(column) && (group.empty() || is_label(group)) &&
           std::ranges::any_of(part.blocks, is_drawn)) {
-        result.push_back(figure(one, part, number, column));
+        result.push_back(figure(figure_template, part, number, column));
       }
     }
   }
@@ -223,7 +224,8 @@ std::vector<Figure> MeanTable::figures(const Template& one) const {
 
 }  // namespace
 
-std::vector<Figure> mean_figures(RunTables& tables, const Template& one, const Choice& choice) {
+std::vector<Figure> mean_figures(RunTables& tables, const Template& figure_template,
+                                 const Choice& choice) {
   std::vector<Figure> result;
   if (tables.files("measures.csv").empty()) {
     return result;
@@ -233,7 +235,8 @@ std::vector<Figure> mean_figures(RunTables& tables, const Template& one, const C
   for (const TableFile& file : tables.files("mean-*.csv")) {
     const store::ReadTable& table = tables.read(file.name);
     if (table.find("runs") != nullptr && keys < table.names.size() && table.rows() > 0) {
-      const std::vector<Figure> more = MeanTable(tables, file, keys, choice).figures(one);
+      const std::vector<Figure> more =
+          MeanTable(tables, file, keys, choice).figures(figure_template);
       result.insert(result.end(), more.begin(), more.end());
     }
   }

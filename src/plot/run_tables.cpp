@@ -62,14 +62,14 @@ store::RunSummary some_summary(const fs::path& folder) {
 store::RunSummary summary_of(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder / "sweep.json", error) && !fs::exists(folder / "run.json", error)) {
-    const store::RunSummary one = some_summary(folder);
+    const store::RunSummary of_run = some_summary(folder);
     store::RunSummary summary;
     summary.kind = "sweep";
     summary.scene = fs::weakly_canonical(folder, error).filename().string();
     summary.title = sweep_title(folder / "sweep.json");
-    summary.units = one.units;
-    summary.stages = one.stages;
-    summary.derived = one.derived;
+    summary.units = of_run.units;
+    summary.stages = of_run.stages;
+    summary.derived = of_run.derived;
     for (scene::DerivedMeasure& derived : summary.derived) {
       derived.value.clear();  // whose numbers may vary
     }
@@ -81,7 +81,7 @@ store::RunSummary summary_of(const fs::path& folder) {
 /// Stages in order of the run, times ascending, all else alphabetical.
 auto order(const store::RunSummary& summary, const std::string& label) {
   const auto stage = std::find_if(summary.stages.begin(), summary.stages.end(),
-                                  [&](const auto& one) { return one.name == label; });
+                                  [&](const auto& named) { return named.name == label; });
   double number = 0;
   std::from_chars(label.data(), label.data() + label.size(), number);
   return std::tuple(stage - summary.stages.begin(), number, label);

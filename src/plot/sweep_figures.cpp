@@ -49,8 +49,8 @@ std::string numbers_text(const std::string& name, const std::vector<double>& num
 }
 
 /// From 1.
-double position_of(const Cells& all, const std::string& one) {
-  return static_cast<double>(std::find(all.begin(), all.end(), one) - all.begin() + 1);
+double position_of(const Cells& all, const std::string& cell) {
+  return static_cast<double>(std::find(all.begin(), all.end(), cell) - all.begin() + 1);
 }
 
 /// Mean and interval of a measure over the seeds.
@@ -115,7 +115,7 @@ class SweepTable {
   /// Throws text::InputError for a choice of what is not there.
   SweepTable(RunTables& tables, const store::ReadTable& table, const Choice& choice);
 
-  std::vector<Figure> figures(const Template& one) const;
+  std::vector<Figure> figures(const Template& figure_template) const;
 
  private:
   bool is_key(const std::string& name) const { return key(name) < keys_; }
@@ -129,11 +129,11 @@ class SweepTable {
   }
   void divide_keys();
   std::optional<Interval> interval(std::size_t row) const;
-  std::optional<Interval> place(std::size_t row) const;
+  std::optional<Interval> x_interval(std::size_t row) const;
   Cells combination(std::size_t row) const;
   bool is_of_turned_floor(std::size_t row) const;
   std::vector<Points> found() const;
-  Figure figure(const Template& one, const Points& points, std::size_t number) const;
+  Figure figure(const Template& figure_template, const Points& points, std::size_t number) const;
   const std::string& x_name() const { return x_is_key_ ? table_.names[along_.front()] : choice_.x; }
   std::string x_label() const;
 
@@ -220,8 +220,8 @@ SweepTable::SweepTable(RunTables& tables, const store::ReadTable& table, const C
 
 void SweepTable::divide_keys() {
   x_is_key_ = choice_.x.empty() || is_key(choice_.x);
-  const auto is_over = [this](std::size_t one) {
-    return std::ranges::count(choice_.over, table_.names[one]) > 0;
+  const auto is_over = [this](std::size_t column) {
+    return std::ranges::count(choice_.over, table_.names[column]) > 0;
   };
   std::vector<std::size_t> all(keys_);
   std::iota(all.begin(), all.end(), 0);
@@ -230,15 +230,15 @@ void SweepTable::divide_keys() {
                            : first != all.end()            ? *first
                                                            : 0;
   along_ = {axis};
-  for (const std::size_t one : all) {
-    if (one == axis) {
+  for (const std::size_t column : all) {
+    if (column == axis) {
       continue;
     }
-    const bool goes_along = vary_together(table_.cells[axis], table_.cells[one]);
-    if (is_over(one) || (choice_.over.empty() && !goes_along)) {
-      over_.push_back(one);
+    const bool goes_along = vary_together(table_.cells[axis], table_.cells[column]);
+    if (is_over(column) || (choice_.over.empty() && !goes_along)) {
+      over_.push_back(column);
     } else {
-      (goes_along || !x_is_key_ ? along_ : apart_).push_back(one);
+      (goes_along || !x_is_key_ ? along_ : apart_).push_back(column);
     }
   }
 }
@@ -254,7 +254,7 @@ std::optional<Interval> SweepTable::interval(std::size_t row) const {
 }
 
 /// On the axis; none if the combination has no value there.
-std::optional<Interval> SweepTable::place(std::size_t row) const {
+std::optional<Interval> SweepTable::x_interval(std::size_t row) const {
   if (x_is_key_) {
     const std::string& value = table_.cells[along_.front()][row];
     const double x = words_.empty() ? std::stod(value) : position_of(words_, value);
@@ -267,8 +267,8 @@ std::optional<Interval> SweepTable::place(std::size_t row) const {
 /// The values of all keys, and the stage.
 Cells SweepTable::combination(std::size_t row) const {
   Cells values = {cell("stage", row)};
-  for (std::size_t one = 0; one < keys_; ++one) {
-    values.push_back(table_.cells[one][row]);
+  for (std::size_t key = 0; key < keys_; ++key) {
+    values.push_back(table_.cells[key][row]);
   }
   return values;
 }
@@ -291,7 +291,7 @@ std::vector<Points> SweepTable::found() const {
     const bool is_wanted = choice_.y.empty() ? measure != x_name() && !is_of_turned_floor(row)
                                              : std::ranges::count(choice_.y, measure) > 0;
     const auto y = interval(row);
-    const auto x = is_wanted && y ? place(row) : std::nullopt;
+    const auto x = is_wanted && y ? x_interval(row) : std::nullopt;
     if (!x || !is_label(stage) || !is_label(measure)) {
       continue;
     }
@@ -302,8 +302,8 @@ std::vector<Points> SweepTable::found() const {
     }
     found[at->second].points.push_back({*x, *y, lines_.of_rows[row] + 1});
   }
-  std::erase_if(found, [this](const Points& one) {
-    return std::ranges::none_of(one.points, [this](const Point& point) {
+  std::erase_if(found, [this](const Points& points) {
+    return std::ranges::none_of(points.points, [this](const Point& point) {
       const bool is_wanted = !choice_.y.empty() || point.y.mean != 0;
       return is_wanted && (!choice_.log_x || point.x.mean > 0) &&
              (!choice_.log_y || point.y.mean > 0);
@@ -320,21 +320,22 @@ std::string SweepTable::x_label() const {
   return is_derived || !x_is_key_ ? known_.label(name) : name;
 }
 
-Figure SweepTable::figure(const Template& one, const Points& points, std::size_t number) const {
+Figure SweepTable::figure(const Template& figure_template, const Points& points,
+                          std::size_t number) const {
   const std::string& stage = cell("stage", points.row);
   const std::string& measure = cell("measure", points.row);
   const auto known = known_.find(measure);
   const std::string& part = parts_.all[points.part];
   const std::string of = part.empty() ? "" : ", " + part;
-  return {.name = fmt::format("{}-{}-{}{}", one.name, stage, measure,
+  return {.name = fmt::format("{}-{}-{}{}", figure_template.name, stage, measure,
                               number > 0 ? fmt::format("-{}", number) : ""),
           .title = tables_.title(),
           .description = fmt::format("{}{}{}, against {}, at the end of stage {}{}. {}",
                                      known ? known->name : measure,
                                      known && !known->of.empty() ? ", " + known->of : "",
                                      known && !known->meaning.empty() ? ": " + known->meaning : "",
-                                     x_label(), stage, of, one.description),
-          .script = one.file,
+                                     x_label(), stage, of, figure_template.description),
+          .script = figure_template.file,
           .run = tables_.run(),
           .setting = to_text(SweepSetting{
                          .file = table_.file.filename().string(),
@@ -345,7 +346,7 @@ Figure SweepTable::figure(const Template& one, const Points& points, std::size_t
                          .log_x = choice_.log_x,
                          .log_y = choice_.log_y || measure.starts_with("discharged_until_clog")}) +
                      fmt::format("has_words = {}; templates = {};", words_.empty() ? 0 : 1,
-                                 literal(one.file.parent_path().string())) +
+                                 literal(figure_template.file.parent_path().string())) +
                      array_text("words", words_.empty() ? Cells{""} : shortened(words_)) +
                      setting_of(points.points),
           .rank = contrast(points.points) +
@@ -354,7 +355,7 @@ Figure SweepTable::figure(const Template& one, const Points& points, std::size_t
                        : 0)};
 }
 
-std::vector<Figure> SweepTable::figures(const Template& one) const {
+std::vector<Figure> SweepTable::figures(const Template& figure_template) const {
   std::vector<Figure> result;
   if (keys_ == 0) {
     return result;
@@ -362,7 +363,7 @@ std::vector<Figure> SweepTable::figures(const Template& one) const {
   std::map<std::pair<std::string, std::string>, std::size_t> numbers;
   for (const Points& points : found()) {
     std::size_t& number = numbers[{cell("stage", points.row), cell("measure", points.row)}];
-    result.push_back(figure(one, points, apart_.empty() ? 0 : ++number));
+    result.push_back(figure(figure_template, points, apart_.empty() ? 0 : ++number));
   }
   return result;
 }
@@ -371,15 +372,15 @@ std::vector<Figure> SweepTable::figures(const Template& one) const {
 
 RowLabels labels_of(const store::ReadTable& table, const std::vector<std::size_t>& keys,
                     bool is_chosen) {
-  std::vector<std::pair<std::vector<double>, std::string>> rows(table.rows());  // places, label
+  std::vector<std::pair<std::vector<double>, std::string>> rows(table.rows());  // positions, label
   for (const std::size_t key : keys) {
     const Cells& cells = table.cells[key];
     const bool is_alone =
         is_chosen && keys.size() == 1 && std::none_of(cells.begin(), cells.end(), is_number);
     const Cells values = in_order(cells);
     for (std::size_t row = 0; row < rows.size(); ++row) {
-      auto& [places, label] = rows[row];
-      places.push_back(position_of(values, cells[row]));
+      auto& [positions, label] = rows[row];
+      positions.push_back(position_of(values, cells[row]));
       label += (label.empty() ? "" : ", ") +
                (is_alone ? cells[row] : table.names[key] + "=" + cells[row]);
     }
@@ -389,8 +390,8 @@ RowLabels labels_of(const store::ReadTable& table, const std::vector<std::size_t
     all.emplace(row, 0);
   }
   RowLabels labels;
-  for (auto& [row, place] : all) {
-    place = labels.all.size();
+  for (auto& [row, number] : all) {
+    number = labels.all.size();
     labels.all.push_back(row.second);
   }
   for (const auto& row : rows) {
@@ -411,12 +412,13 @@ std::string to_text(const SweepSetting& setting) {
          array_text("lines", setting.lines);
 }
 
-std::vector<Figure> sweep_figures(RunTables& tables, const Template& one, const Choice& choice) {
-  const std::vector<TableFile> files = tables.files(one.needs.front());
+std::vector<Figure> sweep_figures(RunTables& tables, const Template& figure_template,
+                                  const Choice& choice) {
+  const std::vector<TableFile> files = tables.files(figure_template.needs.front());
   if (files.empty()) {
     return {};
   }
-  return SweepTable(tables, tables.read(files.front().name), choice).figures(one);
+  return SweepTable(tables, tables.read(files.front().name), choice).figures(figure_template);
 }
 
 }  // namespace clca::plot

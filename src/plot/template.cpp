@@ -28,9 +28,9 @@ std::string trimmed(const std::string& text) {
 
 /// Text before and after the first `mark`; after is empty where there is none.
 std::pair<std::string, std::string> halves(const std::string& text, char mark) {
-  const std::size_t place = text.find(mark);
-  return {trimmed(text.substr(0, place)),
-          place == std::string::npos ? std::string() : trimmed(text.substr(place + 1))};
+  const std::size_t position = text.find(mark);
+  return {trimmed(text.substr(0, position)),
+          position == std::string::npos ? std::string() : trimmed(text.substr(position + 1))};
 }
 
 TableRequirement to_need(const std::string& text) {

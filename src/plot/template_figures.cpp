@@ -45,9 +45,9 @@ std::vector<std::string> group_names(RunTables& tables, const std::vector<TableF
 }
 
 /// |TABLE:COLUMN| for each column with values; read by has() of the style.
-std::string known_columns(RunTables& tables, const Template& one) {
-  std::vector<std::string> patterns = one.may_use;
-  for (const TableRequirement& need : one.needs) {
+std::string known_columns(RunTables& tables, const Template& figure_template) {
+  std::vector<std::string> patterns = figure_template.may_use;
+  for (const TableRequirement& need : figure_template.needs) {
     patterns.push_back(need.table);
   }
   std::set<std::string> known;
@@ -95,8 +95,9 @@ std::size_t longest_of(const std::vector<std::string>& groups,
 }
 
 /// Columns that a pattern of the first table stands for, and what its `*` does.
-std::string pattern_text(RunTables& tables, const Template& one, const Content& content) {
-  const TableRequirement& need = one.needs.front();
+std::string pattern_text(RunTables& tables, const Template& figure_template,
+                         const Content& content) {
+  const TableRequirement& need = figure_template.needs.front();
   std::vector<std::string> columns;
   std::vector<std::string> labels;
   for (const std::string& pattern : need.columns) {
@@ -129,7 +130,8 @@ std::string quantities_text(RunTables& tables, const std::vector<TableFile>& fil
   return array_text("quantity_keys", keys) + array_text("quantity_labels", names);
 }
 
-std::string setting_text(RunTables& tables, const Template& one, const Content& content) {
+std::string setting_text(RunTables& tables, const Template& figure_template,
+                         const Content& content) {
   std::vector<std::string> files;
   std::vector<std::string> labels;
   for (const TableFile& file : content.files) {
@@ -138,12 +140,13 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   }
   std::string text = array_text("files", files) + array_text("labels", labels) +
                      array_text("groups", content.groups);
-  text += fmt::format("group_column = {};", literal(one.groups));
-  text += fmt::format("known_columns = {};", literal(known_columns(tables, one)));
+  text += fmt::format("group_column = {};", literal(figure_template.groups));
+  text += fmt::format("known_columns = {};", literal(known_columns(tables, figure_template)));
   text += quantities_text(tables, content.files);
   text += fmt::format("longest_label = {};", longest_of(content.groups, labels));
-  text += pattern_text(tables, one, content);
-  text += fmt::format("templates = {};", literal(fs::absolute(one.file).parent_path().string()));
+  text += pattern_text(tables, figure_template, content);
+  text += fmt::format("templates = {};",
+                      literal(fs::absolute(figure_template.file).parent_path().string()));
   const auto& units = tables.summary().units;
   text += fmt::format("time_column = {};", literal(units ? "time" : "step"));
   text +=
@@ -152,18 +155,18 @@ std::string setting_text(RunTables& tables, const Template& one, const Content& 
   text += box ? fmt::format("box_left = {:.17e}; box_right = {:.17e}; periodic = {};", box->left,
                             box->right, box->periodic ? 1 : 0)
               : "box_left = NaN; box_right = NaN; periodic = 0;";
-  for (const std::string& measure : one.measures) {
+  for (const std::string& measure : figure_template.measures) {
     text += measure_text(tables.summary(), measure);
   }
   return text;
 }
 
 /// Whether the rows of a group have a value in each column that the first table needs.
-bool has_values_in(RunTables& tables, const Template& one, const Content& content,
+bool has_values_in(RunTables& tables, const Template& figure_template, const Content& content,
                    const std::string& group) {
-  TableRequirement need = one.needs.front();
+  TableRequirement need = figure_template.needs.front();
   if (!group.empty()) {
-    need.rows.emplace_back(one.groups, group);
+    need.rows.emplace_back(figure_template.groups, group);
   }
   return std::all_of(need.columns.begin(), need.columns.end(), [&](const std::string& column) {
     return std::any_of(content.files.begin(), content.files.end(), [&](const TableFile& file) {
@@ -188,51 +191,55 @@ std::vector<Content> divided(const Content& whole, Division division) {
   return parts;
 }
 
-std::string figure_name(const Template& one, const Content& part) {
-  const std::string label = one.division == Division::by_group  ? part.groups.front()
-                            : one.division == Division::by_file ? part.files.front().label
-                                                                : std::string();
-  return label.empty() ? one.name : one.name + "-" + label;
+std::string figure_name(const Template& figure_template, const Content& part) {
+  const std::string label = figure_template.division == Division::by_group ? part.groups.front()
+                            : figure_template.division == Division::by_file
+                                ? part.files.front().label
+                                : std::string();
+  return label.empty() ? figure_template.name : figure_template.name + "-" + label;
 }
 
 /// What the template says, and of which part of the tables this is.
-std::string description(const RunTables& tables, const Template& one, const Content& part) {
-  if (one.division == Division::by_group && !part.groups.front().empty()) {
-    return fmt::format("{} {}: {}.", one.description, one.groups, part.groups.front());
+std::string description(const RunTables& tables, const Template& figure_template,
+                        const Content& part) {
+  if (figure_template.division == Division::by_group && !part.groups.front().empty()) {
+    return fmt::format("{} {}: {}.", figure_template.description, figure_template.groups,
+                       part.groups.front());
   }
-  if (one.division == Division::by_file) {
+  if (figure_template.division == Division::by_file) {
     const std::string& label = part.files.front().label;
     const bool is_stage =
         std::ranges::count(tables.summary().stages, label, &store::StageSummary::name) > 0;
-    return fmt::format("{} {}: {}.", one.description, is_stage ? "Stage" : "Time", label);
+    return fmt::format("{} {}: {}.", figure_template.description, is_stage ? "Stage" : "Time",
+                       label);
   }
-  return one.description;
+  return figure_template.description;
 }
 
 }  // namespace
 
-std::vector<Figure> template_figures(RunTables& tables, const Template& one) {
-  for (const TableRequirement& need : one.needs) {
+std::vector<Figure> template_figures(RunTables& tables, const Template& figure_template) {
+  for (const TableRequirement& need : figure_template.needs) {
     if (tables.files(need).empty()) {
       return {};
     }
   }
-  Content whole = {.files = tables.files(one.needs.front()), .groups = {}};
-  whole.groups = group_names(tables, whole.files, one.groups);
-  if (one.division == Division::by_group) {
+  Content whole = {.files = tables.files(figure_template.needs.front()), .groups = {}};
+  whole.groups = group_names(tables, whole.files, figure_template.groups);
+  if (figure_template.division == Division::by_group) {
     std::erase_if(whole.groups, [&](const std::string& group) {
-      return !has_values_in(tables, one, whole, group);
+      return !has_values_in(tables, figure_template, whole, group);
     });
   }
   std::vector<Figure> result;
-  for (const Content& part : divided(whole, one.division)) {
-    result.push_back({.name = figure_name(one, part),
+  for (const Content& part : divided(whole, figure_template.division)) {
+    result.push_back({.name = figure_name(figure_template, part),
                       .title = tables.title(),
-                      .description = description(tables, one, part),
-                      .script = one.file,
+                      .description = description(tables, figure_template, part),
+                      .script = figure_template.file,
                       .run = tables.run(),
-                      .setting = setting_text(tables, one, part),
-                      .rank = one.rank});
+                      .setting = setting_text(tables, figure_template, part),
+                      .rank = figure_template.rank});
   }
   return result;
 }

@@ -50,9 +50,9 @@ struct Failure {
   for (int& stream : streams) {
     stream = ::fcntl(stream, F_DUPFD_CLOEXEC, 3);
   }
-  for (int place = 0; place < 3; ++place) {
-    if (const int stream = streams[static_cast<std::size_t>(place)]; stream >= 0) {
-      ::dup2(stream, place);
+  for (int number = 0; number < 3; ++number) {
+    if (const int stream = streams[static_cast<std::size_t>(number)]; stream >= 0) {
+      ::dup2(stream, number);
     }
   }
   ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);

@@ -87,11 +87,11 @@ FrameData::FrameData(const scene::Scene& scene, const grains::State& state,
 }
 
 py::tuple FrameData::to_python() && {
-  py::list places;
-  for (const auto& place : walls) {
-    places.append(place ? py::object(py::make_tuple(place->x(), place->y())) : py::none());
+  py::list shifts;
+  for (const auto& shift : walls) {
+    shifts.append(shift ? py::object(py::make_tuple(shift->x(), shift->y())) : py::none());
   }
-  return py::make_tuple(step, array_of(std::move(bodies), body_type()), places,
+  return py::make_tuple(step, array_of(std::move(bodies), body_type()), shifts,
                         array_of(std::move(forces), force_type()));
 }
 
@@ -130,11 +130,11 @@ py::dict body_names(const scene::Scene& scene) {
 py::list walls(const scene::Scene& scene, const grains::State& state) {
   py::list result;
   for (std::size_t number = 0; number < scene.walls.size(); ++number) {
-    std::vector<Eigen::Vector2d> places;
+    std::vector<Eigen::Vector2d> positions;
     for (const lattice::Site site : state.walls[number].sites) {
-      places.push_back(lattice::position(site));
+      positions.push_back(lattice::position(site));
     }
-    result.append(py::make_tuple(scene.walls[number].name, points(places)));
+    result.append(py::make_tuple(scene.walls[number].name, points(positions)));
   }
   return result;
 }

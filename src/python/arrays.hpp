@@ -42,7 +42,7 @@ py::array array_of(std::vector<Item> items, const py::dtype& type) {
   return view(std::move(owner), all, type);
 }
 
-/// Places in lattice spacings, one a row.
+/// Positions in lattice spacings, one a row.
 py::array points(const std::vector<Eigen::Vector2d>& points);
 
 /// grains::Particle as it is in memory.
@@ -67,7 +67,7 @@ py::list kinds(const scene::Scene& scene, const std::vector<grains::Kind>& kinds
 py::dict units(const scene::Scene& scene);
 /// By the number in a contact: the names of the walls and the sides of the box.
 py::dict body_names(const scene::Scene& scene);
-/// (name, places of its sites at home) of each wall.
+/// (name, positions of its sites at home) of each wall.
 py::list walls(const scene::Scene& scene, const grains::State& state);
 
 }  // namespace clca::python

@@ -88,8 +88,8 @@ class Trajectory {
   /// (step, stage, particles) of each; a step has one, that of the stage that ends with it.
   py::list frames() const {
     py::list result;
-    for (const std::size_t place : places_) {
-      const store::Trajectory::Frame& frame = trajectory_.frames()[place];
+    for (const std::size_t number : numbers_) {
+      const store::Trajectory::Frame& frame = trajectory_.frames()[number];
       result.append(py::make_tuple(frame.step, scene_.stages[frame.stage].name, frame.particles));
     }
     return result;
@@ -99,10 +99,10 @@ class Trajectory {
     std::optional<FrameData> data;
     {
       const py::gil_scoped_release free;
-      const std::scoped_lock one(mutex_);
-      const std::size_t place = places_.at(number);
-      const grains::State state = trajectory_.state(place);
-      data.emplace(scene_, state, trajectory_.contact_frame(place));
+      const std::scoped_lock lock(mutex_);
+      const std::size_t in_trajectory = numbers_.at(number);
+      const grains::State state = trajectory_.state(in_trajectory);
+      data.emplace(scene_, state, trajectory_.contact_frame(in_trajectory));
     }
     return std::move(*data).to_python();
   }
@@ -121,19 +121,19 @@ class Trajectory {
   }
   static std::vector<std::size_t> first_of_each_step(
       const std::vector<store::Trajectory::Frame>& frames) {
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (i == 0 || frames[i].step != frames[i - 1].step) {
-        places.push_back(i);
+        numbers.push_back(i);
       }
     }
-    return places;
+    return numbers;
   }
 
   scene::Scene scene_;
   grains::State initial_;
   store::Trajectory trajectory_;
-  std::vector<std::size_t> places_ = first_of_each_step(trajectory_.frames());
+  std::vector<std::size_t> numbers_ = first_of_each_step(trajectory_.frames());
   std::mutex mutex_;
 };
 

@@ -47,18 +47,18 @@ void next_stage(Simulation& simulation) {
   simulation.next_stage();
 }
 
-/// Columns as of a table: places and heights of the free surface, by lattice column.
+/// Columns as of a table: positions and heights of the free surface, by lattice column.
 py::list profile(const grains::State& state) {
   const std::vector<double> heights = measure::surface_profile(state);
-  std::vector<double> places;
+  std::vector<double> positions;
   for (std::size_t column = 0; column < heights.size(); ++column) {
-    places.push_back(lattice::kColumnPitch * static_cast<double>(column));
+    positions.push_back(lattice::kColumnPitch * static_cast<double>(column));
   }
   const auto array = [](const std::vector<double>& values) {
     return py::array(static_cast<py::ssize_t>(values.size()), values.data());
   };
   py::list columns;
-  columns.append(py::make_tuple("x", array(places), py::make_tuple("Place", "spacings", "")));
+  columns.append(py::make_tuple("x", array(positions), py::make_tuple("Place", "spacings", "")));
   columns.append(py::make_tuple("height", array(heights),
                                 py::make_tuple("Height of the surface", "spacings", "")));
   return columns;

@@ -56,8 +56,8 @@ std::vector<Eigen::Vector2d> fitted(const std::vector<Eigen::Vector2d>& outline,
   const double scale = 2 * radius / (high - low).maxCoeff();
   std::vector<Eigen::Vector2d> result;
   for (const Eigen::Vector2d& corner : outline) {
-    const Eigen::Vector2d place = scale * (corner - (low + high) / 2);
-    result.emplace_back(middle.x() + place.x(), middle.y() - place.y());
+    const Eigen::Vector2d point = scale * (corner - (low + high) / 2);
+    result.emplace_back(middle.x() + point.x(), middle.y() - point.y());
   }
   return result;
 }

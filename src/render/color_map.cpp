@@ -46,9 +46,9 @@ Rgb palette_color(std::size_t number) {
 
 Rgb map_color(double share) {
   // No value, not even NaN, may index outside the table.
-  const double place = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
-  const auto low = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
-  const double part = place - static_cast<double>(low);
+  const double position = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
+  const auto low = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
+  const double part = position - static_cast<double>(low);
   return mixed(kViridis[low], kViridis[low + 1], part);
 }
 

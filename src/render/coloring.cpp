@@ -43,10 +43,10 @@ Rgb id_color(std::size_t id) {
   // Steps of the golden ratio around the colour circle: recent colours are never close.
   constexpr double kGoldenRatio = 0.61803398874989484820;
   const double turn = static_cast<double>(id) * kGoldenRatio;
-  const double place = (turn - std::floor(turn)) * 7;
-  const auto number = static_cast<std::size_t>(place);
+  const double position = (turn - std::floor(turn)) * 7;
+  const auto number = static_cast<std::size_t>(position);
   const Rgb color = mixed(palette_color(number), palette_color((number + 1) % 7),
-                          place - static_cast<double>(number));
+                          position - static_cast<double>(number));
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 

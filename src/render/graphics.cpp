@@ -103,7 +103,7 @@ cairo_t* cairo_of(const std::shared_ptr<void>& cairo) {
 
 bool drawable(const Stroke& stroke) {
   constexpr double kFar = 1e6;  // pixels; Cairo counts to 8 million
-  const auto near = [](double place) { return std::abs(place) < kFar; };  // false for NaN
+  const auto near = [](double coordinate) { return std::abs(coordinate) < kFar; };  // false for NaN
   return near(stroke.from.x()) && near(stroke.from.y()) && near(stroke.to.x()) &&
          near(stroke.to.y()) && stroke.width > 0 && near(stroke.width);
 }
@@ -180,7 +180,7 @@ bool is_ascii(std::string_view text) {
                      [](char letter) { return static_cast<unsigned char>(letter) < 0x80; });
 }
 
-/// Text without hinting, placed between pixels: the same shapes at each place.
+/// Text without hinting, placed between pixels: the same shapes at each position.
 PangoContext* font_context(cairo_t* cairo, PangoFontMap* fonts) {
   PangoContext* context = pango_font_map_create_context(fonts);
   cairo_font_options_t* options = cairo_font_options_create();

@@ -57,9 +57,9 @@ struct GridWindow {
             bounded(std::ceil((corner.y() + size.y()) / unit.y()))};
   }
 
-  bool shows(GridPoint place, const Mesh& mesh) const {
-    return place.u + mesh.high.u >= low.u && place.u + mesh.low.u <= high.u &&
-           place.v + mesh.high.v >= low.v && place.v + mesh.low.v <= high.v;
+  bool shows(GridPoint point, const Mesh& mesh) const {
+    return point.u + mesh.high.u >= low.u && point.u + mesh.low.u <= high.u &&
+           point.v + mesh.high.v >= low.v && point.v + mesh.low.v <= high.v;
   }
 };
 
@@ -143,10 +143,10 @@ PolygonPainter::Instances PolygonPainter::instances(const Projection& projection
     const int first = lattice_.periodic() && home.u + mesh.high.u >= 2 * columns ? -1 : 0;
     const int last = lattice_.periodic() && home.u + mesh.low.u < -1 ? 1 : 0;
     for (int image = first; image <= last; ++image) {
-      const GridPoint place = {home.u + 2 * columns * image - anchor.u, home.v - anchor.v};
-      if (window.shows(place, mesh)) {
+      const GridPoint point = {home.u + 2 * columns * image - anchor.u, home.v - anchor.v};
+      if (window.shows(point, mesh)) {
         const Rgb fill = color(coloring, state, occupancy, id);
-        result[particle.kind].push_back({place.u, place.v, fill.red, fill.green, fill.blue, 255});
+        result[particle.kind].push_back({point.u, point.v, fill.red, fill.green, fill.blue, 255});
       }
     }
   }
@@ -173,12 +173,13 @@ void PolygonPainter::draw(const Model& model, std::size_t index_count,
 void PolygonPainter::draw(const Projection& projection, const Instances& instances) const {
   gl_->UseProgram(program_);
   const auto clip = projection.clip_from_grid();
-  gl_->Uniform4f(place("clip_from_grid"), static_cast<float>(clip[0]), static_cast<float>(clip[1]),
-                 static_cast<float>(clip[2]), static_cast<float>(clip[3]));
+  gl_->Uniform4f(uniform("clip_from_grid"), static_cast<float>(clip[0]),
+                 static_cast<float>(clip[1]), static_cast<float>(clip[2]),
+                 static_cast<float>(clip[3]));
   const double inset = 2 * projection.outline_width * projection.scale;
-  gl_->Uniform2f(place("clip_from_inward"), static_cast<float>(inset / projection.width),
+  gl_->Uniform2f(uniform("clip_from_inward"), static_cast<float>(inset / projection.width),
                  static_cast<float>(inset / projection.height));
-  gl_->Uniform1f(place("outline_strength"), static_cast<float>(projection.outline_strength));
+  gl_->Uniform1f(uniform("outline_strength"), static_cast<float>(projection.outline_strength));
   for (std::size_t kind = 0; kind < models_.size(); ++kind) {
     draw(models_[kind], index_count(models_[kind].mesh, projection), instances[kind]);
   }

@@ -49,7 +49,7 @@ class PolygonPainter {
   Model model(const lattice::Shape& shape) const;
   static std::size_t index_count(const Mesh& mesh, const Projection& projection);
   void draw(const Model& model, std::size_t index_count, std::span<const Instance> instances) const;
-  GLint place(const char* name) const { return gl_->GetUniformLocation(program_, name); }
+  GLint uniform(const char* name) const { return gl_->GetUniformLocation(program_, name); }
 
   const Gl* gl_;
   lattice::Lattice lattice_;

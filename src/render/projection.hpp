@@ -48,8 +48,9 @@ struct Projection {
 
   /// The samples whose centre lies in `rectangle`.
   SampleBox samples_in(const lattice::Rectangle& rectangle) const {
-    const auto first = [](double place, int count) {
-      return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(count)));
+    const auto first = [](double coordinate, int count) {
+      return static_cast<int>(
+          std::clamp(std::ceil(coordinate - 0.5), 0.0, static_cast<double>(count)));
     };
     const int left = first((rectangle.left - corner.x()) * scale, width);
     const int right = first((rectangle.right - corner.x()) * scale, width);
@@ -66,8 +67,8 @@ struct PanelScale {
   int height = 0;          ///< of the panel, pixels
 
   /// From the upper left corner of the panel.
-  Eigen::Vector2d pixel(const Eigen::Vector2d& place) const {
-    const Eigen::Vector2d from_corner = scale * (place - corner);
+  Eigen::Vector2d pixel(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d from_corner = scale * (point - corner);
     return {from_corner.x(), height - from_corner.y()};
   }
 };

@@ -50,8 +50,8 @@ struct Shading {
     const grains::Particle& particle = state.particles[id];
     int shared = 0;
     for (const lattice::Axial part : state.shape(particle).sites()) {
-      const std::size_t place = state.lattice.index(particle.site() + part);
-      shared += occupancy.second_owner(place) == grains::kFree ? 0 : 1;
+      const std::size_t index = state.lattice.index(particle.site() + part);
+      shared += occupancy.second_owner(index) == grains::kFree ? 0 : 1;
     }
     return shared;
   }

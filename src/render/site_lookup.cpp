@@ -31,8 +31,8 @@ class WallSites {
     }
   }
 
-  Owner owner(std::size_t place) const {
-    const Owner owner = occupancy_.owner(place);
+  Owner owner(std::size_t index) const {
+    const Owner owner = occupancy_.owner(index);
     return grains::is_particle(owner) ? grains::kFree : owner;
   }
   bool any_taken(Site low, Site high) const { return occupancy_.any_taken(low, high); }
@@ -62,7 +62,7 @@ class ParticleSites : public WallSites {
                 std::size_t colors)
       : WallSites(state, occupancy), shading_{state, occupancy}, rule_(rule), colors_(colors) {}
 
-  Owner owner(std::size_t place) const { return shading_.occupancy.owner(place); }
+  Owner owner(std::size_t index) const { return shading_.occupancy.owner(index); }
   SampleCode code(Owner owner) const {
     if (!grains::is_particle(owner)) {
       return WallSites::code(owner);
@@ -113,9 +113,9 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
                          : 0) {
   for (int y = box_.y; y < box_.y + box_.height; ++y) {
     const double height = projection.corner.y() + (y + 0.5) / projection.scale;
-    const GridCoordinate place = coordinate_of(in_units(height, kFractionBits));
-    rows_.push_back(place.whole);
-    parts_.push_back(place.part);
+    const GridCoordinate coordinate = coordinate_of(in_units(height, kFractionBits));
+    rows_.push_back(coordinate.whole);
+    parts_.push_back(coordinate.part);
   }
 }
 
@@ -127,16 +127,16 @@ SiteLookup::GridCoordinate SiteLookup::coordinate_of(std::int64_t units) {
 SiteLookup::ColumnPair SiteLookup::pair_at(int x) const {
   const double across = projection_.corner.x() + (x + 0.5) / projection_.scale;
   const std::int64_t column = in_units(across / lattice::kColumnPitch, kFractionBits);
-  const GridCoordinate place = coordinate_of(column);
+  const GridCoordinate coordinate = coordinate_of(column);
   // Border owners extend to infinity: floor and side walls have any thickness.
   const auto in_memory = [this](int wanted) {
     return lattice_.periodic() ? wanted : std::clamp(wanted, -1, lattice_.columns());
   };
-  const std::int64_t first_row = place.whole >> 1;  // of the axial height 0
-  return {.left = in_memory(place.whole),
-          .right = in_memory(place.whole + 1),
-          .right_rows_more = lattice::is_odd(place.whole) ? 1 : 0,
-          .part = place.part,
+  const std::int64_t first_row = coordinate.whole >> 1;  // of the axial height 0
+  return {.left = in_memory(coordinate.whole),
+          .right = in_memory(coordinate.whole + 1),
+          .right_rows_more = lattice::is_odd(coordinate.whole) ? 1 : 0,
+          .part = coordinate.part,
           .lift = coordinate_of((first_row << kFractionBits) - (column >> 1))};
 }
 
@@ -194,8 +194,8 @@ void SiteLookup::decide(Block& block) const {
   }
 }
 
-/// `sites` tells the owner of a place in memory, the owner that stands for several, and the code of
-/// its samples.
+/// `sites` tells the owner of the site with an index, the owner that stands for several, and the
+/// code of its samples.
 template <class Sites>
 void SiteLookup::look_up_column(const Sites& sites, const ColumnPair& pair,
                                 const std::vector<bool>& empty, std::span<SampleCode> codes) const {

@@ -22,11 +22,11 @@ constexpr double kPlotTitleStrip = 2.2;
 constexpr double kStageStrip = 1.4;
 constexpr double kAxisStrip = 3.3;  // ticks, their numbers and the label of the axis of time
 constexpr double kPlotLegendStrip = 3.0;
-constexpr double kPlaceStrip = 5.6;  // the same beside the axis of place
+constexpr double kPositionStrip = 5.6;  // the same beside the axis of position
 constexpr double kRightStrip = 1.8;
 constexpr double kTickLength = 0.35;
 constexpr double kTimePitch = 7.0;  // from number to number, at least
-constexpr double kPlacePitch = 3.0;
+constexpr double kPositionPitch = 3.0;
 constexpr double kHalfDigit = 0.36;  // from the middle of a line of text down to its baseline
 
 /// Of title and legend around panel and axes.
@@ -39,7 +39,7 @@ Layout layout_of(const TimePlot& plot) {
   const auto pixels = [&](double text_sizes) {
     return static_cast<int>(std::lround(text_sizes * layout.text_size));
   };
-  layout.text_left = pixels(kPlaceStrip);
+  layout.text_left = pixels(kPositionStrip);
   layout.text_right = plot.width - pixels(kRightStrip);
   layout.panel.x = layout.text_left;
   layout.panel.y = pixels(kPlotTitleStrip);
@@ -75,7 +75,7 @@ class TimeAxes {
     graphics_.fill_box(left_, top_ - line_, right_, top_, kInk);
     graphics_.fill_box(left_, bottom_, right_, bottom_ + line_, kInk);
     draw_time_axis();
-    draw_place_axis();
+    draw_position_axis();
     if (plot_.stages.size() > 1) {
       draw_stage_names();
     }
@@ -87,9 +87,9 @@ class TimeAxes {
     const Axis& axis = plot_.time;
     return left_ + (time - axis.low) / (axis.high - axis.low) * (right_ - left_);
   }
-  double y_of(double place) const {
-    const Axis& axis = plot_.place;
-    return bottom_ - (place - axis.low) / (axis.high - axis.low) * (bottom_ - top_);
+  double y_of(double position) const {
+    const Axis& axis = plot_.position;
+    return bottom_ - (position - axis.low) / (axis.high - axis.low) * (bottom_ - top_);
   }
   static int count_of(double room, double pitch) {
     return std::max(2, static_cast<int>(room / pitch) + 1);
@@ -112,10 +112,10 @@ class TimeAxes {
     graphics_.draw_text(label, (left_ + right_ - label.width()) / 2, bottom_ + em(2.85), kInk);
   }
 
-  void draw_place_axis() {
+  void draw_position_axis() {
     const double end = left_ - line_ - em(kTickLength);
-    for (const double value :
-         ticks(plot_.place.low, plot_.place.high, count_of(bottom_ - top_, em(kPlacePitch)))) {
+    for (const double value : ticks(plot_.position.low, plot_.position.high,
+                                    count_of(bottom_ - top_, em(kPositionPitch)))) {
       const double y = std::round(y_of(value) - line_ / 2);
       graphics_.fill_box(end, y, left_, y + line_, kInk);
       const Graphics::Text label = number(value);
@@ -123,7 +123,7 @@ class TimeAxes {
     }
     const double half = (bottom_ - top_) / 2;
     const Graphics::Panel turned(graphics_, em(1.2) - half, top_, 2 * half, 2 * half, 90);
-    const Graphics::Text label = text(plot_.place.label, 2 * half);
+    const Graphics::Text label = text(plot_.position.label, 2 * half);
     graphics_.draw_text(label, half - label.width() / 2, half + em(kHalfDigit), kInk);
   }
 

@@ -168,9 +168,9 @@ class Writer {
     if (summary_.units) {
       entry["time"] = summary_.units->time_text(picture.step);
     }
-    const auto end = std::find_if(ends.begin(), ends.end(), [&](const Picture& one) {
-      return one.step == picture.step &&
-             std::find(shown_.begin(), shown_.end(), one.step) != shown_.end();
+    const auto end = std::find_if(ends.begin(), ends.end(), [&](const Picture& last) {
+      return last.step == picture.step &&
+             std::find(shown_.begin(), shown_.end(), last.step) != shown_.end();
     });
     try {
       if (end != ends.end()) {
@@ -233,7 +233,7 @@ std::string movies_html(const fs::path& run, std::uintmax_t& budget, Warnings& w
   std::string html;
   for (const std::string& name : file_names(run)) {
     const auto* type = std::find_if(kMediaTypes.begin(), kMediaTypes.end(),
-                                    [&](const auto& one) { return name.ends_with(one.first); });
+                                    [&](const auto& media) { return name.ends_with(media.first); });
     if (type == kMediaTypes.end()) {
       continue;
     }

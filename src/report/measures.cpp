@@ -21,7 +21,7 @@ constexpr std::string_view kErrorEnding = "_se";
 
 MeasureValue value_in(const StageSummary& stage, const std::string& name) {
   const auto found = std::find_if(stage.measures.begin(), stage.measures.end(),
-                                  [&](const auto& one) { return one.first == name; });
+                                  [&](const auto& measure) { return measure.first == name; });
   return found == stage.measures.end() ? MeasureValue() : found->second;
 }
 

@@ -229,9 +229,9 @@ class StageTable {
       const auto column = std::find(columns_.begin(), columns_.end(), column_of_row_[row]);
       if (column != columns_.end() && cell(table_, "stage", row) == stage &&
           cell(table_, "measure", row) == measure) {
-        const auto place = static_cast<std::size_t>(column - columns_.begin());
-        cells.means[place] = means_[row];
-        cells.errors[place] = errors_[row];
+        const auto number = static_cast<std::size_t>(column - columns_.begin());
+        cells.means[number] = means_[row];
+        cells.errors[number] = errors_[row];
       }
     }
     return cells;

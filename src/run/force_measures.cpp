@@ -31,17 +31,17 @@ struct CombinedWalls {
 CombinedWalls combined(const grains::State& state, const measure::ForceSummary& summary,
                        const std::vector<double>& surface_at_start) {
   CombinedWalls result;
-  for (const measure::WallForce& wall : summary.walls) {
-    const grains::Wall& one = state.walls[wall.wall];
-    if (!one.present) {
+  for (const measure::WallForce& force : summary.walls) {
+    const grains::Wall& wall = state.walls[force.wall];
+    if (!wall.present) {
       continue;
     }
-    const auto depth = measure::penetration(state, one, surface_at_start);
-    if (depth && one.lets_overlap()) {
+    const auto depth = measure::penetration(state, wall, surface_at_start);
+    if (depth && wall.lets_overlap()) {
       result.depth = std::max(result.depth.value_or(*depth), *depth);
     }
-    if (is_stalled(one)) {
-      const auto step = static_cast<double>(*wall.stalled_since);
+    if (is_stalled(wall)) {
+      const auto step = static_cast<double>(*force.stalled_since);
       result.stalled_since = std::min(result.stalled_since.value_or(step), step);
     }
   }
@@ -155,19 +155,20 @@ std::vector<std::string> stall_lines(const scene::Scene& scene, const SceneModel
   const grains::State& state = model.state();
   const auto contacts = measure::contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;
-  for (const measure::WallForce& wall :
+  for (const measure::WallForce& force :
        measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
-    const grains::Wall& one = state.walls[wall.wall];
-    if (!is_stalled(one)) {
+    const grains::Wall& wall = state.walls[force.wall];
+    if (!is_stalled(wall)) {
       continue;
     }
-    std::string line = fmt::format("wall {} stalls since step {} after {} sites",
-                                   scene.walls[wall.wall].name, *wall.stalled_since, wall.travel);
-    if (one.lets_overlap()) {
-      const auto depth = measure::penetration(state, one, surface_at_start);
+    std::string line =
+        fmt::format("wall {} stalls since step {} after {} sites", scene.walls[force.wall].name,
+                    *force.stalled_since, force.travel);
+    if (wall.lets_overlap()) {
+      const auto depth = measure::penetration(state, wall, surface_at_start);
       line += depth && *depth > 0 ? fmt::format(", {:.1f} spacings deep", *depth) : "";
-      line +=
-          fmt::format(": {} sites overlap, {} particles are jammed", wall.chain_sites, wall.jammed);
+      line += fmt::format(": {} sites overlap, {} particles are jammed", force.chain_sites,
+                          force.jammed);
     }
     lines.push_back(line);
   }

@@ -241,9 +241,9 @@ void ForceTables::add_forces(const StageView& now, const Forces& forces) {
   add_loads(now, forces);
   add_walls(now.scene, forces);
   const double cell = now.observers.find<CycleRecord>()->cell();
-  for (const measure::StressCell& one : measure::stress_field(now.model.state(), forces, cell)) {
-    if (one.xx != 0 || one.xy != 0 || one.yy != 0) {
-      stress_->add(one);
+  for (const measure::StressCell& stress : measure::stress_field(now.model.state(), forces, cell)) {
+    if (stress.xx != 0 || stress.xy != 0 || stress.yy != 0) {
+      stress_->add(stress);
     }
   }
 }

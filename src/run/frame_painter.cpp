@@ -133,7 +133,7 @@ void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene
 }
 
 void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state) {
-  if (scene::pictures_compare_places(scene)) {
+  if (scene::pictures_compare_positions(scene)) {
     history.window.emplace(state);
   }
 }

@@ -38,7 +38,7 @@ struct PictureHistory {
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
   render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
-  /// At the last picture or the start of the stage, if scene::pictures_compare_places().
+  /// At the last picture or the start of the stage, if scene::pictures_compare_positions().
   std::optional<measure::Snapshot> window = {};
 
   static constexpr auto fields() {

@@ -65,24 +65,24 @@ class GasRun : public RunBase {
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
-  void run_case(GasCase& one);
-  std::vector<GasShare> shares_of(const GasCase& one) const;
-  tasks::Pool<bool>::Work work(GasCase& one, GasSlots& slots);
+  void run_case(GasCase& gas_case);
+  std::vector<GasShare> shares_of(const GasCase& gas_case) const;
+  tasks::Pool<bool>::Work work(GasCase& gas_case, GasSlots& slots);
   /// True while the run goes on; shows progress in the thread that called run().
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
   bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
-  void finish_case(const GasCase& one);
+  void finish_case(const GasCase& gas_case);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save_course();
   void warn();
   bool is_done(const GasMember& member) const {
     return member.observations.size() == integrator_.times().size();
   }
-  bool complete(const GasCase& one) const {
-    return one.at(integrator_.times().size() - 1).size() == one.members.size();
+  bool complete(const GasCase& gas_case) const {
+    return gas_case.at(integrator_.times().size() - 1).size() == gas_case.members.size();
   }
   /// By one collision.
   double particles_changed() const {
@@ -143,35 +143,35 @@ void GasRun::run_cases() {
       course_.cases.push_back({.restitution = scene_.restitutions[i],
                                .members = std::vector<GasMember>(scene_.ensemble)});
     }
-    GasCase& one = course_.cases[i];
-    run_case(one);
-    if (!complete(one)) {
+    GasCase& gas_case = course_.cases[i];
+    run_case(gas_case);
+    if (!complete(gas_case)) {
       interrupt();
     }
     const bool last = i + 1 == scene_.restitutions.size();
     if (!is_complete() || (last && scene_.checkpoint)) {
       save_course();
     }
-    finish_case(one);
+    finish_case(gas_case);
     write_tables(scene_, course_.cases, folder().files());
   }
 }
 
-void GasRun::run_case(GasCase& one) {
+void GasRun::run_case(GasCase& gas_case) {
   gases_done_ = 0;
-  tell(fmt::format("restitution {}: {} gases of {} particles", one.restitution, one.members.size(),
-                   scene_.particles));
-  for (const GasMember& member : one.members) {
+  tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
+                   gas_case.members.size(), scene_.particles));
+  for (const GasMember& member : gas_case.members) {
     collisions_ += collisions(member.participations);
   }
   forecast_ = TimeEstimate();
-  at_work_ = std::vector<GasAtWork>(one.members.size());
-  GasSlots slots(one.members, checkpoint_writer(), [this] { save_course(); });
-  const std::vector<GasShare> shares = shares_of(one);
+  at_work_ = std::vector<GasAtWork>(gas_case.members.size());
+  GasSlots slots(gas_case.members, checkpoint_writer(), [this] { save_course(); });
+  const std::vector<GasShare> shares = shares_of(gas_case);
   ranks_.hand_out(
       [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
-  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(one, slots), options().stop,
-                         true);
+  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case, slots),
+                         options().stop, true);
   for (const auto& [number, _] : shares[0].begun) {
     pool.add(number);
   }
@@ -187,19 +187,19 @@ void GasRun::run_case(GasCase& one) {
       slots.save_if_time();
     }
     if (progress_due()) {
-      show_progress(one.restitution);
+      show_progress(gas_case.restitution);
     }
   }
 }
 
 /// By rank. Rank 0 has the members themselves, and those that are done, too.
-std::vector<GasShare> GasRun::shares_of(const GasCase& one) const {
+std::vector<GasShare> GasRun::shares_of(const GasCase& gas_case) const {
   std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
-                               {.restitution = one.restitution, .shared = {}, .begun = {}});
+                               {.restitution = gas_case.restitution, .shared = {}, .begun = {}});
   std::vector<std::size_t> shared;
   std::size_t begun = 0;
-  for (std::size_t number = 0; number < one.members.size(); ++number) {
-    const GasMember& member = one.members[number];
+  for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
+    const GasMember& member = gas_case.members[number];
     const std::size_t rank = is_done(member) ? 0 : begun % shares.size();
     if (!member.gas && !is_done(member)) {
       shared.push_back(number);
@@ -214,17 +214,17 @@ std::vector<GasShare> GasRun::shares_of(const GasCase& one) const {
   return shares;
 }
 
-tasks::Pool<bool>::Work GasRun::work(GasCase& one, GasSlots& slots) {
+tasks::Pool<bool>::Work GasRun::work(GasCase& gas_case, GasSlots& slots) {
   return {.carry_out =
-              [this, &one, &slots](std::size_t number, const std::atomic<int>& stop) {
+              [this, &gas_case, &slots](std::size_t number, const std::atomic<int>& stop) {
                 GasMember member = slots.begin(number);
                 collisions_ -= collisions(member.participations);
-                integrator_.integrate(member, one.restitution,
-                                      boltzmann::member_seed(scene_.seed, number),
-                                      startable_threads_, [&](const GasMember& now) {
-                                        slots.after_step(number, now);
-                                        return keep_going(number, *now.gas, one.restitution, stop);
-                                      });
+                integrator_.integrate(
+                    member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
+                    startable_threads_, [&](const GasMember& now) {
+                      slots.after_step(number, now);
+                      return keep_going(number, *now.gas, gas_case.restitution, stop);
+                    });
                 collisions_ += collisions(member.participations);
                 at_work_[number].time = 0;
                 const bool done = is_done(member);
@@ -265,11 +265,11 @@ void GasRun::show_progress(double restitution) {
   double sum = 0;
   double latest = 0;
   std::uint64_t participations = 0;
-  for (const GasAtWork& one : at_work_) {
-    const double time = one.time;
+  for (const GasAtWork& gas : at_work_) {
+    const double time = gas.time;
     sum += time;
     latest = std::max(latest, time);
-    participations += time > 0 ? one.participations.load() : 0;
+    participations += time > 0 ? gas.participations.load() : 0;
   }
   const auto gases = static_cast<double>(scene_.ensemble);
   forecast_.update((static_cast<double>(gases_done_) + sum / scene_.until) / gases);
@@ -285,21 +285,22 @@ void GasRun::show_progress(double restitution) {
                          .seconds_left = forecast_.seconds_left()});
 }
 
-void GasRun::finish_case(const GasCase& one) {
+void GasRun::finish_case(const GasCase& gas_case) {
   std::uint64_t steps = 0;
-  for (const GasMember& member : one.members) {
+  for (const GasMember& member : gas_case.members) {
     steps += member.steps;
     hash_.add(member.hash);
   }
   steps_ += steps;
   const std::string ended = is_complete() ? "time" : "interrupted";
-  stages().push_back({.name = case_name(one.restitution),
+  stages().push_back({.name = case_name(gas_case.restitution),
                       .steps = steps,
                       .ended = ended,
-                      .measures = gas_measures(scene_, one)});
+                      .measures = gas_measures(scene_, gas_case)});
   if (++course_.cases_ended > cases_logged_) {
     log().info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
-                           one.restitution, one.members.size(), scene_.particles, steps, ended));
+                           gas_case.restitution, gas_case.members.size(), scene_.particles, steps,
+                           ended));
   }
 }
 

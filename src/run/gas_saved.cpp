@@ -126,8 +126,8 @@ void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const S
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   const EndChange move(old_scene, scene);
   try {
-    for (GasCase& one : course.cases) {
-      std::for_each(one.members.begin(), one.members.end(), move);
+    for (GasCase& gas_case : course.cases) {
+      std::for_each(gas_case.members.begin(), gas_case.members.end(), move);
     }
   } catch (const reflection::Mismatch& error) {
     throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
@@ -152,8 +152,8 @@ GasCourse saved_course(const SavedRun& saved) {
   if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {
     move_end(course, old_scene, saved);
   }
-  for (GasCase& one : course.cases) {
-    for (GasMember& member : one.members) {
+  for (GasCase& gas_case : course.cases) {
+    for (GasMember& member : gas_case.members) {
       if (member.gas) {
         member.count();
       }

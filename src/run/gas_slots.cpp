@@ -59,7 +59,7 @@ void GasSlots::end(std::size_t number, GasMember member) {
 
 void GasSlots::save_when_complete() {
   const bool complete = collecting_ && std::none_of(running_.begin(), running_.end(),
-                                                    [](const auto& one) { return one.second; });
+                                                    [](const auto& gas) { return gas.second; });
   if (!complete) {
     return;
   }

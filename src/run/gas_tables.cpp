@@ -79,17 +79,17 @@ bool has_value(const GasScene& scene, const GasValue& value) {
 }
 
 /// Over the ensemble.
-Sample estimate(const GasCase& one, std::size_t place, const GasValue& value) {
+Sample estimate(const GasCase& gas_case, std::size_t number, const GasValue& value) {
   std::vector<double> values;
-  for (const GasMember* member : one.at(place)) {
-    values.push_back(value.of({member->observations[place], member->observations.front()}));
+  for (const GasMember* member : gas_case.at(number)) {
+    values.push_back(value.of({member->observations[number], member->observations.front()}));
   }
   return statistics::sample(values);
 }
 
 struct GasRow {
   const GasCase& gases;
-  std::size_t place;  // of the observation
+  std::size_t number;  // of the observation
   double time;
 };
 
@@ -103,7 +103,7 @@ TableOf<GasRow> gas_series_table(const GasScene& scene) {
     columns.push_back({value.is_of_shear ? kWithShear : "",
                        has_value(scene, value),
                        {{value.quantity,
-                         [&value](auto& row) { return estimate(row.gases, row.place, value); }}}});
+                         [&value](auto& row) { return estimate(row.gases, row.number, value); }}}});
   }
   return {{.name = "series", .kind = TableInfo::Kind::whole}, {}, columns};
 }
@@ -163,16 +163,16 @@ using Series = TableWriter<GasRow>;
 using Histogram = TableWriter<GasBin>;
 using Closure = TableWriter<GasClosure>;
 
-void add_bins(Histogram& table, const GasScene& scene, const GasCase& one, std::size_t place,
+void add_bins(Histogram& table, const GasScene& scene, const GasCase& gas_case, std::size_t number,
               const char* energy, std::vector<double> boltzmann::EnergyShares::*kind) {
   const statistics::Bins bins = bins_of(scene);
   const std::vector<double> reference = statistics::chi_square_shares(bins, kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
-    for (const GasMember* member : one.at(place)) {
-      values.push_back((member->observations[place].shares.*kind)[bin]);
+    for (const GasMember* member : gas_case.at(number)) {
+      values.push_back((member->observations[number].shares.*kind)[bin]);
     }
-    table.add({.restitution = one.restitution,
+    table.add({.restitution = gas_case.restitution,
                .energy = energy,
                .lower = bins.lower(bin),
                .upper = std::isinf(bins.upper(bin)) ? std::nullopt : std::optional(bins.upper(bin)),
@@ -182,13 +182,13 @@ void add_bins(Histogram& table, const GasScene& scene, const GasCase& one, std::
 }
 
 /// Temperatures by the closed forms, at the times of the series.
-void add_cooling(Closure& table, const GasScene& scene, const GasCase& one) {
-  if (one.observations() == 0) {
+void add_cooling(Closure& table, const GasScene& scene, const GasCase& gas_case) {
+  if (gas_case.observations() == 0) {
     return;
   }
-  const boltzmann::Law law = scene::process(scene, one.restitution).law;
+  const boltzmann::Law law = scene::process(scene, gas_case.restitution).law;
   std::vector<double> spins;
-  for (const GasMember* member : one.at(0)) {
+  for (const GasMember* member : gas_case.at(0)) {
     spins.push_back(member->observations.front().moments.rotational);
   }
   const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
@@ -199,7 +199,7 @@ void add_cooling(Closure& table, const GasScene& scene, const GasCase& one) {
     since = time.time;
     if (time.in_series) {
       table.add(
-          {.restitution = one.restitution,
+          {.restitution = gas_case.restitution,
            .time = time.time,
            .translational = now.translational,
            .rotational = now.rotational / rotational_unit(start.translational, start.rotational)});
@@ -208,13 +208,13 @@ void add_cooling(Closure& table, const GasScene& scene, const GasCase& one) {
 }
 
 /// Steady temperature and stresses of smooth spheres in shear, at the begin and the end.
-void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& one) {
-  if (one.restitution == 1) {
+void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& gas_case) {
+  if (gas_case.restitution == 1) {
     return;  // heats for ever
   }
-  const boltzmann::ShearFlow flow = boltzmann::shear_flow(one.restitution, scene.shear_rate);
+  const boltzmann::ShearFlow flow = boltzmann::shear_flow(gas_case.restitution, scene.shear_rate);
   for (const double time : {0.0, scene.until}) {
-    table.add({.restitution = one.restitution,
+    table.add({.restitution = gas_case.restitution,
                .time = time,
                .translational = flow.temperature,
                .p_xx = flow.p_xx,
@@ -262,10 +262,10 @@ std::size_t GasCase::observations() const {
   return most;
 }
 
-std::vector<const GasMember*> GasCase::at(std::size_t place) const {
+std::vector<const GasMember*> GasCase::at(std::size_t number) const {
   std::vector<const GasMember*> those;
   for (const GasMember& member : members) {
-    if (place < member.observations.size()) {
+    if (number < member.observations.size()) {
       those.push_back(&member);
     }
   }
@@ -284,21 +284,21 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
   const std::vector<GasTime> times = gas_times(scene);
   Series series(table_scope(scene), gas_series_table(scene));
-  for (const GasCase& one : cases) {
-    for (std::size_t i = 0; i < one.observations(); ++i) {
+  for (const GasCase& gas_case : cases) {
+    for (std::size_t i = 0; i < gas_case.observations(); ++i) {
       if (times[i].in_series) {
-        series.add({one, i, times[i].time});
+        series.add({gas_case, i, times[i].time});
       }
     }
   }
   series.write(&folder);
   Histogram histogram(table_scope(scene), gas_histogram_table(scene));
   for (std::size_t i = 0; i < times.size(); ++i) {
-    for (const GasCase& one : cases) {
-      if (times[i].in_histograms && i < one.observations()) {
-        add_bins(histogram, scene, one, i, "translational",
+    for (const GasCase& gas_case : cases) {
+      if (times[i].in_histograms && i < gas_case.observations()) {
+        add_bins(histogram, scene, gas_case, i, "translational",
                  &boltzmann::EnergyShares::translational);
-        add_bins(histogram, scene, one, i, "rotational", &boltzmann::EnergyShares::rotational);
+        add_bins(histogram, scene, gas_case, i, "rotational", &boltzmann::EnergyShares::rotational);
       }
     }
     if (!histogram.is_empty()) {
@@ -307,26 +307,26 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
   }
   if (scene.shear_rate == 0 || scene.friction == 0) {
     Closure closure(table_scope(scene), gas_closure_table(scene));
-    for (const GasCase& one : cases) {
-      (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, one);
+    for (const GasCase& gas_case : cases) {
+      (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, gas_case);
     }
     closure.write(&folder);
   }
 }
 
-std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& one) {
+std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& gas_case) {
   std::vector<store::NamedMeasure> measures = {
-      {"restitution", one.restitution},
+      {"restitution", gas_case.restitution},
       {"hellinger_floor", statistics::hellinger_floor(bins_of(scene).count(), scene.particles)}};
-  const std::size_t reached = one.observations();
+  const std::size_t reached = gas_case.observations();
   if (reached == 0) {
     return measures;
   }
   measures.emplace_back("time", gas_times(scene)[reached - 1].time);
-  measures.emplace_back("gases", static_cast<double>(one.at(reached - 1).size()));
+  measures.emplace_back("gases", static_cast<double>(gas_case.at(reached - 1).size()));
   for (const GasValue& value : gas_values()) {
     if (has_value(scene, value)) {
-      const Sample mean = estimate(one, reached - 1, value);
+      const Sample mean = estimate(gas_case, reached - 1, value);
       measures.emplace_back(value.quantity.key, mean.mean);
       if (scene.ensemble > 1) {
         measures.emplace_back(fmt::format("{}_se", value.quantity.key), mean.standard_error);

@@ -20,7 +20,7 @@ struct GasCase {
   /// Number of observations of the most advanced member.
   std::size_t observations() const;
   /// The members that have this observation.
-  std::vector<const GasMember*> at(std::size_t place) const;
+  std::vector<const GasMember*> at(std::size_t number) const;
 
   static constexpr auto fields() {
     using reflection::field;
@@ -38,6 +38,6 @@ std::vector<PlannedFile> gas_files(const scene::BoltzmannScene& scene);
 
 /// The last row of the series and further results of a case.
 std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,
-                                              const GasCase& one);
+                                              const GasCase& gas_case);
 
 }  // namespace clca::run

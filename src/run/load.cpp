@@ -103,7 +103,7 @@ void complete(scene::AnyScene& scene, const std::string& file, double limit, int
     check_derived(*grains);
     find_begin(*grains, limit);
   }
-  scene::check_resolved(std::visit([](const auto& one) { return scene::to_yaml(one); }, scene),
+  scene::check_resolved(std::visit([](const auto& held) { return scene::to_yaml(held); }, scene),
                         file);
   check_memory(scene, limit, threads);
 }

@@ -71,9 +71,9 @@ OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std:
   scene.name = summary.scene;
   const store::Trajectory trajectory(folder, scene, initial_state(scene), max_bytes);
   const auto& frames = trajectory.frames();
-  const auto frame =
-      std::find_if(frames.begin(), frames.end(),
-                   [step](const store::Trajectory::Frame& one) { return one.step == step; });
+  const auto frame = std::find_if(
+      frames.begin(), frames.end(),
+      [step](const store::Trajectory::Frame& candidate) { return candidate.step == step; });
   if (frame == frames.end()) {
     throw store::StoreError(
         fmt::format("the trajectory in {} has no frame of step {}", folder.string(), step));
@@ -119,7 +119,7 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
                    const scene::Species& species, const lattice::Shape& shape) {
   const auto known =
       std::find_if(scene.species.begin(), scene.species.end(),
-                   [&](const scene::Species& one) { return one.name == species.name; });
+                   [&](const scene::Species& own) { return own.name == species.name; });
   if (known == scene.species.end()) {
     refuse(*scene.begin, fmt::format("{} has particles of a species '{}', the scene has none",
                                      scene.begin->run, species.name));
@@ -260,18 +260,18 @@ class ContactTransfer {
   }
 
   /// Its bodies here; none if one is missing. The model drops contacts of bodies that do not touch.
-  std::optional<contact::Contact> contact(contact::Contact one) const {
-    const grains::Owner upper = grains_[one.upper];
+  std::optional<contact::Contact> contact(contact::Contact contact) const {
+    const grains::Owner upper = grains_[contact.upper];
     if (upper == grains::kFree) {
       return std::nullopt;
     }
-    one.upper = static_cast<std::uint32_t>(upper);
-    if (grains::is_particle(one.other)) {
-      one.other = grains_[static_cast<std::size_t>(one.other)];
-    } else if (one.other > contact::kRightSide) {
-      one.other = wall_in_place_of(one.other, here_.particles[one.upper]);
+    contact.upper = static_cast<std::uint32_t>(upper);
+    if (grains::is_particle(contact.other)) {
+      contact.other = grains_[static_cast<std::size_t>(contact.other)];
+    } else if (contact.other > contact::kRightSide) {
+      contact.other = wall_in_place_of(contact.other, here_.particles[contact.upper]);
     }
-    return one.other == grains::kFree ? std::nullopt : std::optional(one);
+    return contact.other == grains::kFree ? std::nullopt : std::optional(contact);
   }
 
  private:
@@ -325,14 +325,14 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
     if (!state.grains.particles[id].present) {
       continue;
     }
-    const auto& one = there->velocities[ids[id]];
-    state.velocities[id] = {velocity(one.x), velocity(one.y), velocity(one.spin)};
+    const auto& old = there->velocities[ids[id]];
+    state.velocities[id] = {velocity(old.x), velocity(old.y), velocity(old.spin)};
     state.remainders[id] = there->remainders[ids[id]];
   }
   const ContactTransfer transfer(there->grains, ids, state.grains);
   std::set<std::pair<std::uint32_t, grains::Owner>> known;
-  for (const contact::Contact& one : there->contacts) {
-    auto taken = transfer.contact(one);
+  for (const contact::Contact& contact : there->contacts) {
+    auto taken = transfer.contact(contact);
     if (taken && known.emplace(taken->upper, taken->other).second) {
       auto& [normal, shear, rolling] = taken->impulse;
       taken->impulse = {impulse(normal), impulse(shear), impulse(rolling)};

@@ -51,8 +51,8 @@ void add_line(const grains::State& state, const grains::Particle& first,
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-/// From the centre of a grain to the nearest image of the place where it meets a wall.
-Eigen::Vector2d to_place(const grains::State& state, const grains::Particle& first,
+/// From the centre of a grain to the nearest image of the point where it meets a wall.
+Eigen::Vector2d to_point(const grains::State& state, const grains::Particle& first,
                          const Eigen::Vector2d& point) {
   Eigen::Vector2d along = point - grains::centre_in_box(state, first);
   if (state.lattice.periodic()) {
@@ -70,7 +70,7 @@ DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>&
     const Eigen::Vector2d along =
         grains::is_particle(force.other)
             ? between_centres(view.state, upper, static_cast<std::size_t>(force.other))
-            : to_place(view.state, upper, force.point);
+            : to_point(view.state, upper, force.point);
     add_line(view.state, upper, along, force.along_normal, lines);
   }
   return {render::force_network(lines, strongest),
@@ -90,7 +90,7 @@ DrawnOverlay overlaps(const View& view) {
     const Eigen::Vector2d along =
         grains::is_particle(contact.second)
             ? between_centres(view.state, first, static_cast<std::size_t>(contact.second))
-            : to_place(view.state, first, contact.point);
+            : to_point(view.state, first, contact.point);
     add_line(view.state, first, along, static_cast<double>(contact.sites), lines);
   }
   return {render::force_network(lines, kMaxOverlapSites),

@@ -113,8 +113,8 @@ void SheetTarget::add(const Picture& picture, const std::string& label) {
 
 void SheetTarget::end_moment() {
   const auto runs = static_cast<std::ptrdiff_t>(drawings_.size());
-  const auto same = [](const render::Tile& one, const render::Tile& before) {
-    return one.view == before.view;
+  const auto same = [](const render::Tile& tile, const render::Tile& before) {
+    return tile.view == before.view;
   };
   if (tiles_.size() >= 2 * drawings_.size() &&
       std::equal(tiles_.end() - runs, tiles_.end(), tiles_.end() - 2 * runs, same)) {

@@ -62,7 +62,7 @@ class Pictures : public Observer {
 
 void Pictures::load(const SavedColumns& saved, const StageView& now) {
   saved.read(kPath, history_, now.model.state());
-  if (scene::pictures_compare_places(scene_) != history_.window.has_value() ||
+  if (scene::pictures_compare_positions(scene_) != history_.window.has_value() ||
       (history_.window && !history_.window->precedes(now.model.state()))) {
     throw reflection::Mismatch("its velocities are of another run");
   }

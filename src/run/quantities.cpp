@@ -55,8 +55,8 @@ std::string_view part_of_vector(const Quantity& quantity, std::string_view colum
 /// KEY of a column KEY.NAME.
 const Quantity* find_of_each(std::string_view key) {
   for (const TableInfo& table : all_tables()) {
-    const auto found =
-        std::ranges::find_if(table.of_each, [&](const auto& one) { return one.first.key == key; });
+    const auto found = std::ranges::find_if(
+        table.of_each, [&](const auto& entry) { return entry.first.key == key; });
     if (found != table.of_each.end()) {
       return &found->first;
     }
@@ -66,8 +66,8 @@ const Quantity* find_of_each(std::string_view key) {
 
 const Quantity* find_column(const std::vector<TableInfo>& tables, std::string_view name) {
   for (const TableInfo& table : tables) {
-    const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& one) {
-      return std::ranges::count(one.names(), name) > 0;
+    const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& column) {
+      return std::ranges::count(column.names(), name) > 0;
     });
     if (found != table.columns.end()) {
       return &found->quantity;
@@ -78,7 +78,7 @@ const Quantity* find_column(const std::vector<TableInfo>& tables, std::string_vi
 
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& one) { return one.key == key; });
+                                  [&](const Quantity& quantity) { return quantity.key == key; });
   return found == quantities.end() ? nullptr : &*found;
 }
 
@@ -111,8 +111,8 @@ const Quantity* find_sweep_quantity(std::string_view key) {
 std::vector<NamedQuantity> named_quantities() {
   std::vector<NamedQuantity> all;
   const auto add_measures = [&all](const std::vector<Quantity>& quantities, const char* where) {
-    for (const Quantity& one : quantities) {
-      all.push_back({std::string(one.key), &one, where, true});
+    for (const Quantity& quantity : quantities) {
+      all.push_back({std::string(quantity.key), &quantity, where, true});
     }
   };
   const auto add_tables = [&all](const std::vector<TableInfo>& tables, const char* of) {
@@ -190,9 +190,9 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
   }
   std::string text(unit);
   const auto replace = [&text](std::string_view word, const std::string& with) {
-    const std::size_t place = text.find(word);
-    if (place != std::string::npos) {
-      text.replace(place, word.size(), with);
+    const std::size_t position = text.find(word);
+    if (position != std::string::npos) {
+      text.replace(position, word.size(), with);
     }
   };
   if (units) {
@@ -244,9 +244,9 @@ std::string quantities_table() {
       first += fmt::format("{}({})", is_new ? " " : "", group.condition);
     }
     above = group.measure;
-    for (const Quantity& one : group.quantities) {
-      table += fmt::format("| {} | `{}` | {} | {} |\n", std::exchange(first, ""), one.key,
-                           one.unit.empty() ? "1" : one.unit, described(one));
+    for (const Quantity& quantity : group.quantities) {
+      table += fmt::format("| {} | `{}` | {} | {} |\n", std::exchange(first, ""), quantity.key,
+                           quantity.unit.empty() ? "1" : quantity.unit, described(quantity));
     }
   }
   return table;

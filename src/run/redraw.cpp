@@ -24,8 +24,8 @@ using Drawings = std::vector<std::unique_ptr<RunDrawing>>;
 
 void require_different(const char* one, const fs::path& file, const char* other,
                        const fs::path& other_file) {
-  const auto place = [](const fs::path& name) { return fs::absolute(name).lexically_normal(); };
-  if (!file.empty() && !other_file.empty() && place(file) == place(other_file)) {
+  const auto full_path = [](const fs::path& name) { return fs::absolute(name).lexically_normal(); };
+  if (!file.empty() && !other_file.empty() && full_path(file) == full_path(other_file)) {
     throw RedrawError(fmt::format("{}: is to be both {} and {}", file.string(), one, other));
   }
 }

@@ -134,8 +134,8 @@ RunDrawing::Scale RunDrawing::scale() const {
   Scale scale;
   if (scene_.output.frames->color_by == scene::ColorBy::displacement) {
     std::set<std::size_t> stages;
-    for (const std::size_t place : chosen_) {
-      stages.insert(trajectory_.frames()[place].stage);
+    for (const std::size_t frame : chosen_) {
+      stages.insert(trajectory_.frames()[frame].stage);
     }
     double& end = scale[kDisplacement];
     for (const std::size_t stage : stages) {
@@ -172,8 +172,8 @@ CapturedFrame RunDrawing::capture(std::size_t number) {
 
 std::vector<Frame> RunDrawing::latest_frames() const {
   std::vector<Frame> result;
-  for (const std::size_t place : chosen_) {
-    result.push_back(trajectory_.frames()[latest(place)]);
+  for (const std::size_t frame : chosen_) {
+    result.push_back(trajectory_.frames()[latest(frame)]);
   }
   return result;
 }
@@ -190,16 +190,16 @@ std::uint64_t RunDrawing::step(std::size_t number) const {
 }
 
 template <class Show>
-void RunDrawing::look_at(std::size_t place, Show show) {
-  begin_stage(trajectory_.frames()[place].stage);
-  const grains::State state = trajectory_.state(place);
+void RunDrawing::look_at(std::size_t frame, Show show) {
+  begin_stage(trajectory_.frames()[frame].stage);
+  const grains::State state = trajectory_.state(frame);
   const grains::Occupancy occupancy(state);
   std::optional<store::ContactFrame> contact;
   const scene::ColorBy colors = scene_.output.frames->color_by;
   if (scene_.model == scene::Model::contact &&
       (scene::pictures_show_forces(scene_) || colors == scene::ColorBy::speed ||
        colors == scene::ColorBy::spin)) {
-    contact = trajectory_.contact_frame(place);
+    contact = trajectory_.contact_frame(frame);
     const std::vector<double>& spins = contact->spins;
     if (colors == scene::ColorBy::spin &&
         std::any_of(spins.begin(), spins.end(), [](double spin) { return std::isnan(spin); })) {
@@ -221,12 +221,12 @@ std::size_t RunDrawing::first_frame(std::size_t stage) const {
   return static_cast<std::size_t>(std::distance(frames.begin(), first));
 }
 
-std::size_t RunDrawing::latest(std::size_t place) const {
+std::size_t RunDrawing::latest(std::size_t frame) const {
   const std::vector<Frame>& frames = trajectory_.frames();
-  while (place + 1 < frames.size() && frames[place + 1].step == frames[place].step) {
-    ++place;
+  while (frame + 1 < frames.size() && frames[frame + 1].step == frames[frame].step) {
+    ++frame;
   }
-  return place;
+  return frame;
 }
 
 void RunDrawing::begin_stage(std::size_t stage) {
@@ -239,12 +239,12 @@ void RunDrawing::begin_stage(std::size_t stage) {
   run::begin_stage(history_, scene_, scene_.stages[stage], trajectory_.state(first));
 }
 
-void RunDrawing::begin_window(std::size_t place) {
-  if (!scene::pictures_compare_places(scene_)) {
+void RunDrawing::begin_window(std::size_t frame) {
+  if (!scene::pictures_compare_positions(scene_)) {
     return;
   }
-  std::size_t before = first_frame(trajectory_.frames()[place].stage);
-  const auto next = std::lower_bound(run_pictures_.begin(), run_pictures_.end(), place);
+  std::size_t before = first_frame(trajectory_.frames()[frame].stage);
+  const auto next = std::lower_bound(run_pictures_.begin(), run_pictures_.end(), frame);
   if (next != run_pictures_.begin()) {
     before = std::max(before, *std::prev(next));
   }

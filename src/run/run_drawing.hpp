@@ -51,13 +51,13 @@ class RunDrawing {
  private:
   std::size_t first_frame(std::size_t stage) const;
   /// The last frame of the same step.
-  std::size_t latest(std::size_t place) const;
+  std::size_t latest(std::size_t frame) const;
   void begin_stage(std::size_t stage);
   /// Begins the window of velocities with the picture before, drawn or not, as the run does.
-  void begin_window(std::size_t place);
+  void begin_window(std::size_t frame);
   /// Calls `show` with the view of a frame.
   template <class Show>
-  void look_at(std::size_t place, Show show);
+  void look_at(std::size_t frame, Show show);
 
   std::string name_;
   scene::Scene scene_;

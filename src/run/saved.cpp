@@ -38,7 +38,7 @@ scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path
   if (until) {
     scene = scene::parse_any(saved.text, file.string(), {until_override(scene, *until)});
   }
-  std::visit([&](auto& one) { one.name = saved.name; }, scene);
+  std::visit([&](auto& held) { held.name = saved.name; }, scene);
   return scene;
 }
 

@@ -45,10 +45,10 @@ std::vector<std::uint32_t> kind_weights(const grains::State& state,
 
 grains::Source make_source(const grains::State& state, const scene::Source& source) {
   grains::Source result;
-  if (const auto* point = std::get_if<Eigen::Vector2d>(&source.place)) {
+  if (const auto* point = std::get_if<Eigen::Vector2d>(&source.position)) {
     result.sites = {lattice::nearest_site(*point)};
   } else {
-    result.sites = lattice::sites_in(state.lattice, std::get<lattice::Rectangle>(source.place));
+    result.sites = lattice::sites_in(state.lattice, std::get<lattice::Rectangle>(source.position));
   }
   result.weights = kind_weights(state, source.weights);
   result.rate = static_cast<std::uint64_t>(std::llround(source.rate * 0x1p32));

@@ -124,8 +124,8 @@ render::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint6
   return {.label = "step", .low = static_cast<double>(from), .high = static_cast<double>(to)};
 }
 
-render::Axis place_axis(const SpaceTimeOptions& options, const lattice::Rectangle& part,
-                        const AxisUnit& unit) {
+render::Axis position_axis(const SpaceTimeOptions& options, const lattice::Rectangle& part,
+                           const AxisUnit& unit) {
   if (!options.column) {
     return {.label = fmt::format("x ({})", unit.name),
             .low = unit.spacing * part.left,
@@ -142,7 +142,7 @@ render::Axis place_axis(const SpaceTimeOptions& options, const lattice::Rectangl
 }
 
 /// Without the legend.
-render::TimePlot plot_of(const scene::Scene& scene, const render::Axis& place,
+render::TimePlot plot_of(const scene::Scene& scene, const render::Axis& position,
                          const std::vector<store::Trajectory::Frame>& frames) {
   const scene::Frames& pictures = *scene.output.frames;
   const std::uint64_t begin = frames.front().step;
@@ -152,7 +152,7 @@ render::TimePlot plot_of(const scene::Scene& scene, const render::Axis& place,
       .annotations = pictures.caption,
       .title = pictures.style == scene::PictureStyle::screen ? scene.title : "",
       .time = time_axis(scene, begin, frames.back().step),
-      .place = place,
+      .position = position,
       .stages = {},
       .legend = {}};
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -179,7 +179,7 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const FramePainter& painter,
       shown_box_(shown_part(scene)),
       unit_(unit_for(scene, options.column ? shown_box_.top - shown_box_.bottom
                                            : shown_box_.right - shown_box_.left)),
-      plot_(plot_of(scene, place_axis(options, shown_box_, unit_), frames_)),
+      plot_(plot_of(scene, position_axis(options, shown_box_, unit_), frames_)),
       panel_(render::time_panel(plot_)),
       means_(panel_.width, panel_.height, options.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
@@ -194,7 +194,7 @@ void SpaceTime::require_writable() const {
   store::named_file(options_.file).create();
 }
 
-double SpaceTime::place(int row) const {
+double SpaceTime::position(int row) const {
   const double share = (row + 0.5) / panel_.height;
   return options_.column ? shown_box_.bottom + share * (shown_box_.top - shown_box_.bottom)
                          : shown_box_.left + share * (shown_box_.right - shown_box_.left);
@@ -206,7 +206,7 @@ std::vector<Eigen::Vector2d> SpaceTime::line(double x, double turn) const {
   const Eigen::Rotation2Dd back(-turn * std::numbers::pi / 180);
   std::vector<Eigen::Vector2d> points;
   for (int row = 0; row < panel_.height; ++row) {
-    points.emplace_back(middle + back * (Eigen::Vector2d(x, place(row)) - middle));
+    points.emplace_back(middle + back * (Eigen::Vector2d(x, position(row)) - middle));
   }
   return points;
 }
@@ -233,7 +233,7 @@ Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
   const std::vector<double> profile = measure::surface_profile(state);
   Eigen::ArrayXXd result(2, panel_.height);
   for (int row = 0; row < panel_.height; ++row) {
-    const double column = std::round(place(row) / lattice::kColumnPitch);
+    const double column = std::round(position(row) / lattice::kColumnPitch);
     const double last = static_cast<double>(profile.size()) - 1;
     const double height = profile[static_cast<std::size_t>(std::clamp(column, 0.0, last))];
     result.col(row) << height, height > 0 ? 1 : 0;

@@ -33,7 +33,7 @@ class SpaceTime {
 
  private:
   /// Middle of a row of pixels, counted from below, in lattice spacings.
-  double place(int row) const;
+  double position(int row) const;
   /// Points of the rows of pixels, in the box of a picture that is turned by `turn` degrees.
   std::vector<Eigen::Vector2d> line(double x, double turn) const;
   Eigen::ArrayXXd column(const View& view, const PictureHistory& history);

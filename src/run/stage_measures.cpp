@@ -175,8 +175,8 @@ std::vector<std::string_view> named_measures(const scene::Scene& scene) {
   std::vector<std::string_view> names = {kSteps, kTime};
   for (const QuantityGroup& group : stage_quantities()) {
     if (!group.measure || requests(scene, *group.measure)) {
-      for (const Quantity& one : group.quantities) {
-        names.push_back(one.key);
+      for (const Quantity& quantity : group.quantities) {
+        names.push_back(quantity.key);
       }
     }
   }

@@ -41,22 +41,22 @@ void check_able(const Value& root) {
   }
 }
 
-void check_shapes(const Scene& scene, const Value& species) {
+void check_shapes(const Scene& scene, const Value& value) {
   const bool rolling = scene.contact.rolling != contact::Rolling::none;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    const Species& one = scene.species[i];
-    const TextLocation& location = species.entries[i].location;
-    const bool hexagon = lattice::centred(one.shape).is_hexagon();
-    if (std::holds_alternative<DiscSpec>(one.shape_spec) && !hexagon) {
+    const Species& species = scene.species[i];
+    const TextLocation& location = value.entries[i].location;
+    const bool hexagon = lattice::centred(species.shape).is_hexagon();
+    if (std::holds_alternative<DiscSpec>(species.shape_spec) && !hexagon) {
       fail(location,
            fmt::format("species.{}: model contact takes no discs, whose notches interlock; give it "
                        "the shape of a hexagon",
-                       one.name));
+                       species.name));
     }
     if (rolling && !hexagon) {
       fail(location, fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
                                  "'contact.rolling: none'",
-                                 one.name));
+                                 species.name));
     }
   }
 }

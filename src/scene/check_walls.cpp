@@ -26,9 +26,9 @@ lattice::Rectangle around(const Wall& wall) {
   };
   lattice::Rectangle all = around_part(wall.parts.front());
   for (const WallPart& part : wall.parts) {
-    const lattice::Rectangle one = around_part(part);
-    all = {std::min(all.left, one.left), std::min(all.bottom, one.bottom),
-           std::max(all.right, one.right), std::max(all.top, one.top)};
+    const lattice::Rectangle rectangle = around_part(part);
+    all = {std::min(all.left, rectangle.left), std::min(all.bottom, rectangle.bottom),
+           std::max(all.right, rectangle.right), std::max(all.top, rectangle.top)};
   }
   if (!wall.motion) {
     return all;

@@ -73,10 +73,10 @@ std::vector<FoundKey> found_keys(std::string_view path) {
                : std::vector{scene_type().keys, boltzmann_type().keys};
   std::vector<FoundKey> found;
   for (const Descriptions& top : tops) {
-    const FoundKey one = find(top, parts);
-    if (one.keys != nullptr &&
-        (found.empty() || one.key == nullptr || one.key->schema() != found.front().key->schema())) {
-      found.push_back(one);
+    const FoundKey match = find(top, parts);
+    if (match.keys != nullptr && (found.empty() || match.key == nullptr ||
+                                  match.key->schema() != found.front().key->schema())) {
+      found.push_back(match);
     }
   }
   if (!found.empty()) {
@@ -184,8 +184,8 @@ std::string explain(std::string_view path) {
       path.empty() || at_top ? std::vector<std::string>() : paths_anywhere(path);
   if (!paths.empty()) {
     std::string all;
-    for (const std::string& one : paths) {
-      all += (all.empty() ? "" : "\n") + explain(one);
+    for (const std::string& found_path : paths) {
+      all += (all.empty() ? "" : "\n") + explain(found_path);
     }
     return all;
   }

@@ -50,7 +50,7 @@ const void* find(const std::vector<Step>& way, const void* object) {
 }
 
 /// Where the value is to be; null if it cannot be there.
-void* place(const std::vector<Step>& way, void* object) {
+void* target(const std::vector<Step>& way, void* object) {
   for (std::size_t i = 0; object != nullptr && i < way.size(); ++i) {
     object = member(way[i], object);
     object = way[i].container == nullptr ? object : way[i].container->append(object);
@@ -66,7 +66,7 @@ void read_key(const AnyKey& key, const KeyedMap& fields, void* owner, const Scen
     return;
   }
   const Value* value = key.required ? &fields.at(key.name) : fields.find(key.name);
-  void* result = value != nullptr ? place(key.way, owner) : nullptr;
+  void* result = value != nullptr ? target(key.way, owner) : nullptr;
   if (result != nullptr) {
     key.type->read_into(*value, fields.path(key.name), scene, result);
   }
@@ -270,8 +270,8 @@ AnyType list_type(const AnyType& item, const Container& list, std::size_t least,
   type.read_into = [=, &list, read = item.read_into](const Value& value, const std::string& path,
                                                      const Scene& scene, void* result) {
     std::size_t index = 0;
-    for (const Value& one : read_list(value, path, least, most)) {
-      read(one, path_of == nullptr ? path : path_of(path, one, index++), scene,
+    for (const Value& entry : read_list(value, path, least, most)) {
+      read(entry, path_of == nullptr ? path : path_of(path, entry, index++), scene,
            list.append(result));
     }
   };
@@ -295,9 +295,9 @@ AnyType named_type(const std::string& section, const AnyType& thing, const Conta
   type.read_into = [=, &list, read = thing.read_into](const Value& value, const std::string& path,
                                                       const Scene& scene, void* things) {
     for (const Entry& entry : read_named(value, path)) {
-      void* one = list.append(things);
-      read(entry.value, join_path(section, entry.key), scene, one);
-      *static_cast<std::string*>(member(name, one)) = entry.key;
+      void* added = list.append(things);
+      read(entry.value, join_path(section, entry.key), scene, added);
+      *static_cast<std::string*>(member(name, added)) = entry.key;
     }
     if (least > 0 && list.at(things, least - 1) == nullptr) {
       fail(value.location, fmt::format("{}: expected at least one", path));
@@ -306,9 +306,9 @@ AnyType named_type(const std::string& section, const AnyType& thing, const Conta
   type.text_of = [=, &list, text = thing.text_of](const void* things, const Scene& scene) {
     Yaml result = Yaml::map({});
     result.in_lines = true;
-    for (std::size_t i = 0; const void* one = list.at(things, i); ++i) {
-      const auto& key = *static_cast<const std::string*>(member(name, one));
-      result.entries.push_back({name_text(key).text, text(one, scene)});
+    for (std::size_t i = 0; const void* value = list.at(things, i); ++i) {
+      const auto& key = *static_cast<const std::string*>(member(name, value));
+      result.entries.push_back({name_text(key).text, text(value, scene)});
     }
     return result;
   };

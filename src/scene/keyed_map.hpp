@@ -38,11 +38,11 @@ const std::vector<Entry>& read_map(const Value& value, std::string_view path);
 const std::vector<Entry>& read_named(const Value& value, std::string_view path);
 /// A name that the scene gives to something.
 void check_name(const std::string& name, const TextLocation& location, std::string_view path);
-/// The place of `name` in `names`, the `kind`s of the scene.
+/// The position of `name` in `names`, the `kind`s of the scene.
 std::size_t read_reference(const std::string& name, const TextLocation& location,
                            std::string_view path, std::string_view kind,
                            std::span<const std::string_view> names);
-/// The place of the scalar among `words`.
+/// The position of the scalar among `words`.
 std::size_t read_word(const Value& value, std::string_view path,
                       std::span<const std::string_view> words);
 

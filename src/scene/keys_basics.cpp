@@ -27,13 +27,13 @@ Priority read_priority(const Value& value, const std::string& path, const Scene&
 }
 
 Type<Priority> priority_type() {
-  const Type<automaton::UpdateClass> one = choice(kUpdateClassNames);
+  const Type<automaton::UpdateClass> update_class = choice(kUpdateClassNames);
   return own_type<Priority>("`rest`, `inertia`, `gravity`, each once",
-                            unique(array_schema(one.schema, 3, 3)), read_priority,
-                            [one](const Priority& order, const Scene& scene) {
+                            unique(array_schema(update_class.schema, 3, 3)), read_priority,
+                            [update_class](const Priority& order, const Scene& scene) {
                               Yaml list = Yaml::list({});
                               for (const automaton::UpdateClass next : order) {
-                                list.items.push_back(one.text(next, scene));
+                                list.items.push_back(update_class.text(next, scene));
                               }
                               return list;
                             });

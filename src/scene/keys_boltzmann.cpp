@@ -31,13 +31,13 @@ void read_restitutions(const KeyedMap& fields, BoltzmannScene& scene, const Scen
 }
 
 Key<BoltzmannScene> restitution_key() {
-  const Schema one = number_schema(0, 1);
+  const Schema restitution = number_schema(0, 1);
   return own_key<BoltzmannScene>(
       {.name = "restitution",
        .about = "ε, normal restitution; of a list, one run for each, in that order",
        .allowed = fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
        .required = true,
-       .schema = any_of({one, unique(array_schema(one, 1, kMaxRestitutions))})},
+       .schema = any_of({restitution, unique(array_schema(restitution, 1, kMaxRestitutions))})},
       read_restitutions, [](const BoltzmannScene& scene, const Scene& /*scene*/) {
         const Yaml list = numbers_text(scene.restitutions);
         return std::optional(scene.lists_restitutions ? list : list.items.front());

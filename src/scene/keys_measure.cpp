@@ -109,8 +109,8 @@ std::optional<Yaml> measures_text(const Scene& scene, const Scene& /*scene*/) {
     list.items.push_back(Yaml::scalar(std::string(name_of(kMeasureNames, measure))));
   }
   Yaml derived = Yaml::map({});
-  for (const DerivedMeasure& one : scene.derived) {
-    derived.entries.push_back({one.name, kType.text(one, scene)});
+  for (const DerivedMeasure& measure : scene.derived) {
+    derived.entries.push_back({measure.name, kType.text(measure, scene)});
   }
   if (!scene.derived.empty()) {
     list.items.push_back(std::move(derived));

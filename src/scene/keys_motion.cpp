@@ -106,8 +106,8 @@ Type<grains::Path> path_type() {
       array_schema(point, 1, kMaxPoints), read_points,
       [](const grains::Path& path, const Scene& /*scene*/) {
         Yaml list = Yaml::list({});
-        for (const Point& one : path.points) {
-          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", one.step, one.offset)));
+        for (const Point& entry : path.points) {
+          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", entry.step, entry.offset)));
         }
         return list;
       });

@@ -10,7 +10,7 @@ namespace clca::scene {
 
 namespace {
 
-using Place = decltype(Source::place);
+using Position = decltype(Source::position);
 
 void check_point(const Eigen::Vector2d& point, const Value& value, const std::string& path,
                  const Box& box) {
@@ -55,12 +55,12 @@ void check_line(const KeyedMap& fields, Line& line, const Scene& scene) {
 }
 
 void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
-  constexpr std::array<std::string_view, 2> kPlaces = {"at", "region"};
-  const std::string_view key = fields.only(kPlaces);
-  if (const auto* at = std::get_if<Eigen::Vector2d>(&source.place)) {
+  constexpr std::array<std::string_view, 2> kPositions = {"at", "region"};
+  const std::string_view key = fields.only(kPositions);
+  if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
     check_point(*at, fields.at(key), fields.path(key), scene.box);
   } else {
-    check_region(std::get<lattice::Rectangle>(source.place), fields.at(key), fields.path(key),
+    check_region(std::get<lattice::Rectangle>(source.position), fields.at(key), fields.path(key),
                  scene.box);
   }
   if (source.weights.empty()) {
@@ -71,14 +71,14 @@ void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
 }  // namespace
 
 Type<std::vector<Source>> sources_type() {
-  const auto place = [](std::string_view name, const auto& type, std::string_view about) {
-    return inlined(&Source::place, alternative<Place>(name, type, about));
+  const auto position = [](std::string_view name, const auto& type, std::string_view about) {
+    return inlined(&Source::position, alternative<Position>(name, type, about));
   };
   return by_name<Source>(
       "sources",
-      {.keys = {place("at", point(), "emits at the site nearest to this point")
+      {.keys = {position("at", point(), "emits at the site nearest to this point")
                     .with_condition("this or `region`"),
-                place("region", region(), "emits at any site of this region of the box")
+                position("region", region(), "emits at any site of this region of the box")
                     .with_condition("this or `at`"),
                 key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
                     .defaults_to("all alike"),
@@ -106,9 +106,10 @@ Type<std::vector<Probe>> probes_type() {
       [=](const Value& value, const std::string& path, const Scene& scene) {
         std::vector<Probe> probes;
         for (const Entry& entry : read_named(value, path)) {
-          const std::string place = join_path(path, entry.key);
-          probes.push_back({.name = entry.key, .region = edges.read(entry.value, place, scene)});
-          check_region(probes.back().region, entry.value, place, scene.box);
+          const std::string probe_path = join_path(path, entry.key);
+          probes.push_back(
+              {.name = entry.key, .region = edges.read(entry.value, probe_path, scene)});
+          check_region(probes.back().region, entry.value, probe_path, scene.box);
         }
         return probes;
       },

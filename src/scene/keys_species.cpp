@@ -106,7 +106,7 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
   if (polygon != nullptr && doubled_area(*polygon) > 2.0 * kMaxSites) {
     throw std::invalid_argument(message);  // before the sites are listed, which takes long
   }
-  lattice::Shape shape = std::visit([](const auto& one) { return build(one); }, spec);
+  lattice::Shape shape = std::visit([](const auto& held) { return build(held); }, spec);
   if (shape.size() > kMaxSites) {
     throw std::invalid_argument(message);
   }
@@ -185,7 +185,7 @@ Key<Species> sizes_key() {
 std::size_t sites_of(const std::vector<Species>& species) {
   return std::accumulate(
       species.begin(), species.end(), std::size_t{0},
-      [](std::size_t sum, const Species& one) { return sum + one.shape.size(); });
+      [](std::size_t sum, const Species& next) { return sum + next.shape.size(); });
 }
 
 /// A particle that met itself across a periodic boundary would block itself.

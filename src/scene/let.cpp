@@ -219,10 +219,10 @@ bool is_expression_name(const std::string& name) {
 
 void check_expression(const Value& value) {
   Evaluator evaluator;
-  const auto one = [&](std::string_view name) {
+  const auto any_number = [&](std::string_view name) {
     return evaluator.is_known(std::string(name)) ? std::nullopt : std::optional(1.0);
   };
-  evaluator.result_of(with_numbers(value.text.substr(1), one), value);
+  evaluator.result_of(with_numbers(value.text.substr(1), any_number), value);
 }
 
 std::vector<std::string> names_in(std::string_view expression) {

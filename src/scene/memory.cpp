@@ -38,7 +38,7 @@ constexpr double kTrajectoryRowBytes = 6 * 45;
 constexpr double kVelocityRowBytes = 6 * 24;
 constexpr double kContactRowBytes = 6 * 4 * 72;
 // Sums of forces over a window, of four contacts a grain: two blocks and their total, each sum with
-// its place in a map.
+// its entry in a map.
 constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 48);
 // Of pictures with velocities, for each particle: its centre at the last picture, as it is copied
 // and saved, and its displacement.
@@ -154,7 +154,7 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   return sum;
 }
 
-/// The lists of places that the largest fill tries: of one species at a time, or of all of a
+/// The lists of sites that the largest fill tries: of one species at a time, or of all of a
 /// mixture.
 double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   const lattice::SweptRegion box(lattice);
@@ -164,8 +164,8 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
     double all = 0;
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
-      const double places = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
-      const double bytes = places * (sizeof(lattice::Site) + kTrialBytes * kinds);
+      const double sites = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
+      const double bytes = sites * (sizeof(lattice::Site) + kTrialBytes * kinds);
       all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
     }
     most = std::max(most, all);
@@ -232,7 +232,7 @@ double kind_bytes(const Scene& scene) {
 double source_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   double sum = 0;
   for (const Source& source : scene.sources) {
-    if (const auto* region = std::get_if<lattice::Rectangle>(&source.place)) {
+    if (const auto* region = std::get_if<lattice::Rectangle>(&source.position)) {
       sum += sizeof(lattice::Site) * max_sites(lattice::SweptRegion(lattice), *region);
     }
   }
@@ -259,12 +259,12 @@ Size size_of(const Scene& scene) {
   }
   const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
-  const auto places = static_cast<double>(lattice.index_count());
+  const auto index_count = static_cast<double>(lattice.index_count());
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == grains::Passive::overlap;
   });
-  double model_bytes = grains::OccupancyTable::bytes_for(places, overlaps) +
-                       automaton::step_bytes(places) + kParticleBytes * particles +
+  double model_bytes = grains::OccupancyTable::bytes_for(index_count, overlaps) +
+                       automaton::step_bytes(index_count) + kParticleBytes * particles +
                        kAwakeBytes * awake;
   if (scene.model == Model::contact) {
     model_bytes += kContactGrainBytes * particles;
@@ -278,7 +278,7 @@ Size size_of(const Scene& scene) {
   if (measures(scene, Measure::mixing)) {
     bytes += kMixingBytes * particles;
   }
-  if (pictures_compare_places(scene)) {
+  if (pictures_compare_positions(scene)) {
     bytes += kVelocityBytes * particles;
   }
   for (const Wall& wall : scene.walls) {

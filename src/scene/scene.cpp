@@ -33,7 +33,7 @@ bool pictures_show_forces(const Scene& scene) {
           frames->color_by == ColorBy::pressure);
 }
 
-bool pictures_compare_places(const Scene& scene) {
+bool pictures_compare_positions(const Scene& scene) {
   const auto& frames = scene.output.frames;
   return frames && (frames->overlay == Overlay::velocity ||
                     (frames->color_by == ColorBy::speed && scene.model != Model::contact));

@@ -141,11 +141,11 @@ Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
 }
 
 /// From light to dark.
-std::string shade(const image::Rgb& color, double place) {
+std::string shade(const image::Rgb& color, double darkness) {
   constexpr double kLightest = 0.6;  // share of white
   constexpr double kDarkest = 0.5;   // of black
-  const double white = std::max(0.0, kLightest * (1 - 2 * place));
-  const double black = std::max(0.0, kDarkest * (2 * place - 1));
+  const double white = std::max(0.0, kLightest * (1 - 2 * darkness));
+  const double black = std::max(0.0, kDarkest * (2 * darkness - 1));
   const auto mixed = [&](double part) {
     return static_cast<int>(std::lround((part + (255 - part) * white) * (1 - black)));
   };
@@ -401,14 +401,14 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   std::vector<SizeClass> result;
   for (const auto& [kind, share] : shares) {
     const double radius = kinds[kind].radius;
-    SizeClass& one = result.emplace_back();
-    one.extent = extent(kind);
+    SizeClass& size_class = result.emplace_back();
+    size_class.extent = extent(kind);
     if (sizes.shape == RoundShape::disc) {
-      one.shape = DiscSpec{radius};
+      size_class.shape = DiscSpec{radius};
     } else {
-      one.shape = HexagonSpec{static_cast<int>(radius)};
+      size_class.shape = HexagonSpec{static_cast<int>(radius)};
     }
-    one.share = share / units;
+    size_class.share = share / units;
   }
   return result;
 }

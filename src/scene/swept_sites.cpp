@@ -119,7 +119,7 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall, const Tes
   const grains::OffsetRange range = forward_range_of(*wall.motion);
   sort_along(direction, sites);
   LinePosition before = {};
-  int done = 0;  // the last place on the line of `before` that has been visited
+  int done = 0;  // the last position on the line of `before` that has been visited
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const LinePosition home = line_position_of(direction, sites[i]);
     const LineInterval box = inside(lattice, direction, home.line);

@@ -213,20 +213,20 @@ Type<std::vector<std::size_t>> references(
       fmt::format("names of {}s", kind),
       with(unique(array_schema(name_type().schema)), "maxItems", kMaxItems),
       [=](const Value& value, const std::string& path, const Scene& scene) {
-        std::vector<std::size_t> places;
+        std::vector<std::size_t> numbers;
         for (const Value& item : read_list(value, path, 0, kMaxItems)) {
-          places.push_back(
+          numbers.push_back(
               read_reference(read_text(item, path), item.location, path, kind, names(scene)));
-          if (std::find(places.begin(), places.end() - 1, places.back()) != places.end() - 1) {
+          if (std::find(numbers.begin(), numbers.end() - 1, numbers.back()) != numbers.end() - 1) {
             fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
           }
         }
-        return places;
+        return numbers;
       },
-      [=](const std::vector<std::size_t>& places, const Scene& scene) {
+      [=](const std::vector<std::size_t>& numbers, const Scene& scene) {
         std::vector<Yaml> items;
-        for (const std::size_t place : places) {
-          items.push_back(name_text(names(scene)[place]));
+        for (const std::size_t number : numbers) {
+          items.push_back(name_text(names(scene)[number]));
         }
         return Yaml::list(std::move(items));
       });

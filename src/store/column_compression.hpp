@@ -46,13 +46,13 @@ void sort_bytes(std::span<const T> values, std::span<std::uint8_t> bytes) {
 template <class T>
 void unsort_bytes(std::span<const std::uint8_t> bytes, std::span<T> values) {
   using Unsigned = typename Bits<sizeof(T)>::type;
-  for (std::size_t place = 0; place < values.size(); ++place) {
+  for (std::size_t number = 0; number < values.size(); ++number) {
     Unsigned bits = 0;
     for (std::size_t i = 0; i < sizeof(T); ++i) {
       bits = static_cast<Unsigned>(
-          bits | (static_cast<Unsigned>(bytes[i * values.size() + place]) << (8 * i)));
+          bits | (static_cast<Unsigned>(bytes[i * values.size() + number]) << (8 * i)));
     }
-    values[place] = std::bit_cast<T>(bits);
+    values[number] = std::bit_cast<T>(bits);
   }
 }
 

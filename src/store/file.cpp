@@ -38,9 +38,9 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void look_anew(const std::filesystem::path& folder) {
-  for (const std::filesystem::path& one : {folder.parent_path(), folder}) {
+  for (const std::filesystem::path& directory : {folder.parent_path(), folder}) {
     // To open a folder asks the server.
-    const Descriptor opened(::open(one.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   }
 }
 

@@ -163,13 +163,13 @@ std::vector<scene::DerivedMeasure> derived(const Json& object) {
   if (!object.is_object() || !object.contains("derived")) {
     return result;
   }
-  for (const auto& [name, one] : field(object, "derived", &Json::is_object).items()) {
+  for (const auto& [name, entry] : field(object, "derived", &Json::is_object).items()) {
     scene::DerivedMeasure& derived = result.emplace_back();
     derived.name = name;
-    derived.value = text(one, "value");
-    derived.unit = text(one, "unit");
-    if (one.contains("about")) {
-      derived.about = text(one, "about");
+    derived.value = text(entry, "value");
+    derived.unit = text(entry, "unit");
+    if (entry.contains("about")) {
+      derived.about = text(entry, "about");
     }
   }
   return result;
@@ -215,8 +215,8 @@ RunSummary summary_of(const Json& object) {
   if (summary.kind != "comparison") {  // which writes no files of that name
     name(object, "scene");
   }
-  for (const Json& one : field(object, "stages", &Json::is_array)) {
-    summary.stages.push_back(stage(one));
+  for (const Json& entry : field(object, "stages", &Json::is_array)) {
+    summary.stages.push_back(stage(entry));
   }
   return summary;
 }

@@ -49,10 +49,10 @@ Json to_object(const BeginSummary& begin) {
 
 Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
   Json object = Json::object();
-  for (const scene::DerivedMeasure& one : derived) {
-    object[one.name] = {{"value", one.value}, {"unit", one.unit}};
-    if (one.about) {
-      object[one.name]["about"] = *one.about;
+  for (const scene::DerivedMeasure& measure : derived) {
+    object[measure.name] = {{"value", measure.value}, {"unit", measure.unit}};
+    if (measure.about) {
+      object[measure.name]["about"] = *measure.about;
     }
   }
   return object;

@@ -106,8 +106,8 @@ bool is_contact(const PartRows& rows, RowSpan particles, std::size_t row,
   }
   const auto at = static_cast<std::size_t>(upper - rows.id.begin());
   const lattice::Site site = {fixed.lattice.wrapped(rows.site[2 * at]), rows.site[2 * at + 1]};
-  const Eigen::Vector2d place(rows.point[2 * row], rows.point[2 * row + 1]);
-  return (fixed.lattice.in_box(place) - lattice::position(site)).norm() <=
+  const Eigen::Vector2d point(rows.point[2 * row], rows.point[2 * row + 1]);
+  return (fixed.lattice.in_box(point) - lattice::position(site)).norm() <=
          2 * fixed.lattice.size().norm();
 }
 

@@ -31,10 +31,10 @@ Eigen::Vector2d point_at(const std::vector<double>& points, std::size_t row) {
 /// Number of particles whose state and checks fit into `bytes`.
 std::size_t max_particles(const grains::State& fixed, double bytes) {
   constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 1;
-  const double places =
+  const double occupancy =
       grains::OccupancyTable::bytes_for(static_cast<double>(fixed.lattice.index_count()), true);
   constexpr double kMaxIds = std::numeric_limits<grains::Owner>::max();
-  return static_cast<std::size_t>(std::clamp((bytes - places) / kParticleBytes, 0.0, kMaxIds));
+  return static_cast<std::size_t>(std::clamp((bytes - occupancy) / kParticleBytes, 0.0, kMaxIds));
 }
 
 }  // namespace

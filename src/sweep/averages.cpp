@@ -27,11 +27,11 @@ using Names = std::vector<std::string>;
 constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kErrorEnding = "_se";
 
-/// A table of runs that is averaged. Rows are the same where groups and places are.
+/// A table of runs that is averaged. Rows are the same where groups and positions are.
 struct Averaged {
   std::string begin;  ///< of the file name: the table, or what comes before a stage
   Names groups;       ///< columns of names
-  Names places;       ///< columns of numbers; none: steps
+  Names positions;    ///< columns of numbers; none: steps
   Names others = {};  ///< columns that are left out
 };
 
@@ -49,10 +49,10 @@ bool has_name(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// The rows of one group, by place. Of steps: those since the stage began.
+/// The rows of one group, by position. Of steps: those since the stage began.
 struct Curve {
-  std::vector<std::vector<double>> places;  ///< by row
-  std::vector<std::vector<double>> values;  ///< by column, then row
+  std::vector<std::vector<double>> positions;  ///< by row
+  std::vector<std::vector<double>> values;     ///< by column, then row
 };
 
 /// A table of one run.
@@ -99,13 +99,13 @@ std::map<std::string, double> stage_starts(const store::RunSummary& summary) {
 ReadCurves read_curves(const Averaged& what, const fs::path& file,
                        const store::RunSummary& summary) {
   const store::ReadTable table = store::read_table(file);
-  const bool by_step = what.places.empty();
-  const Names places = by_step ? Names{"step"} : what.places;
+  const bool by_step = what.positions.empty();
+  const Names positions = by_step ? Names{"step"} : what.positions;
   ReadCurves result;
   std::vector<std::vector<double>> values;
   for (const std::string& name : table.names) {
     const bool is_time = by_step && name == "time";
-    if (has_name(what.groups, name) || has_name(places, name) || has_name(what.others, name) ||
+    if (has_name(what.groups, name) || has_name(positions, name) || has_name(what.others, name) ||
         is_time || name.ends_with(kErrorEnding)) {
       continue;
     }
@@ -113,7 +113,7 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
     values.push_back(table.numbers(name));
   }
   std::vector<std::vector<double>> at;
-  std::ranges::transform(places, std::back_inserter(at),
+  std::ranges::transform(positions, std::back_inserter(at),
                          [&](const std::string& name) { return table.numbers(name); });
   const std::map<std::string, double> starts = stage_starts(summary);
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -123,17 +123,17 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
       group.push_back(cells != nullptr ? (*cells)[row] : "");
     }
     Curve& curve = result.of(group, values.size());
-    std::vector<double> place;
+    std::vector<double> position;
     for (const std::vector<double>& numbers : at) {
       const auto start = by_step ? starts.find(group.front()) : starts.end();
-      place.push_back(numbers[row] - (start == starts.end() ? 0 : start->second));
+      position.push_back(numbers[row] - (start == starts.end() ? 0 : start->second));
     }
-    const bool is_behind = curve.places.empty() || curve.places.back() < place;
-    if (!is_behind || !std::isfinite(place.front())) {
+    const bool is_behind = curve.positions.empty() || curve.positions.back() < position;
+    if (!is_behind || !std::isfinite(position.front())) {
       throw store::StoreError(fmt::format("cannot read {}: line {}: not behind the one before",
                                           file.string(), row + 2));
     }
-    curve.places.push_back(std::move(place));
+    curve.positions.push_back(std::move(position));
     for (std::size_t column = 0; column < values.size(); ++column) {
       curve.values[column].push_back(values[column][row]);
     }
@@ -141,16 +141,16 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
   return result;
 }
 
-/// The value at a place; of steps between two rows by a straight line.
+/// The value at a position; of steps between two rows by a straight line.
 double value_at(const Curve& curve, const std::vector<double>& values,
-                const std::vector<double>& place) {
-  const auto after = std::ranges::lower_bound(curve.places, place);
-  const auto row = static_cast<std::size_t>(after - curve.places.begin());
-  if (*after == place) {
+                const std::vector<double>& position) {
+  const auto after = std::ranges::lower_bound(curve.positions, position);
+  const auto row = static_cast<std::size_t>(after - curve.positions.begin());
+  if (*after == position) {
     return values[row];
   }
-  const double before = curve.places[row - 1].front();
-  const double share = (place.front() - before) / (after->front() - before);
+  const double before = curve.positions[row - 1].front();
+  const double share = (position.front() - before) / (after->front() - before);
   return values[row - 1] + share * (values[row] - values[row - 1]);
 }
 
@@ -160,8 +160,8 @@ std::vector<std::vector<double>> common_steps(const std::vector<const Curve*>& c
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
   for (const Curve* curve : curves) {
-    from = std::max(from, curve->places.front().front());
-    to = std::min(to, curve->places.back().front());
+    from = std::max(from, curve->positions.front().front());
+    to = std::min(to, curve->positions.back().front());
   }
   std::vector<std::vector<double>> steps;
   const auto first = static_cast<std::uint64_t>(std::ceil(from / every));
@@ -171,19 +171,20 @@ std::vector<std::vector<double>> common_steps(const std::vector<const Curve*>& c
   return steps;
 }
 
-/// The places that all of the curves have.
-std::vector<std::vector<double>> common_places(const std::vector<const Curve*>& curves) {
-  std::vector<std::vector<double>> places = curves.front()->places;
+/// The positions that all of the curves have.
+std::vector<std::vector<double>> common_positions(const std::vector<const Curve*>& curves) {
+  std::vector<std::vector<double>> positions = curves.front()->positions;
   for (const Curve* curve : curves) {
-    const std::set<std::vector<double>> known(curve->places.begin(), curve->places.end());
-    std::erase_if(places, [&](const std::vector<double>& place) { return !known.contains(place); });
+    const std::set<std::vector<double>> known(curve->positions.begin(), curve->positions.end());
+    std::erase_if(positions,
+                  [&](const std::vector<double>& position) { return !known.contains(position); });
   }
-  return places;
+  return positions;
 }
 
 struct MeanRow {
   Names group;
-  std::vector<double> place;
+  std::vector<double> position;
   std::uint64_t runs;
   std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
 };
@@ -214,14 +215,14 @@ void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>&
   }
   const auto& series = means.variant->scene.output.series;
   const auto every = static_cast<double>(series ? series->every : 1);
-  for (const auto& place :
-       what.places.empty() ? common_steps(curves, every) : common_places(curves)) {
-    MeanRow row = {.group = group, .place = place, .runs = curves.size(), .means = {}};
+  for (const auto& position :
+       what.positions.empty() ? common_steps(curves, every) : common_positions(curves)) {
+    MeanRow row = {.group = group, .position = position, .runs = curves.size(), .means = {}};
     for (const std::string& column : means.columns) {
       std::vector<double> values;
       for (std::size_t run = 0; run < curves.size(); ++run) {
         const std::vector<double>* all = runs[run].values(*curves[run], column);
-        values.push_back(all != nullptr ? value_at(*curves[run], *all, place) : kNoMean);
+        values.push_back(all != nullptr ? value_at(*curves[run], *all, position) : kNoMean);
       }
       row.means.push_back(mean_of(values));
     }
@@ -237,17 +238,17 @@ void add_new(Names& names, const Names& more) {
 /// The table; none if a varied number has the name of a column, or there is nothing.
 std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
                                        const std::vector<Means>& all) {
-  const bool has_time = what.places.empty() && std::ranges::any_of(all, [](const Means& means) {
+  const bool has_time = what.positions.empty() && std::ranges::any_of(all, [](const Means& means) {
                           return means.units.has_value();
                         });
   Names columns;
   std::ranges::for_each(all, [&](const Means& means) { add_new(columns, means.columns); });
-  Names place = what.groups;
+  Names position = what.groups;
   const Names times = has_time ? Names{"step", "time"} : Names{"step"};
-  const Names& places = what.places.empty() ? times : what.places;
-  place.insert(place.end(), places.begin(), places.end());
+  const Names& positions = what.positions.empty() ? times : what.positions;
+  position.insert(position.end(), positions.begin(), positions.end());
   const Names heads =
-      run::sweep_columns("mean", {{"KEY", keys}, {"PLACE", place}, {"COLUMN", columns}});
+      run::sweep_columns("mean", {{"KEY", keys}, {"PLACE", position}, {"COLUMN", columns}});
   if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }
@@ -256,9 +257,9 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
     for (const MeanRow& row : means.rows) {
       std::vector<store::Cell> cells = value_cells(means.variant->values);
       cells.insert(cells.end(), row.group.begin(), row.group.end());
-      cells.insert(cells.end(), row.place.begin(), row.place.end());
+      cells.insert(cells.end(), row.position.begin(), row.position.end());
       if (has_time) {
-        const auto step = static_cast<std::uint64_t>(row.place.front());
+        const auto step = static_cast<std::uint64_t>(row.position.front());
         cells.emplace_back(means.units ? means.units->time(step) : kNoMean);
       }
       cells.emplace_back(row.runs);

@@ -210,8 +210,8 @@ std::vector<std::string> Plan::keys() const {
 
 std::string Plan::title() const {
   const std::string& title = variants.front().scene.title;
-  const bool is_same =
-      std::ranges::all_of(variants, [&](const Variant& one) { return one.scene.title == title; });
+  const bool is_same = std::ranges::all_of(
+      variants, [&](const Variant& variant) { return variant.scene.title == title; });
   return is_same ? title : "";
 }
 

@@ -49,7 +49,7 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
     } catch (const store::UnusableCheckpointError& error) {
       events.warning(fmt::format("{}: begins anew", error.what()));
     } catch (
-        const run::SceneRunError&) {  // told from the start, with the place in the user's scene
+        const run::SceneRunError&) {  // told from the start, with the location in the user's scene
     }
   }
   return run::run(scene, run, events);
@@ -60,8 +60,8 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
 FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
                         const Options& options, run::WantedPictures pictures,
                         const std::atomic<int>* stop) {
-  FinishedRun one;
-  one.result.status = Status::failed;
+  FinishedRun finished;
+  finished.result.status = Status::failed;
   try {
     std::error_code unknown;
     if (std::filesystem::is_symlink(folder, unknown)) {
@@ -69,23 +69,24 @@ FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& 
           fmt::format("cannot run in {}: it is a symbolic link", folder.string()));
     }
     run::RunEvents events;
-    events.warning = [&one](const std::string& text) { one.warnings.push_back(text); };
+    events.warning = [&finished](const std::string& text) { finished.warnings.push_back(text); };
     const run::RunOptions run = {
         .folder = folder, .threads = 1, .stop = stop, .pictures = pictures, .overwrite = true};
-    one.result.summary = executed(scene, folder, options.max_bytes, run, events);
-    one.result.status = one.result.summary.status == "done" ? Status::done : Status::interrupted;
+    finished.result.summary = executed(scene, folder, options.max_bytes, run, events);
+    finished.result.status =
+        finished.result.summary.status == "done" ? Status::done : Status::interrupted;
   } catch (const store::FolderInUseError&) {
-    one.result.status = Status::waiting;
-    one.is_in_use = true;
+    finished.result.status = Status::waiting;
+    finished.is_in_use = true;
   } catch (const store::StoreError& error) {
-    one.result.error = error.what();
-    one.store_error = error.what();
+    finished.result.error = error.what();
+    finished.store_error = error.what();
   } catch (const std::bad_alloc&) {
-    one.result.error = "out of memory";
+    finished.result.error = "out of memory";
   } catch (const std::exception& error) {
-    one.result.error = error.what();
+    finished.result.error = error.what();
   }
-  return one;
+  return finished;
 }
 
 tasks::Bytes to_bytes(const FinishedRun& run) {

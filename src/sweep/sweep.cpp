@@ -124,7 +124,7 @@ class Sweep {
   std::vector<std::size_t> remaining_runs();
   void carry_out(const std::vector<std::size_t>& runs);
   Pool::Work work();
-  void take(std::size_t run, FinishedRun one);
+  void take(std::size_t run, FinishedRun finished);
   /// Takes over what other processes have done meanwhile.
   void look_elsewhere();
   void tell_shares(const std::vector<std::size_t>& runs) const;
@@ -236,8 +236,8 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
                                       pool.at_a_time(), wanted));
   }
   while (!pool.finished()) {
-    for (auto& [run, one] : pool.take_finished(kPause)) {
-      take(run, std::move(one));
+    for (auto& [run, finished] : pool.take_finished(kPause)) {
+      take(run, std::move(finished));
     }
     if (!store_error_.empty()) {
       pool.stop();
@@ -253,24 +253,24 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
   tell_shares(pool.carried_out());
 }
 
-void Sweep::take(std::size_t run, FinishedRun one) {
+void Sweep::take(std::size_t run, FinishedRun finished) {
   const std::string name = plan_.name(run);
-  for (const std::string& warning : one.warnings) {
+  for (const std::string& warning : finished.warnings) {
     tell(events_.warning, fmt::format("{}: {}", name, warning));
   }
-  if (!one.store_error.empty()) {
+  if (!finished.store_error.empty()) {
     // What one run cannot write the next cannot either: this is an end, not a failed run.
-    store_error_ = store_error_.empty() ? one.store_error : store_error_;
-  } else if (one.result.status == Status::failed) {
+    store_error_ = store_error_.empty() ? finished.store_error : store_error_;
+  } else if (finished.result.status == Status::failed) {
     ++progress_.failed;
-    tell(events_.warning, fmt::format("{} failed: {}", name, one.result.error));
-  } else if (one.result.status == Status::done) {
+    tell(events_.warning, fmt::format("{} failed: {}", name, finished.result.error));
+  } else if (finished.result.status == Status::done) {
     ++progress_.done;
-  } else if (one.is_in_use) {
+  } else if (finished.is_in_use) {
     (tries_again_ ? elsewhere_ : in_use_).push_back(run);
     progress_.elsewhere = elsewhere_.size();
   }
-  results_[run] = std::move(one.result);
+  results_[run] = std::move(finished.result);
   tables_stale_ = true;
 }
 

@@ -57,22 +57,22 @@ class Measures {
     }
   }
   const std::vector<Key>& keys() const { return keys_; }
-  std::size_t place(const Key& key) const { return places_.at(key); }
+  std::size_t position(const Key& key) const { return positions_.at(key); }
   /// Null if there is no such measure.
   const std::size_t* find(const Key& key) const {
-    const auto at = places_.find(key);
-    return at == places_.end() ? nullptr : &at->second;
+    const auto at = positions_.find(key);
+    return at == positions_.end() ? nullptr : &at->second;
   }
 
  private:
   void add(const Key& key) {
-    if (places_.emplace(key, keys_.size()).second) {
+    if (positions_.emplace(key, keys_.size()).second) {
       keys_.push_back(key);
     }
   }
 
   std::vector<Key> keys_;
-  std::map<Key, std::size_t> places_;
+  std::map<Key, std::size_t> positions_;
 };
 
 std::string to_text(Status status) {
@@ -100,7 +100,7 @@ std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result
   row.resize(first + measures.keys().size(), kNone);
   if (done) {
     for_each_measure(result, [&](const Key& key, const store::MeasureValue& value) {
-      row[first + measures.place(key)] = number(value);
+      row[first + measures.position(key)] = number(value);
     });
   }
   row.insert(row.end(), {"runs/" + plan.name(run), result.error});
@@ -137,7 +137,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
   for (std::size_t run = first; run < last; ++run) {
     if (results[run].status == Status::done) {
       for_each_measure(results[run], [&](const Key& key, const store::MeasureValue& value) {
-        Column& column = columns[measures.place(key)];
+        Column& column = columns[measures.position(key)];
         column.values.push_back(number(value));
         column.answers = column.answers || std::holds_alternative<bool>(value);
       });

@@ -96,9 +96,9 @@ int decimals(double number) {
 }
 
 /// Without zeros at the end, and without an exponent.
-std::string rounded(double number, int places) {
-  std::string text = fmt::format("{:.{}f}", number, places);
-  if (places > 0) {
+std::string rounded(double number, int digits) {
+  std::string text = fmt::format("{:.{}f}", number, digits);
+  if (digits > 0) {
     text.erase(text.find_last_not_of('0') + 1);
     text.erase(text.find_last_not_of('.') + 1);
   }
@@ -128,10 +128,10 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
                     "and at most {} values",
                     text::shortened(value), kMaxRuns));
   }
-  const int places = std::max(decimals(first), decimals(step));
+  const int digits = std::max(decimals(first), decimals(step));
   std::vector<std::string> values;
   for (int i = 0; i <= static_cast<int>(steps); ++i) {
-    values.push_back(rounded(first + i * step, places));
+    values.push_back(rounded(first + i * step, digits));
   }
   return values;
 }

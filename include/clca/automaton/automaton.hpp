@@ -8,8 +8,9 @@ namespace clca::automaton {
 
 using grains::Options;
 
-/// Bytes that steps need besides the state and its occupancy, for a lattice of so many places.
-double step_bytes(double places);
+/// Bytes that steps need besides the state and its occupancy, for a lattice with this
+/// index_count().
+double step_bytes(double index_count);
 
 class Automaton : public grains::Model {
  public:

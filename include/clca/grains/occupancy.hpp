@@ -24,7 +24,7 @@ class Occupancy {
   Occupancy(const OccupancyTable& table);
 
   /// Number of indices, as lattice::Lattice::index_count.
-  std::size_t places() const { return inverted_owners_.size(); }
+  std::size_t index_count() const { return inverted_owners_.size(); }
   /// The first owner: walls come before particles, lower ids before higher ones.
   Owner owner(std::size_t index) const { return ~inverted_owners_[index]; }
   /// kFree if there is none.

@@ -129,16 +129,16 @@ class Lattice {
 
   /// Index of the site at `offset` from the site with index `base` in the (wrapped) `column`.
   std::size_t at(std::size_t base, int column, Offset offset) const {
-    auto place = static_cast<std::ptrdiff_t>(base) + offset.linear;
+    auto result = static_cast<std::ptrdiff_t>(base) + offset.linear;
     if (periodic_) {
       const int target = column + offset.column;
       if (target < 0) {
-        place += wrap_;
+        result += wrap_;
       } else if (target >= columns_) {
-        place -= wrap_;
+        result -= wrap_;
       }
     }
-    return static_cast<std::size_t>(place);
+    return static_cast<std::size_t>(result);
   }
 
   bool operator==(const Lattice&) const = default;

@@ -83,8 +83,8 @@ class Convection {
     double weight = 0;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();
-    double cross = 0;   // of place and drift
-    double square = 0;  // of place
+    double cross = 0;   // of position and drift
+    double square = 0;  // of position
 
     void add(const Eigen::Vector2d& at, const Displacement& displacement);
     double rotation() const;

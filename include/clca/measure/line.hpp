@@ -16,7 +16,7 @@
 
 namespace clca::measure {
 
-/// Sums for one part of a line. Points: places evenly spaced on the part.
+/// Sums for one part of a line. Points: evenly spaced on the part.
 struct LinePartSums {
   double open = 0;      ///< points that no wall covers, times steps
   double covered = 0;   ///< of these, those that a particle covers

@@ -29,7 +29,7 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
 
 /// Sites of the particles whose centre of mass has passed the horizontal middle line of the region
 /// downwards, less those that have passed it upwards. Each is taken to have gone straight from its
-/// place at the snapshot, or where it has entered since (State::origins), to where it is or has
+/// position at the snapshot, or where it has entered since (State::origins), to where it is or has
 /// been removed.
 double downward_flow(const Snapshot& before, const grains::State& now,
                      const lattice::Rectangle& region);

@@ -22,7 +22,7 @@ struct Displacement {
 std::vector<Displacement> displacements_in_step(const grains::State& state,
                                                 const std::vector<Eigen::Vector2d>& velocities);
 
-/// The places of the particles at one moment.
+/// The positions of the particles at one moment.
 class Snapshot {
  public:
   /// A snapshot of an empty box.
@@ -30,8 +30,9 @@ class Snapshot {
   explicit Snapshot(const grains::State& state);
 
   std::uint64_t step() const { return step_; }
-  /// The path of a particle to where it is now or was removed: from its place at the snapshot or,
-  /// if it has entered since, where it has entered (State::origins); none if it had been removed.
+  /// The path of a particle to where it is now or was removed: from its position at the snapshot
+  /// or, if it has entered since, where it has entered (State::origins); none if it had been
+  /// removed.
   std::optional<Displacement> path(const grains::State& now, std::size_t id) const;
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.

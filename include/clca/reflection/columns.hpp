@@ -98,7 +98,7 @@ class Encoder {
 
   template <Listed T>
   void add(const std::string& path, const std::vector<const T*>& values) {
-    std::apply([&](const auto&... one) { (add_member(path, values, one), ...); }, T::fields());
+    std::apply([&](const auto&... field) { (add_member(path, values, field), ...); }, T::fields());
   }
 
   template <class First, class Second>
@@ -170,11 +170,11 @@ class Encoder {
  private:
   template <class T, class Owner, class Member>
   void add_member(const std::string& path, const std::vector<const T*>& values,
-                  const Field<Owner, Member>& one) {
+                  const Field<Owner, Member>& field) {
     std::vector<const std::remove_const_t<Member>*> parts(values.size());
     std::transform(values.begin(), values.end(), parts.begin(),
-                   [&](const T* value) { return &(value->*(one.member)); });
-    add(path.empty() ? one.name : path + "/" + one.name, parts);
+                   [&](const T* value) { return &(value->*(field.member)); });
+    add(path.empty() ? field.name : path + "/" + field.name, parts);
   }
 
   template <class T>
@@ -211,7 +211,7 @@ class Decoder {
 
   template <Listed T>
   void read(const std::string& path, const std::vector<T*>& values) {
-    std::apply([&](const auto&... one) { (read_member(path, values, one), ...); }, T::fields());
+    std::apply([&](const auto&... field) { (read_member(path, values, field), ...); }, T::fields());
   }
 
   template <class First, class Second>
@@ -340,11 +340,11 @@ class Decoder {
 
   template <class T, class Owner, class Member>
   void read_member(const std::string& path, const std::vector<T*>& values,
-                   const Field<Owner, Member>& one) {
+                   const Field<Owner, Member>& field) {
     std::vector<Member*> parts(values.size());
     std::transform(values.begin(), values.end(), parts.begin(),
-                   [&](T* value) { return &(value->*(one.member)); });
-    read(path.empty() ? one.name : path + "/" + one.name, parts);
+                   [&](T* value) { return &(value->*(field.member)); });
+    read(path.empty() ? field.name : path + "/" + field.name, parts);
   }
 
   template <class T>

@@ -27,7 +27,7 @@ constexpr GridPoint grid_point(lattice::Site site) {
   return {2 * site.column, 2 * lattice::doubled_height(site)};
 }
 
-/// Cartesian place in lattice spacings.
+/// Cartesian position in lattice spacings.
 inline Eigen::Vector2d position(GridPoint point) {
   return {0.5 * lattice::kColumnPitch * point.u, 0.25 * point.v};
 }

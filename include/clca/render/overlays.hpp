@@ -10,7 +10,7 @@
 
 namespace clca::render {
 
-/// A contact that carries force, between two places in lattice spacings.
+/// A contact that carries force, between two points in lattice spacings.
 struct ForceLine {
   Eigen::Vector2d from;
   Eigen::Vector2d to;

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of a line through the box over time: time to the right, place upwards.
+// Pictures of a line through the box over time: time to the right, position upwards.
 
 #include <Eigen/Core>
 #include <span>
@@ -17,16 +17,16 @@ namespace clca::render {
 /// Values of a line over time, as means in the pixels of a picture.
 class TimeMeans {
  public:
-  /// `columns` pixels for the time from `begin` to `end`; `rows` places with `values` each.
+  /// `columns` pixels for the time from `begin` to `end`; `rows` positions with `values` each.
   TimeMeans(int columns, int rows, int values, double begin, double end);
 
-  /// `line` (values x rows, the lowest place first) holds from `from` to `to`; of that the part
+  /// `line` (values x rows, the lowest position first) holds from `from` to `to`; of that the part
   /// between `begin` and `end` counts.
   void add(double from, double to, const Eigen::ArrayXXd& line);
 
   /// Whether any line holds at some time in the pixel column.
   bool is_known(int column) const { return weights_[column] > 0; }
-  /// Mean over the time of a pixel column (from the left) at a place (from below).
+  /// Mean over the time of a pixel column (from the left) at a position (from below).
   Eigen::ArrayXd mean(int column, int row) const;
 
  private:
@@ -65,7 +65,7 @@ struct TimePlot {
   bool annotations = true;  ///< title, axes, legend; need a font
   std::string title;
   Axis time;
-  Axis place;
+  Axis position;
   std::vector<Stage> stages;  ///< in their order; lines mark where one follows on another
   Legend legend;
 };

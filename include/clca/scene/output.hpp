@@ -11,7 +11,7 @@
 
 namespace clca::scene {
 
-/// The name of a file, or a place in it (FILE:LINE:COLUMN), for messages. Comparison ignores it.
+/// The name of a file, or a location in it (FILE:LINE:COLUMN), for messages. Comparison ignores it.
 struct FileReference : std::string {
   FileReference() = default;
   explicit FileReference(std::string text) : std::string(std::move(text)) {}

@@ -103,7 +103,7 @@ struct Wall {
 
 struct Source {
   std::string name;
-  std::variant<Eigen::Vector2d, lattice::Rectangle> place;
+  std::variant<Eigen::Vector2d, lattice::Rectangle> position;
   std::vector<std::uint32_t> weights;  ///< per species, not all zero
   double rate = 0;                     ///< particles per step
   std::optional<std::uint64_t> count;  ///< none: goes on for ever
@@ -293,8 +293,8 @@ int step_digits(const Scene& scene);
 
 /// Whether its pictures show forces of the contact model.
 bool pictures_show_forces(const Scene& scene);
-/// Whether its pictures show velocities that follow from the places of particles at the picture
+/// Whether its pictures show velocities that follow from the positions of particles at the picture
 /// before.
-bool pictures_compare_places(const Scene& scene);
+bool pictures_compare_positions(const Scene& scene);
 
 }  // namespace clca::scene

@@ -131,9 +131,9 @@ class Pool {
     try {
       // While a task runs in the calling thread, nobody copies the one to the other.
       const bool is_inline = threads_.are_inline() && stop_asked_ != nullptr;
-      Finished one = {task, work_.carry_out(task, is_inline ? *stop_asked_ : stop_tasks_)};
+      Finished result = {task, work_.carry_out(task, is_inline ? *stop_asked_ : stop_tasks_)};
       const std::lock_guard lock(mutex_);
-      ended_.push_back(std::move(one));
+      ended_.push_back(std::move(result));
     } catch (...) {
       const std::lock_guard lock(mutex_);
       failure_ = std::current_exception();

@@ -12,8 +12,8 @@ namespace {
 /// Windows whose particles are woken together, soon after they were changed.
 constexpr std::size_t kWakeBatch = 64;
 
-std::size_t place_of(const lattice::Lattice& lattice, const MoveProposal& proposal,
-                     lattice::Offset offset) {
+std::size_t site_index(const lattice::Lattice& lattice, const MoveProposal& proposal,
+                       lattice::Offset offset) {
   return lattice.at(lattice.index(proposal.site), proposal.site.column, offset);
 }
 
@@ -21,8 +21,8 @@ std::size_t offset_of(std::int32_t offset) {
   return static_cast<std::size_t>(std::ptrdiff_t{offset});
 }
 
-void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
-  const grains::Owner owner = world.occupancy.owner_shared(place);
+void wake_owner(const World& world, StripWorker& worker, std::size_t index) {
+  const grains::Owner owner = world.occupancy.owner_shared(index);
   if (grains::is_particle(owner)) {
     worker.waking.insert(grains::particle_id(owner));
   }
@@ -31,7 +31,7 @@ void wake_owner(const World& world, StripWorker& worker, std::size_t place) {
 void wake_by_sites(const World& world, StripWorker& worker, const MoveProposal& proposal,
                    const WindowedFootprint& footprint) {
   for (const lattice::Offset offset : footprint.wake[proposal.move]) {
-    wake_owner(world, worker, place_of(world.state.lattice, proposal, offset));
+    wake_owner(world, worker, site_index(world.state.lattice, proposal, offset));
   }
 }
 
@@ -50,12 +50,12 @@ void change_sites(World& world, StripWorker& worker, const MoveProposal& proposa
                      proposal.access);
     }
   }
-  const std::size_t place = world.state.lattice.index(proposal.site);
+  const std::size_t index = world.state.lattice.index(proposal.site);
   for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
     for (const Exchange exchange : exchanges) {
-      occupancy.set_owner_shared(place + offset_of(exchange.entered),
+      occupancy.set_owner_shared(index + offset_of(exchange.entered),
                                  grains::as_owner(proposal.id));
-      occupancy.set_owner_shared(place + offset_of(exchange.left), grains::kFree);
+      occupancy.set_owner_shared(index + offset_of(exchange.left), grains::kFree);
     }
   }
 }
@@ -66,9 +66,9 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
   wake_by_sites(world, worker, proposal, footprint);
   const auto change = [&](const std::vector<lattice::Offset>& offsets, grains::Owner owner) {
     for (const lattice::Offset offset : offsets) {
-      const std::size_t place = place_of(world.state.lattice, proposal, offset);
-      world.occupancy.set_owner_shared(place, owner);
-      world.occupancy.flip(world.occupancy.corner(world.state.lattice.site(place)), 1,
+      const std::size_t index = site_index(world.state.lattice, proposal, offset);
+      world.occupancy.set_owner_shared(index, owner);
+      world.occupancy.flip(world.occupancy.corner(world.state.lattice.site(index)), 1,
                            proposal.access);
     }
   };
@@ -96,7 +96,7 @@ void Engine::commit(StripWorker& worker) {
 }
 
 // A provisional target was free when the step began, and vacated sites are nobody's target. So a
-// mover whose lead sites nobody else wants moves, whatever its place in the order.
+// mover whose lead sites nobody else wants moves, whatever its position in the order.
 void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal) {
   worker.waking.insert(proposal.id);  // moved or not: it is examined again
   if (proposal.contested > 0 || proposal.outcome == ConflictOutcome::overlapping) {

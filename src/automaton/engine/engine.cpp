@@ -93,8 +93,8 @@ void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failu
     move_overlapping();
   }
   end("decide");
-  // 4. Movers that nobody is in the way of move, whatever their place in the order. The others have
-  // their turn in order.
+  // 4. Movers that nobody is in the way of move, whatever their position in the order. The others
+  // have their turn in order.
   in_each_strip(failure, &Engine::reserve);
   in_each_strip(failure, &Engine::find_conflicts);
   end("contest");
@@ -144,9 +144,9 @@ void Engine::wake_changed() {
   for (const std::uint32_t id : world_.changes.particles) {
     wake(id);
   }
-  for (const std::size_t place : world_.changes.vacated) {
-    if (!world_.occupancy.taken(place)) {
-      wake_upstream(world_.state.lattice.site(place));
+  for (const std::size_t index : world_.changes.vacated) {
+    if (!world_.occupancy.taken(index)) {
+      wake_upstream(world_.state.lattice.site(index));
     }
   }
   world_.changes.particles.clear();

@@ -129,9 +129,9 @@ template <class Visit>
   const WindowedFootprint& footprint = footprints_.of(proposal.kind, proposal.site.column);
   if (wraps(proposal.site)) {
     const lattice::Lattice& lattice = world_.state.lattice;
-    const std::size_t place = lattice.index(proposal.site);
+    const std::size_t index = lattice.index(proposal.site);
     for (const lattice::Offset offset : footprint.lead[proposal.move]) {
-      const std::size_t lead = lattice.at(place, proposal.site.column, offset);
+      const std::size_t lead = lattice.at(index, proposal.site.column, offset);
       visit(world_.occupancy.corner(lattice.site(lead)), std::uint64_t{1});
     }
   } else if (footprint.one_window) {

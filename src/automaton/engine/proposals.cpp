@@ -20,7 +20,7 @@ constexpr std::uint32_t kSlopingWork = 4;
 
 }  // namespace
 
-// Moves and awake particles are not in the same places, so threads help each other: each begins
+// Moves and awake particles are not in the same regions, so threads help each other: each begins
 // with the particles of its own strip.
 void Engine::propose(StripWorker& worker) {
   for (std::size_t i = 0; i < workers_.size(); ++i) {

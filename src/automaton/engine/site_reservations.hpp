@@ -18,7 +18,9 @@ class SiteReservations {
   explicit SiteReservations(const lattice::Lattice& lattice)
       : reserved_(lattice), contested_(lattice) {}
 
-  static double bytes_for(double places) { return 2 * grains::Bitboard::bytes_for(places); }
+  static double bytes_for(double index_count) {
+    return 2 * grains::Bitboard::bytes_for(index_count);
+  }
 
   /// Sites that are reserved already become contested.
   void reserve(Corner at, std::uint64_t sites, Access access) {

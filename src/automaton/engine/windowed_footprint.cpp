@@ -46,8 +46,8 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
     const lattice::Site at = seen_from(odd_column, site);
     const int column = (at.column - low.column) / grains::kWindow * grains::kWindow + low.column;
     const int row = (at.row - low.row) / grains::kWindow * grains::kWindow + low.row;
-    auto mask = std::find_if(result.begin(), result.end(), [&](const WindowMask& one) {
-      return one.column == column && one.row == row;
+    auto mask = std::find_if(result.begin(), result.end(), [&](const WindowMask& window) {
+      return window.column == column && window.row == row;
     });
     if (mask == result.end()) {
       mask = result.insert(mask, {.column = column, .row = row, .sites = 0});

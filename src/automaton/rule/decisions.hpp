@@ -21,7 +21,7 @@ class Decisions {
 
   /// The provisional direction of a particle, from the state as it is.
   grains::Move provisional(std::uint32_t id);
-  /// Its place among the turns of this step, before it has moved.
+  /// Its position among the turns of this step, before it has moved.
   UpdateKey key(std::uint32_t id, grains::Move move) const {
     return order_.key(world_.state, id, move);
   }

@@ -12,17 +12,17 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
   const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
   std::vector<OverlapChange> result;
   result.reserve(before.size() + after.size());
-  for (const Overlap& one : before) {
-    result.push_back({.owner = one.owner, .sites_before = one.sites});
+  for (const Overlap& overlap : before) {
+    result.push_back({.owner = overlap.owner, .sites_before = overlap.sites});
   }
-  for (const Overlap& one : after) {
+  for (const Overlap& overlap : after) {
     auto change = std::find_if(result.begin(), result.end(), [&](const OverlapChange& other) {
-      return other.owner == one.owner;
+      return other.owner == overlap.owner;
     });
     if (change == result.end()) {
-      change = result.insert(result.end(), {.owner = one.owner});
+      change = result.insert(result.end(), {.owner = overlap.owner});
     }
-    change->sites_after = one.sites;
+    change->sites_after = overlap.sites;
   }
   for (OverlapChange& change : result) {
     if (grains::is_particle(change.owner)) {
@@ -43,10 +43,10 @@ const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Own
 
 int shared_sites(const World& world, std::uint32_t id) {
   int sum = 0;
-  world.box.for_each_index(world.state.particles[id], [&](std::size_t place) {
-    // A wall is the first owner of a place, so this is one only if both are particles.
-    const bool two = world.occupancy.second_owner(place) != grains::kFree;
-    sum += two && grains::is_particle(world.occupancy.owner(place)) ? 1 : 0;
+  world.box.for_each_index(world.state.particles[id], [&](std::size_t index) {
+    // A wall is the first owner of a site, so this is one only if both are particles.
+    const bool two = world.occupancy.second_owner(index) != grains::kFree;
+    sum += two && grains::is_particle(world.occupancy.owner(index)) ? 1 : 0;
   });
   return sum;
 }

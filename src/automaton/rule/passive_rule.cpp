@@ -141,12 +141,12 @@ bool PassiveRule::has_room(std::uint32_t id, Direction direction) const {
   const grains::Particle& here = state.particles[id];
   bool room = true;
   world_.box.for_each_index(
-      here, world_.box.footprints.of(here).lead[index_of(direction)], [&](std::size_t place) {
-        const grains::Owner owner = world_.occupancy.owner(place);
+      here, world_.box.footprints.of(here).lead[index_of(direction)], [&](std::size_t index) {
+        const grains::Owner owner = world_.occupancy.owner(index);
         const bool closed =
             owner == grains::kBorder ||
             (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
-        room = room && !closed && world_.occupancy.second_owner(place) == grains::kFree;
+        room = room && !closed && world_.occupancy.second_owner(index) == grains::kFree;
       });
   return room;
 }

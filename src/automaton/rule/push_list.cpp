@@ -44,13 +44,14 @@ std::span<const grains::Push> PushList::onto(const grains::State& state, std::ui
 }
 
 void PushList::record(grains::State& state, const grains::Push& push) {
-  const auto place = state.pushes.begin() +
-                     (lower_bound(state.pushes, push.pushed, push.pusher) - state.pushes.cbegin());
-  if (place != state.pushes.end() && place->key() == push.key()) {
-    *place = push;
+  const auto position =
+      state.pushes.begin() +
+      (lower_bound(state.pushes, push.pushed, push.pusher) - state.pushes.cbegin());
+  if (position != state.pushes.end() && position->key() == push.key()) {
+    *position = push;
     return;
   }
-  state.pushes.insert(place, push);
+  state.pushes.insert(position, push);
   count(push, 1);
 }
 

@@ -30,10 +30,11 @@ bool is_free(World& world, std::uint32_t id, lattice::Direction direction) {
 std::optional<grains::Move> retreat(World& world, std::uint32_t id) {
   const grains::State& state = world.state;
   std::vector<grains::Push> resting;
-  for (const Overlap& one : world.overlaps(id, state.particles[id])) {
-    const auto other = grains::particle_id(one.owner);
-    const grains::Push* push =
-        grains::is_particle(one.owner) ? find_push(state, other, grains::as_owner(id)) : nullptr;
+  for (const Overlap& overlap : world.overlaps(id, state.particles[id])) {
+    const auto other = grains::particle_id(overlap.owner);
+    const grains::Push* push = grains::is_particle(overlap.owner)
+                                   ? find_push(state, other, grains::as_owner(id))
+                                   : nullptr;
     if (push != nullptr && state.particles[other].previous == grains::kRest) {
       resting.push_back(*push);
     }

@@ -18,8 +18,8 @@ UpdateKey UpdateOrder::key(const grains::State& state, std::uint32_t id, grains:
 }
 
 std::uint64_t UpdateOrder::class_of(grains::Move previous, grains::Move move) const {
-  const auto fits = [&](UpdateClass one) {
-    switch (one) {
+  const auto fits = [&](UpdateClass update_class) {
+    switch (update_class) {
       case UpdateClass::rest:
         return previous == grains::kRest;
       case UpdateClass::inertia:

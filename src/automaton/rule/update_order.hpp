@@ -10,9 +10,9 @@
 
 namespace clca::automaton {
 
-/// Place in the total order of one step, the smallest first.
+/// Rank in the total order of one step, the smallest first.
 struct UpdateKey {
-  std::uint64_t update_class = 0;  ///< place in Rules::update_priority; behind all: in none
+  std::uint64_t update_class = 0;  ///< rank in Rules::update_priority; behind all: in none
   std::uint64_t tie = 0;
   std::uint32_t id = 0;
 

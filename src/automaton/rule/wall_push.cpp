@@ -21,40 +21,40 @@ bool gather(const World& world, PushedCluster& cluster) {
 }
 
 void leave(World& world, const WallStep& step) {
-  for (const std::size_t place : step.leaves) {
-    world.occupancy.remove(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.leaves) {
+    world.occupancy.remove(index, grains::wall_code(step.wall));
   }
 }
 
 bool may_enter(const World& world, const WallStep& step) {
-  return std::all_of(step.enters.begin(), step.enters.end(), [&](std::size_t place) {
-    const grains::Owner owner = world.occupancy.owner(place);
+  return std::all_of(step.enters.begin(), step.enters.end(), [&](std::size_t index) {
+    const grains::Owner owner = world.occupancy.owner(index);
     return owner == grains::kFree ||
-           (grains::is_particle(owner) && world.occupancy.second_owner(place) == grains::kFree);
+           (grains::is_particle(owner) && world.occupancy.second_owner(index) == grains::kFree);
   });
 }
 
 void stand_ahead(World& world, const WallStep& step) {
   leave(world, step);
-  for (const std::size_t place : step.enters) {
-    world.occupancy.add(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.enters) {
+    world.occupancy.add(index, grains::wall_code(step.wall));
   }
 }
 
 void stand_back(World& world, const WallStep& step) {
-  for (const std::size_t place : step.enters) {
-    world.occupancy.remove(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.enters) {
+    world.occupancy.remove(index, grains::wall_code(step.wall));
   }
-  for (const std::size_t place : step.leaves) {
-    world.occupancy.add(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.leaves) {
+    world.occupancy.add(index, grains::wall_code(step.wall));
   }
 }
 
-/// The particles at the places that a wall has entered, each once.
+/// The particles at the sites that a wall has entered, each once.
 std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
   std::vector<std::uint32_t> ids;
-  for (const std::size_t place : step.enters) {
-    const grains::Owner other = world.occupancy.second_owner(place);  // a wall comes first
+  for (const std::size_t index : step.enters) {
+    const grains::Owner other = world.occupancy.second_owner(index);  // a wall comes first
     if (grains::is_particle(other)) {
       ids.push_back(grains::particle_id(other));
     }
@@ -87,8 +87,8 @@ bool push_along(World& world, const WallStep& step) {
   }
   leave(world, step);
   world.move_together(cluster.ids(), step.direction);
-  for (const std::size_t place : step.enters) {
-    world.occupancy.add(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.enters) {
+    world.occupancy.add(index, grains::wall_code(step.wall));
   }
   note_left(world, step);
   return true;
@@ -114,7 +114,7 @@ bool enter(World& world, const WallStep& step) {
     const std::vector<Overlap> all =
         world.overlaps(push.pushed, world.state.particles[push.pushed]);
     return std::none_of(all.begin(), all.end(),
-                        [&](const Overlap& one) { return one.owner == push.pusher; });
+                        [&](const Overlap& overlap) { return overlap.owner == push.pusher; });
   });
   note_left(world, step);
   return true;

@@ -11,7 +11,7 @@ constexpr std::size_t kUsualOverlaps = 8;  // of one particle, at most
 
 bool contains(const std::vector<Overlap>& overlaps, grains::Owner owner) {
   return std::any_of(overlaps.begin(), overlaps.end(),
-                     [owner](const Overlap& one) { return one.owner == owner; });
+                     [owner](const Overlap& overlap) { return overlap.owner == owner; });
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void World::include_new(std::size_t first) {
 bool World::is_free(const grains::Particle& particle, lattice::Direction direction) const {
   bool free = true;
   box.for_each_index(particle, box.footprints.of(particle).lead[index_of(direction)],
-                     [&](std::size_t place) { free = free && !occupancy.taken(place); });
+                     [&](std::size_t index) { free = free && !occupancy.taken(index); });
   return free;
 }
 
@@ -49,17 +49,18 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
     if (owner == grains::kFree || owner == grains::as_owner(id)) {
       return;
     }
-    const auto found = std::find_if(result.begin(), result.end(),
-                                    [owner](const Overlap& one) { return one.owner == owner; });
+    const auto found = std::find_if(result.begin(), result.end(), [owner](const Overlap& overlap) {
+      return overlap.owner == owner;
+    });
     if (found == result.end()) {
       result.push_back({owner, 1});
     } else {
       ++found->sites;
     }
   };
-  box.for_each_index(at, [&](std::size_t place) {
-    count(occupancy.owner(place));
-    count(occupancy.second_owner(place));
+  box.for_each_index(at, [&](std::size_t index) {
+    count(occupancy.owner(index));
+    count(occupancy.second_owner(index));
   });
   return result;
 }
@@ -70,13 +71,13 @@ void World::move(std::uint32_t id, lattice::Direction direction) {
   const std::vector<Overlap> before =
       pushes.overlapping(id) ? overlaps(id, particle) : std::vector<Overlap>();
   const grains::Footprint& footprint = box.footprints.of(particle);
-  box.for_each_index(particle, footprint.trail[index_of(direction)], [&](std::size_t place) {
-    if (occupancy.remove(place, owner)) {
-      changes.vacated.push_back(place);
+  box.for_each_index(particle, footprint.trail[index_of(direction)], [&](std::size_t index) {
+    if (occupancy.remove(index, owner)) {
+      changes.vacated.push_back(index);
     }
   });
   box.for_each_index(particle, footprint.lead[index_of(direction)],
-                     [&](std::size_t place) { occupancy.add(place, owner); });
+                     [&](std::size_t index) { occupancy.add(index, owner); });
   particle = moved(particle, direction);
   particle.previous = static_cast<grains::Move>(direction);
   changes.particles.push_back(id);
@@ -88,9 +89,9 @@ void World::forget_ended_pushes(std::uint32_t id, const std::vector<Overlap>& be
     return;
   }
   const std::vector<Overlap> after = overlaps(id, state.particles[id]);
-  for (const Overlap& one : before) {
-    if (!contains(after, one.owner)) {
-      forget_push(id, one.owner);
+  for (const Overlap& overlap : before) {
+    if (!contains(after, overlap.owner)) {
+      forget_push(id, overlap.owner);
     }
   }
 }
@@ -106,15 +107,15 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
   const std::size_t d = index_of(direction);
   for (const std::uint32_t id : ids) {
     const grains::Particle& particle = state.particles[id];
-    box.for_each_index(particle, box.footprints.of(particle).trail[d], [&](std::size_t place) {
-      occupancy.remove(place, grains::as_owner(id));
-      changes.vacated.push_back(place);
+    box.for_each_index(particle, box.footprints.of(particle).trail[d], [&](std::size_t index) {
+      occupancy.remove(index, grains::as_owner(id));
+      changes.vacated.push_back(index);
     });
   }
   for (const std::uint32_t id : ids) {
     grains::Particle& particle = state.particles[id];
     box.for_each_index(particle, box.footprints.of(particle).lead[d],
-                       [&](std::size_t place) { occupancy.add(place, grains::as_owner(id)); });
+                       [&](std::size_t index) { occupancy.add(index, grains::as_owner(id)); });
     particle = moved(particle, direction);
   }
   changes.particles.insert(changes.particles.end(), ids.begin(), ids.end());
@@ -123,8 +124,8 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
 
 void World::let_go(std::uint32_t id) {
   const grains::Particle& particle = state.particles[id];
-  for (const Overlap& one : overlaps(id, particle)) {
-    forget_push(id, one.owner);
+  for (const Overlap& overlap : overlaps(id, particle)) {
+    forget_push(id, overlap.owner);
   }
   box.for_each_index(particle, [&](std::size_t index) { changes.vacated.push_back(index); });
   changes.by_others = true;

@@ -59,11 +59,11 @@ void Grouping::members(Eigen::Index group, std::vector<Eigen::Index>& sources,
                  sources.push_back(i);
                }
              });
-  StridedPermutation places(sources.size());
+  StridedPermutation order(sources.size());
   const auto item = 2 * static_cast<std::uint32_t>(group) + 2;
-  places.shuffle(draw(seed_, step_, item), draw(seed_, step_, item + 1));
+  order.shuffle(draw(seed_, step_, item), draw(seed_, step_, item + 1));
   targets.clear();
-  places.part(0, 1, [&](std::uint64_t place) { targets.push_back(sources[place]); });
+  order.part(0, 1, [&](std::uint64_t number) { targets.push_back(sources[number]); });
 }
 
 }  // namespace clca::boltzmann

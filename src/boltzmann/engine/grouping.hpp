@@ -20,9 +20,9 @@ class StridedPermutation {
   template <class Visit>
   void part(std::uint64_t part, std::uint64_t parts, Visit visit) const {
     const std::uint64_t end = modulus_ * (part + 1) / parts;
-    std::uint64_t place = modulus_ * part / parts;
-    std::uint64_t number = (start_ + stride_ * place) % modulus_;
-    for (; place < end; ++place) {
+    std::uint64_t position = modulus_ * part / parts;
+    std::uint64_t number = (start_ + stride_ * position) % modulus_;
+    for (; position < end; ++position) {
       if (number < count_) {
         visit(number);
       }

@@ -119,11 +119,11 @@ struct EightLanes {
     const __m256i spin_low = _mm256_unpacklo_epi32(velocity.spin.values, zero);
     const __m256i spin_high = _mm256_unpackhi_epi32(velocity.spin.values, zero);
     const auto set = [&](std::size_t lane, __m256i rows) {
-      const auto place = [&](std::size_t one) {
-        return reinterpret_cast<__m128i*>(&bodies[at[one]]);
+      const auto address = [&](std::size_t number) {
+        return reinterpret_cast<__m128i*>(&bodies[at[number]]);
       };
-      _mm_store_si128(place(lane), _mm256_castsi256_si128(rows));
-      _mm_store_si128(place(lane + 4), _mm256_extracti128_si256(rows, 1));
+      _mm_store_si128(address(lane), _mm256_castsi256_si128(rows));
+      _mm_store_si128(address(lane + 4), _mm256_extracti128_si256(rows, 1));
     };
     set(0, _mm256_unpacklo_epi64(xy_low, spin_low));
     set(1, _mm256_unpackhi_epi64(xy_low, spin_low));

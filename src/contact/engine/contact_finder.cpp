@@ -127,7 +127,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots) {
 void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
   const grains::Particle& grain = state_.particles[id];
   const lattice::Lattice& lattice = state_.lattice;
-  const std::size_t place = lattice.index(grain.site());
+  const std::size_t index = lattice.index(grain.site());
   const int column = lattice.wrapped(grain.column);
   partners_.clear();
   slots.for_each(id, [&](std::int32_t at) {
@@ -138,7 +138,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
   grains::Owner before = grains::kFree;
   for (const lattice::Offset offset :
        rings_[2U * grain.kind + (lattice::is_odd(grain.column) ? 1U : 0U)]) {
-    const grains::Owner owner = box_.occupancy.owner(lattice.at(place, column, offset));
+    const grains::Owner owner = box_.occupancy.owner(lattice.at(index, column, offset));
     if (owner == before) {
       continue;
     }
@@ -189,7 +189,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
             [](const auto& one, const auto& other) { return one.first.other < other.first.other; });
   std::vector<Contact> contacts;
   std::transform(before.begin(), before.end(), std::back_inserter(contacts),
-                 [](const auto& one) { return one.first; });
+                 [](const auto& slot) { return slot.first; });
   const std::vector<std::size_t> next = followed_by(contacts, now);
   std::vector<bool> is_new(now.size(), true);
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -213,9 +213,9 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
                          std::vector<std::int32_t>& new_slots) {
   // From the order of the last time, which is nearly right.
   listed_.resize(state_.particles.size());
-  std::erase_if(order_, [&](const auto& one) {
-    listed_[one.second] = slots.touches_anything(one.second) ? 1 : 0;
-    return listed_[one.second] == 0;
+  std::erase_if(order_, [&](const auto& entry) {
+    listed_[entry.second] = slots.touches_anything(entry.second) ? 1 : 0;
+    return listed_[entry.second] == 0;
   });
   for (std::uint32_t id = 0; id < listed_.size(); ++id) {
     if (listed_[id] == 0 && slots.touches_anything(id)) {
@@ -231,7 +231,7 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
   const auto key = [&](std::int32_t at) {
     return std::tie(slots.at(at).apart, slots.at(at).other);
   };
-  for (const auto& [place, id] : order_) {
+  for (const auto& [rank, id] : order_) {
     of_one_.clear();
     slots.for_each(id, [&, upper = id](std::int32_t at) {
       if (slots.at(at).upper == upper) {

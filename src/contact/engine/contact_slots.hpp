@@ -32,7 +32,7 @@ class ContactSlots {
     batches_.add_grains(grains);
   }
   void add(const Contact& contact, lattice::Axial apart);
-  /// Empties a slot. It keeps its place in the order.
+  /// Empties a slot. It keeps its position in the order.
   void remove(std::int32_t at);
   /// Changes a contact. The other grain may have become the upper one.
   void set(std::int32_t at, const Contact& contact, lattice::Axial apart);

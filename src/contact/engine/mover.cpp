@@ -97,18 +97,18 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
 }
 
 void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
-  const Waiting one = waiting(id, direction);
-  const auto at = static_cast<std::size_t>(one);
+  const Waiting entry = waiting(id, direction);
+  const auto at = static_cast<std::size_t>(entry);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
-  next_[at] = std::exchange(first_[obstacle], one);
+  next_[at] = std::exchange(first_[obstacle], entry);
   previous_[at] = -1 - static_cast<Waiting>(obstacle);
   if (next_[at] != kNone) {
-    previous_[static_cast<std::size_t>(next_[at])] = one;
+    previous_[static_cast<std::size_t>(next_[at])] = entry;
   }
 }
 
-void Mover::stop_waiting(Waiting one) {
-  const auto at = static_cast<std::size_t>(one);
+void Mover::stop_waiting(Waiting entry) {
+  const auto at = static_cast<std::size_t>(entry);
   const Waiting previous = previous_[at];
   (previous < 0 ? first_[static_cast<std::size_t>(-1 - previous)]
                 : next_[static_cast<std::size_t>(previous)]) = next_[at];

@@ -51,7 +51,7 @@ class Mover {
   void move_ready(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
   void wait(std::uint32_t id, lattice::Direction direction, std::size_t obstacle);
-  void stop_waiting(Waiting one);
+  void stop_waiting(Waiting entry);
   void stop_waiting_at_all(std::uint32_t id);
   void wake(std::size_t obstacle, lattice::Direction direction);
 

@@ -11,7 +11,7 @@
 
 namespace clca::contact {
 
-inline constexpr int kCentreBits = 8;        ///< of places about the centre of turning
+inline constexpr int kCentreBits = 8;        ///< of positions about the centre of turning
 inline constexpr int kRateBits = 30;         ///< of angular velocities in radians a step
 inline constexpr int kCentrifugalBits = 40;  ///< of their squares
 

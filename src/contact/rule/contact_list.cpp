@@ -12,8 +12,8 @@ namespace {
 const Touch* find(const std::vector<Touch>& touches, std::uint32_t upper, grains::Owner other) {
   const auto touch =
       std::lower_bound(touches.begin(), touches.end(), std::pair(upper, other),
-                       [](const Touch& one, const auto& key) {
-                         return std::pair(one.contact.upper, one.contact.other) < key;
+                       [](const Touch& listed, const auto& key) {
+                         return std::pair(listed.contact.upper, listed.contact.other) < key;
                        });
   return touch != touches.end() && touch->contact.upper == upper && touch->contact.other == other
              ? &*touch

@@ -15,11 +15,11 @@ void SiteMoves::begin() {
 grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const {
   const grains::Particle& grain = state_.grains.particles[id];
   const lattice::Lattice& lattice = state_.grains.lattice;
-  const std::size_t place = lattice.index(grain.site());
+  const std::size_t index = lattice.index(grain.site());
   const int column = lattice.wrapped(grain.column);
   for (const lattice::Offset offset :
        box_.footprints.of(grain).lead[lattice::index_of(direction)]) {
-    const grains::Owner owner = box_.occupancy.owner(lattice.at(place, column, offset));
+    const grains::Owner owner = box_.occupancy.owner(lattice.at(index, column, offset));
     if (owner != grains::kFree) {
       return owner;
     }
@@ -36,13 +36,13 @@ void SiteMoves::move(std::uint32_t id, Direction direction) {
 void SiteMoves::leave(std::uint32_t id, Direction direction) {
   const grains::Particle& grain = state_.grains.particles[id];
   box_.for_each_index(grain, box_.footprints.of(grain).trail[lattice::index_of(direction)],
-                      [&](std::size_t place) { box_.occupancy.release(place); });
+                      [&](std::size_t index) { box_.occupancy.release(index); });
 }
 
 void SiteMoves::enter(std::uint32_t id, Direction direction) {
   grains::Particle& grain = state_.grains.particles[id];
   box_.for_each_index(grain, box_.footprints.of(grain).lead[lattice::index_of(direction)],
-                      [&](std::size_t place) { box_.occupancy.take(place, grains::as_owner(id)); });
+                      [&](std::size_t index) { box_.occupancy.take(index, grains::as_owner(id)); });
   grain = grains::moved(grain, direction);
   if (grain.previous == grains::kRest) {
     moved_.push_back(id);
@@ -68,8 +68,8 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   if (!cluster.gather([](std::uint32_t) { return false; })) {
     return false;
   }
-  for (const std::size_t place : step.leaves) {
-    box_.occupancy.release(place);
+  for (const std::size_t index : step.leaves) {
+    box_.occupancy.release(index);
   }
   for (const std::uint32_t id : cluster.ids()) {
     leave(id, step.direction);
@@ -78,8 +78,8 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
     enter(id, step.direction);
     follow_push(state_.remainders[id], step.direction);
   }
-  for (const std::size_t place : step.enters) {
-    box_.occupancy.take(place, grains::wall_code(step.wall));
+  for (const std::size_t index : step.enters) {
+    box_.occupancy.take(index, grains::wall_code(step.wall));
   }
   note_neighbours(step.enters);
   note_neighbours(step.leaves);
@@ -87,12 +87,12 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   return true;
 }
 
-void SiteMoves::note_neighbours(const std::vector<std::size_t>& places) {
+void SiteMoves::note_neighbours(const std::vector<std::size_t>& indices) {
   const lattice::Lattice& lattice = state_.grains.lattice;
-  for (const std::size_t place : places) {
+  for (const std::size_t index : indices) {
     for (const Direction direction : lattice::kDirections) {
       const grains::Owner owner =
-          box_.occupancy.owner(lattice.index(lattice.site(place) + unit(direction)));
+          box_.occupancy.owner(lattice.index(lattice.site(index) + unit(direction)));
       if (grains::is_particle(owner)) {
         beside_walls_.push_back(grains::particle_id(owner));
       }

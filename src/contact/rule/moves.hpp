@@ -40,7 +40,7 @@ class SiteMoves {
   void leave(std::uint32_t id, lattice::Direction direction);
   void enter(std::uint32_t id, lattice::Direction direction);
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
-  void note_neighbours(const std::vector<std::size_t>& places);
+  void note_neighbours(const std::vector<std::size_t>& indices);
 
   State& state_;
   grains::Box& box_;

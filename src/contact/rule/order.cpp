@@ -13,7 +13,7 @@ std::int64_t order_key(const grains::State& state, Direction down, std::uint32_t
   constexpr std::int64_t kColumns = std::int64_t{1} << 31;
   const grains::Particle& grain = state.particles[id];
   const int column = state.lattice.wrapped(grain.column);
-  return place_along(down, {column, grain.row}) * kColumns + column;
+  return coordinate_along(down, {column, grain.row}) * kColumns + column;
 }
 
 std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state,

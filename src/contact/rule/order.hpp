@@ -8,7 +8,7 @@
 
 namespace clca::contact {
 
-/// Weights of columns and doubled heights in place_along().
+/// Weights of columns and doubled heights in coordinate_along().
 struct Slope {
   int column = 0;
   int height = 0;
@@ -19,7 +19,7 @@ inline Slope slope(lattice::Direction direction) {
 }
 
 /// Twice the coordinate of a site along a direction, as an integer; only for comparison.
-inline int place_along(lattice::Direction direction, lattice::Site site) {
+inline int coordinate_along(lattice::Direction direction, lattice::Site site) {
   const Slope along = slope(direction);
   return along.column * site.column + along.height * lattice::doubled_height(site);
 }

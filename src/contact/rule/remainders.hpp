@@ -27,8 +27,9 @@ inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, b
                     std::int32_t slow) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
   const bool rests = touches && squared({velocity.x, velocity.y}) <= product(slow, slow);
-  const auto next = [&](std::int32_t place, std::int32_t by) {
-    return rests ? place - place / kForgotten : clamped(place + by, -kMaxRemainder, kMaxRemainder);
+  const auto next = [&](std::int32_t coordinate, std::int32_t by) {
+    return rests ? coordinate - coordinate / kForgotten
+                 : clamped(coordinate + by, -kMaxRemainder, kMaxRemainder);
   };
   remainder = {next(remainder.x, velocity.x), next(remainder.y, velocity.y)};
   return rests;

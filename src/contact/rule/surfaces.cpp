@@ -165,8 +165,8 @@ std::vector<std::vector<Obstacle>> surfaces(const grains::Box& box, const grains
                                             const std::vector<Obstacle>& obstacles) {
   std::vector<std::vector<Obstacle>> result;
   if (obstacles.size() < 2) {
-    for (const Obstacle& one : obstacles) {
-      result.push_back({one});
+    for (const Obstacle& obstacle : obstacles) {
+      result.push_back({obstacle});
     }
     return result;
   }
@@ -174,9 +174,9 @@ std::vector<std::vector<Obstacle>> surfaces(const grains::Box& box, const grains
   const std::vector<Axial> of_grain = outline(box.state.shape(grain).sites());
   while (join_two(all, of_grain)) {
   }
-  for (Surface& one : all) {
-    if (!one.obstacles.empty()) {
-      result.push_back(std::move(one.obstacles));
+  for (Surface& surface : all) {
+    if (!surface.obstacles.empty()) {
+      result.push_back(std::move(surface.obstacles));
     }
   }
   return result;

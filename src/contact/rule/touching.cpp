@@ -26,12 +26,12 @@ std::map<grains::Owner, Obstacle> blocking(const grains::Box& box, std::uint32_t
   std::map<grains::Owner, Obstacle> result;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::size_t d = lattice::index_of(direction);
-    box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t place) {
-      grains::Owner owner = box.occupancy.owner(place);
+    box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t index) {
+      grains::Owner owner = box.occupancy.owner(index);
       if (owner == grains::kFree) {
         return;
       }
-      const lattice::Site site = state.lattice.site(place);
+      const lattice::Site site = state.lattice.site(index);
       if (owner == grains::kBorder) {
         owner = body_at(box, site);
       }
@@ -60,27 +60,27 @@ Axial sum(unsigned directions) {
 /// a side, with most touched sites, with the lowest code.
 std::vector<grains::Owner> bodies_of_contacts(const std::vector<Obstacle>& surface,
                                               const WallVelocities& walls) {
-  const auto velocity = [&](const Obstacle* one) {
-    return is_side(one->body) ? WallVelocities::value_type()
-                              : walls[grains::wall_number(one->body)];
+  const auto velocity = [&](const Obstacle* obstacle) {
+    return is_side(obstacle->body) ? WallVelocities::value_type()
+                                   : walls[grains::wall_number(obstacle->body)];
   };
-  const auto rank = [](const Obstacle& one) {
-    return std::tuple(!is_side(one.body), one.sites.size(), -std::int64_t{one.body});
+  const auto rank = [](const Obstacle& obstacle) {
+    return std::tuple(!is_side(obstacle.body), obstacle.sites.size(), -std::int64_t{obstacle.body});
   };
   std::vector<const Obstacle*> chosen;
-  for (const Obstacle& one : surface) {
+  for (const Obstacle& obstacle : surface) {
     const auto alike = std::find_if(chosen.begin(), chosen.end(), [&](const Obstacle* other) {
-      return velocity(other) == velocity(&one);
+      return velocity(other) == velocity(&obstacle);
     });
     if (alike == chosen.end()) {
-      chosen.push_back(&one);
-    } else if (rank(one) > rank(**alike)) {
-      *alike = &one;
+      chosen.push_back(&obstacle);
+    } else if (rank(obstacle) > rank(**alike)) {
+      *alike = &obstacle;
     }
   }
   std::vector<grains::Owner> result;
   std::transform(chosen.begin(), chosen.end(), std::back_inserter(result),
-                 [](const Obstacle* one) { return one->body; });
+                 [](const Obstacle* obstacle) { return obstacle->body; });
   return result;
 }
 
@@ -96,8 +96,8 @@ WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVel
   WallTouches result{.touches = {}, .several_bodies = obstacles.size() > 1};
   for (const std::vector<Obstacle>& surface : surfaces(box, box.state.particles[id], obstacles)) {
     unsigned directions = 0;
-    for (const Obstacle& one : surface) {
-      directions |= one.directions;
+    for (const Obstacle& obstacle : surface) {
+      directions |= obstacle.directions;
     }
     const Axial blocked = sum(directions);
     if (blocked == Axial()) {

@@ -30,16 +30,16 @@ std::int64_t haste(std::int64_t lag, std::int32_t speed) {
 
 }  // namespace
 
-Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall) {
-  const grains::Wall& one = state.grains.walls[wall];
-  if (!in_motion(one)) {
+Velocity<std::int32_t> wall_velocity(const State& state, std::size_t number) {
+  const grains::Wall& wall = state.grains.walls[number];
+  if (!in_motion(wall)) {
     return {};
   }
-  const std::int64_t lag = state.wall_remainders[wall];
+  const std::int64_t lag = state.wall_remainders[number];
   constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionSpacing);
-  const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
+  const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
   const std::int32_t speed = kUnit * (own + static_cast<std::int32_t>(haste(lag, own)));
-  const UnitVector& unit = unit_of(one.motion->direction);
+  const UnitVector& unit = unit_of(wall.motion->direction);
   return {.x = rounded(product(speed, unit.x), kUnitBits),
           .y = rounded(product(speed, unit.y), kUnitBits)};
 }
@@ -54,14 +54,14 @@ WallVelocities wall_velocities(const State& state) {
 
 std::vector<WallMove> advance_walls(State& state) {
   std::vector<WallMove> result;
-  for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
-    const grains::Wall& one = state.grains.walls[wall];
-    if (!in_motion(one)) {
+  for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    if (!in_motion(wall)) {
       continue;
     }
-    std::int64_t& ahead = state.wall_remainders[wall];
-    ahead += grains::velocity(*one.motion, one.travel, ahead);
-    result.push_back({.wall = wall,
+    std::int64_t& ahead = state.wall_remainders[number];
+    ahead += grains::velocity(*wall.motion, wall.travel, ahead);
+    result.push_back({.wall = number,
                       .desired = (ahead > grains::kMotionSpacing / 2 ? 1 : 0) -
                                  (ahead < -grains::kMotionSpacing / 2 ? 1 : 0)});
   }
@@ -102,16 +102,16 @@ bool grains_rest(const State& state, std::int32_t slow) {
 }
 
 bool walls_rest(const State& state) {
-  for (std::size_t wall = 0; wall < state.grains.walls.size(); ++wall) {
-    const grains::Wall& one = state.grains.walls[wall];
-    if (!in_motion(one) || is_over(*one.motion, one.travel)) {
+  for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    if (!in_motion(wall) || is_over(*wall.motion, wall.travel)) {
       continue;
     }
-    const std::int64_t lag = state.wall_remainders[wall];
-    const std::int32_t own = grains::velocity(*one.motion, one.travel, lag);
+    const std::int64_t lag = state.wall_remainders[number];
+    const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
     const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMaxCatchUp;
-    const bool held_up = one.travel.stalled_since &&
-                         state.grains.step - *one.travel.stalled_since >= kQuietSteps &&
+    const bool held_up = wall.travel.stalled_since &&
+                         state.grains.step - *wall.travel.stalled_since >= kQuietSteps &&
                          pushes_no_harder;
     if (!held_up) {
       return false;

@@ -26,7 +26,7 @@ struct WallMove {
 
 /// Velocity of a wall for contacts: that of its motion, more if it lags behind; 0 for a standing
 /// wall.
-Velocity<std::int32_t> wall_velocity(const State& state, std::size_t wall);
+Velocity<std::int32_t> wall_velocity(const State& state, std::size_t number);
 
 /// By wall.
 using WallVelocities = std::vector<Velocity<std::int32_t>>;

@@ -40,7 +40,7 @@ class Bitboard {
         words_(checked(height_ / kSide * blocks_beside(lattice))) {}
 
   /// Bytes for a lattice with this index_count().
-  static double bytes_for(double places) { return places / 8; }
+  static double bytes_for(double index_count) { return index_count / 8; }
 
   /// The window whose lower left site this is.
   Corner corner(lattice::Site site) const {
@@ -114,16 +114,16 @@ class Bitboard {
     return false;
   }
 
-  bool test(std::size_t place) const {
-    const Corner at = this->at(place);
+  bool test(std::size_t index) const {
+    const Corner at = this->at(index);
     return (bytes()[at.byte] >> at.column & 1U) != 0;
   }
-  void set(std::size_t place) {
-    const Corner at = this->at(place);
+  void set(std::size_t index) {
+    const Corner at = this->at(index);
     bytes()[at.byte] |= static_cast<unsigned char>(1U << at.column);
   }
-  void clear(std::size_t place) {
-    const Corner at = this->at(place);
+  void clear(std::size_t index) {
+    const Corner at = this->at(index);
     bytes()[at.byte] &= static_cast<unsigned char>(~(1U << at.column));
   }
 
@@ -166,7 +166,7 @@ class Bitboard {
     return {.left = (window & left) << at.column, .right = (window & ~left) >> (kSide - at.column)};
   }
 
-  Corner at(std::size_t place) const { return corner(lattice_.site(place)); }
+  Corner at(std::size_t index) const { return corner(lattice_.site(index)); }
 
   unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
   const unsigned char* bytes() const {
@@ -193,8 +193,8 @@ class Bitboard {
   std::uint64_t change_block_shared(std::size_t byte, std::uint64_t bits, Change change) {
     const std::size_t word = byte / kSide;
     const auto shift = static_cast<unsigned>(byte % kSide * kSide);
-    const auto change_word = [&](std::size_t place, std::uint64_t part) {
-      return part == 0 ? 0 : change(std::atomic_ref(words_[place]), part);
+    const auto change_word = [&](std::size_t number, std::uint64_t part) {
+      return part == 0 ? 0 : change(std::atomic_ref(words_[number]), part);
     };
     const std::uint64_t left = change_word(word, bits << shift);
     const std::uint64_t right = change_word(word + 1, bits >> 1U >> (63U - shift));

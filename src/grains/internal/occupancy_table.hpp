@@ -21,12 +21,12 @@ class OccupancyTable {
   explicit OccupancyTable(const State& state);
 
   /// Bytes for a lattice with this index_count().
-  static double bytes_for(double places, bool overlaps) {
-    return places * ((overlaps ? 2.0 : 1.0) * sizeof(Owner) + 1.0 / 8.0);
+  static double bytes_for(double index_count, bool overlaps) {
+    return index_count * ((overlaps ? 2.0 : 1.0) * sizeof(Owner) + 1.0 / 8.0);
   }
 
   /// Number of indices, as lattice::Lattice::index_count.
-  std::size_t places() const { return inverted_owners_.size(); }
+  std::size_t index_count() const { return inverted_owners_.size(); }
   bool taken(std::size_t index) const { return taken_.test(index); }
   /// Whether any site of the rectangle from `low` to `high` (inclusive) is taken. The border may be
   /// part of it.

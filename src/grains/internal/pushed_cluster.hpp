@@ -17,8 +17,8 @@ class PushedCluster {
   /// particle shares sites with others, which then move too.
   template <class Overlaps>
   bool gather(Overlaps overlaps) {
-    for (const std::size_t place : step_.enters) {
-      add_owners(place);
+    for (const std::size_t index : step_.enters) {
+      add_owners(index);
     }
     for (std::size_t i = 0; i < ids_.size() && !blocked_; ++i) {
       const Particle& particle = box_.state.particles[ids_[i]];

@@ -18,7 +18,7 @@ class Error(Exception):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.message = text
-        place = re.fullmatch(r"(.+?):(\d+):(\d+): error: (.*)", text, re.DOTALL)
-        if place:
-            self.file, self.message = place[1], place[4]
-            self.line, self.column = int(place[2]), int(place[3])
+        location = re.fullmatch(r"(.+?):(\d+):(\d+): error: (.*)", text, re.DOTALL)
+        if location:
+            self.file, self.message = location[1], location[4]
+            self.line, self.column = int(location[2]), int(location[3])

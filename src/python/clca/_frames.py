@@ -111,12 +111,12 @@ class Frame:
     def outlines(self) -> list[NDArray[numpy.float64]]:
         """Of each particle corners x 2, anticlockwise."""
         outlines = [kind.outline for kind in self._look.kinds]
-        return [outlines[kind] + place for kind, place in zip(self.kinds, self.positions)]
+        return [outlines[kind] + position for kind, position in zip(self.kinds, self.positions)]
 
     @property
     def walls(self) -> dict[str, tuple[float, float]]:
         """Of the walls that are there: how far they are from home."""
-        return {name: place for name, place in zip(self._look.walls, self._data[2]) if place is not None}
+        return {name: shift for name, shift in zip(self._look.walls, self._data[2]) if shift is not None}
 
     @property
     def contacts(self) -> NDArray[numpy.void]:
@@ -159,9 +159,9 @@ class Frames(Sequence[Frame]):
             return [self[i] for i in range(*number.indices(len(self)))]
         if not -len(self) <= number < len(self):
             raise IndexError(f"no frame {number}; there are {len(self)}, at() takes steps")
-        place = number % len(self)
-        step, stage, _ = self._list[place]
-        return Frame(self._look, step, stage, lambda: self._trajectory.frame(place))
+        position = number % len(self)
+        step, stage, _ = self._list[position]
+        return Frame(self._look, step, stage, lambda: self._trajectory.frame(position))
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""

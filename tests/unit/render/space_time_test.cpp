@@ -85,7 +85,7 @@ TimePlot plot_of(int width, int height) {
           .height = height,
           .title = "Title",
           .time = {"step", 0, 100},
-          .place = {"height", 0, 50},
+          .position = {"height", 0, 50},
           .stages = {{"first", 0}, {"second", 40}},
           .legend = {}};
 }

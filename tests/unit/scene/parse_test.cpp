@@ -176,7 +176,7 @@ TEST(Parse, ReadsSourcesAtPointsAndInRegions) {
       "  spout: {at: [20, 40], rate: 0.5, count: 9}\n"
       "  rain: {region: [0, 40, 100, 50], species: {large: 3}, rate: 2}\n"
       "stages: [{name: first, sources: [rain, spout], until: {steps: 9}}]");
-  EXPECT_EQ(std::get<Eigen::Vector2d>(scene.sources[0].place), Eigen::Vector2d(20, 40));
+  EXPECT_EQ(std::get<Eigen::Vector2d>(scene.sources[0].position), Eigen::Vector2d(20, 40));
   EXPECT_THAT(scene.sources[0].weights, ElementsAre(1, 1));
   EXPECT_EQ(scene.sources[0].count, 9);
   EXPECT_THAT(scene.sources[1].weights, ElementsAre(0, 3));
