@@ -123,7 +123,7 @@ int decimals_for(std::span<const double> numbers, std::span<const double> errors
 }
 
 std::string number_html(double number, double error, int decimals) {
-  const std::string text = number == 0 ? "0" : with_decimals(number, decimals);
+  std::string text = number == 0 ? "0" : with_decimals(number, decimals);
   if (std::isnan(error)) {
     return text;
   }

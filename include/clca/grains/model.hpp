@@ -58,6 +58,9 @@ struct StepReport {
 /// is incomplete, and every further change throws std::logic_error.
 class Model {
  public:
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
   const State& grains() const;
   Occupancy occupancy() const;
   /// The lattice direction nearest to gravity.
