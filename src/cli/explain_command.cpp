@@ -83,7 +83,7 @@ std::string explained(const std::string& name, const Derived& derived) {
                    own->unit == "1" ? "" : run::shown_unit(own->unit, derived.units),
                    {"run.json: the scene derives it"});
   }
-  const std::string quantity = quantity_text(name);
+  std::string quantity = quantity_text(name);
   try {
     const std::string key = scene::explain(name);
     return quantity.empty() ? key : key + "\n" + quantity;
