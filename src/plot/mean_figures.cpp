@@ -35,8 +35,7 @@ class MeanTable {
         choice_(choice),
         file_(file.name),
         table_(tables.read(file.name)),
-        known_(run::known_quantities(tables.summary())),
-        keys_(keys) {
+        known_(run::known_quantities(tables.summary())) {
     const auto runs = std::ranges::find(table_.names, "runs") - table_.names.begin();
     values_ = static_cast<std::size_t>(runs) + 1;
     for (std::size_t column = keys; column + 1 < values_; ++column) {
@@ -77,7 +76,6 @@ class MeanTable {
   const std::string& file_;
   const store::ReadTable& table_;
   run::KnownQuantities known_;
-  std::size_t keys_;
   std::size_t values_ = 0;  ///< the first column with means
   std::vector<std::size_t> groups_;
   std::vector<std::size_t> positions_;
