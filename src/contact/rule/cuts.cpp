@@ -1,6 +1,5 @@
 #include "contact/rule/cuts.hpp"
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -20,6 +19,7 @@ struct Push {
 
 /// How many pushes a grain takes part in, and the sum of their impulses on it.
 struct PushSum {
+  std::uint32_t id = 0;
   std::int64_t pushes = 0;
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -28,6 +28,28 @@ struct PushSum {
 std::int32_t inverse_mass(const State& state, const Rule& rule, std::uint32_t id) {
   return rule.bodies.pair(state.grains.particles[id].kind, std::nullopt).upper_inverse_mass;
 }
+
+/// Of the grains that take part in pushes.
+class PushSums {
+ public:
+  explicit PushSums(std::size_t grains) : number_(grains, 0) {}
+
+  /// Counts one more push of a grain.
+  void add(std::uint32_t id) {
+    if (number_[id] == 0) {
+      sums_.push_back({.id = id});
+      number_[id] = static_cast<std::uint32_t>(sums_.size());
+    }
+    ++of(id).pushes;
+  }
+  /// Of a grain that has been added.
+  PushSum& of(std::uint32_t id) { return sums_[number_[id] - 1]; }
+  const std::vector<PushSum>& all() const { return sums_; }
+
+ private:
+  std::vector<std::uint32_t> number_;  // by id: in sums_, from 1
+  std::vector<PushSum> sums_;
+};
 
 /// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long.
 template <class Visit>
@@ -65,20 +87,23 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
       }
     });
   }
-  std::map<std::uint32_t, PushSum> sums;
+  if (pushes.empty()) {
+    return;
+  }
+  PushSums sums(state.grains.particles.size());
   for (const Push& push : pushes) {
-    ++sums[push.id].pushes;
+    sums.add(push.id);
     if (grains::is_particle(push.other)) {
-      ++sums[static_cast<std::uint32_t>(push.other)].pushes;
+      sums.add(grains::particle_id(push.other));
     }
   }
   for (const Push& push : pushes) {
-    PushSum& own = sums[push.id];
+    PushSum& own = sums.of(push.id);
     std::int64_t inverse = own.pushes * inverse_mass(state, rule, push.id);
     PushSum* its = nullptr;
     if (grains::is_particle(push.other)) {
-      const auto other = static_cast<std::uint32_t>(push.other);
-      its = &sums[other];
+      const std::uint32_t other = grains::particle_id(push.other);
+      its = &sums.of(other);
       inverse += its->pushes * inverse_mass(state, rule, other);
     }
     const auto impulse =
@@ -93,10 +118,10 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
       its->y += y;
     }
   }
-  for (const auto& [id, sum] : sums) {
-    Velocity<std::int32_t>& velocity = velocity_of(grains::as_owner(id));
-    const auto changed = [inverse = inverse_mass(state, rule, id)](std::int32_t value,
-                                                                   std::int64_t impulse) {
+  for (const PushSum& sum : sums.all()) {
+    Velocity<std::int32_t>& velocity = velocity_of(grains::as_owner(sum.id));
+    const auto changed = [inverse = inverse_mass(state, rule, sum.id)](std::int32_t value,
+                                                                       std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
       return clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
                      -kMaxVelocity, kMaxVelocity);
