@@ -29,7 +29,7 @@ struct alignas(32) Batch {
   Impulse<PerLane<std::int32_t>> impulse = {};
   PerLane<std::int32_t> bounce = {};
   PerLane<std::int32_t> friction = {};
-  Coefficients<PerLane<std::int32_t>> pair = {};
+  PerLane<std::int32_t> pair = {};  ///< Bodies::pair_number
 };
 
 /// The velocity of a grain where it is loaded and stored at once.
@@ -37,13 +37,14 @@ struct alignas(16) Body {
   Velocity<std::int32_t> velocity;
 };
 
-/// How batches are carried out.
+/// How batches are carried out. `pairs`: Bodies::pairs().
 struct BatchFunctions {
   /// Gives the bodies the impulses that the contacts remember.
-  void (*apply)(Batch* batches, std::size_t count, Body* bodies, bool turns);
+  void (*apply)(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+                bool turns);
   /// Solves all contacts, forwards or backwards.
-  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const LawConstants& law,
-                bool backwards);
+  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+                const LawConstants& law, bool backwards);
 };
 /// One contact after the other.
 BatchFunctions plain_functions();

@@ -85,6 +85,23 @@ Ints limited(Longs longs, int bits, std::int32_t most) {
   return shifted({kept(all.even), kept(all.odd)}, bits);
 }
 
+/// The four numbers of a row of each lane: first those of all lanes, second those, and so on.
+template <class Row>
+[[gnu::always_inline]] inline std::array<Ints, 4> columns(Row row) {
+  const auto rows = [&](std::size_t lane) { return _mm256_set_m128i(row(lane + 4), row(lane)); };
+  const __m256i first = rows(0);
+  const __m256i second = rows(1);
+  const __m256i third = rows(2);
+  const __m256i fourth = rows(3);
+  const __m256i low = _mm256_unpacklo_epi32(first, second);
+  const __m256i low_next = _mm256_unpacklo_epi32(third, fourth);
+  const __m256i high = _mm256_unpackhi_epi32(first, second);
+  const __m256i high_next = _mm256_unpackhi_epi32(third, fourth);
+  return {Ints{_mm256_unpacklo_epi64(low, low_next)}, Ints{_mm256_unpackhi_epi64(low, low_next)},
+          Ints{_mm256_unpacklo_epi64(high, high_next)},
+          Ints{_mm256_unpackhi_epi64(high, high_next)}};
+}
+
 struct EightLanes {
   using Int = Ints;
   static constexpr std::size_t kWidth = kLanes;
@@ -96,21 +113,29 @@ struct EightLanes {
   static void store(Int value, std::int32_t* to) {
     _mm256_store_si256(reinterpret_cast<__m256i*>(to), value.values);
   }
-  static Velocity<Int> velocities(const Body* bodies, const std::int32_t* at) {
-    const auto row = [&](std::size_t lane) {
-      return _mm_load_si128(reinterpret_cast<const __m128i*>(&bodies[at[lane]]));
+  static Coefficients<Int> coefficients(const Pair* pairs, const std::int32_t* at) {
+    static_assert(sizeof(Pair) == 2 * sizeof(__m128i));
+    const auto half = [&](std::size_t number) {
+      return columns([&](std::size_t lane) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(&pairs[at[lane]]) + number);
+      });
     };
-    const auto rows = [&](std::size_t lane) { return _mm256_set_m128i(row(lane + 4), row(lane)); };
-    const __m256i first = rows(0);
-    const __m256i second = rows(1);
-    const __m256i third = rows(2);
-    const __m256i fourth = rows(3);
-    const __m256i xy_low = _mm256_unpacklo_epi32(first, second);
-    const __m256i xy_high = _mm256_unpacklo_epi32(third, fourth);
-    return {{_mm256_unpacklo_epi64(xy_low, xy_high)},
-            {_mm256_unpackhi_epi64(xy_low, xy_high)},
-            {_mm256_unpacklo_epi64(_mm256_unpackhi_epi32(first, second),
-                                   _mm256_unpackhi_epi32(third, fourth))}};
+    const auto [mass, shear_mass, upper_inverse_mass, other_inverse_mass] = half(0);
+    const auto [upper_rolling_mass, other_rolling_mass, upper_turning, other_turning] = half(1);
+    return {mass,
+            shear_mass,
+            upper_inverse_mass,
+            other_inverse_mass,
+            upper_rolling_mass,
+            other_rolling_mass,
+            upper_turning,
+            other_turning};
+  }
+  static Velocity<Int> velocities(const Body* bodies, const std::int32_t* at) {
+    const auto [x, y, spin, unused] = columns([&](std::size_t lane) {
+      return _mm_load_si128(reinterpret_cast<const __m128i*>(&bodies[at[lane]]));
+    });
+    return {x, y, spin};
   }
   static void set_velocities(Body* bodies, const std::int32_t* at, const Velocity<Int>& velocity) {
     const __m256i zero = _mm256_setzero_si256();

@@ -11,22 +11,23 @@ class BatchKernel {
  public:
   using Int = typename Lanes::Int;
 
-  static void apply(Batch* batches, std::size_t count, Body* bodies, bool turns) {
+  static void apply(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+                    bool turns) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
-        BatchKernel kernel(batches[i], lane, bodies);
+        BatchKernel kernel(batches[i], lane, bodies, pairs);
         contact::apply(kernel.touching_, kernel.impulse_, turns);
         kernel.store_velocities(batches[i]);
       }
     }
   }
 
-  static void sweep(Batch* batches, std::size_t count, Body* bodies, const LawConstants& law,
-                    bool backwards) {
+  static void sweep(Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+                    const LawConstants& law, bool backwards) {
     for (std::size_t i = 0; i < count; ++i) {
       Batch& batch = batches[backwards ? count - 1 - i : i];
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
-        BatchKernel kernel(batch, lane, bodies);
+        BatchKernel kernel(batch, lane, bodies, pairs);
         solve(kernel.impulse_, kernel.touching_, kernel.load(batch.bounce),
               kernel.load(batch.friction), law);
         kernel.store_velocities(batch);
@@ -38,7 +39,8 @@ class BatchKernel {
   }
 
  private:
-  [[gnu::always_inline]] BatchKernel(const Batch& batch, std::size_t lane, Body* bodies)
+  [[gnu::always_inline]] BatchKernel(const Batch& batch, std::size_t lane, Body* bodies,
+                                     const Pair* pairs)
       : lane_(lane),
         bodies_(bodies),
         impulse_{load(batch.impulse.normal), load(batch.impulse.shear),
@@ -47,14 +49,7 @@ class BatchKernel {
                   .other = Lanes::velocities(bodies, &batch.other[lane]),
                   .normal_x = load(batch.normal_x),
                   .normal_y = load(batch.normal_y),
-                  .pair = {.mass = load(batch.pair.mass),
-                           .shear_mass = load(batch.pair.shear_mass),
-                           .upper_inverse_mass = load(batch.pair.upper_inverse_mass),
-                           .other_inverse_mass = load(batch.pair.other_inverse_mass),
-                           .upper_rolling_mass = load(batch.pair.upper_rolling_mass),
-                           .other_rolling_mass = load(batch.pair.other_rolling_mass),
-                           .upper_turning = load(batch.pair.upper_turning),
-                           .other_turning = load(batch.pair.other_turning)}} {}
+                  .pair = Lanes::coefficients(pairs, &batch.pair[lane])} {}
 
   Int load(const Batch::PerLane<std::int32_t>& from) const { return Lanes::load(&from[lane_]); }
   void store(const Int& value, Batch::PerLane<std::int32_t>& to) const {

@@ -12,6 +12,7 @@ struct OneLane {
 
   static Int load(const std::int32_t* from) { return *from; }
   static void store(Int value, std::int32_t* to) { *to = value; }
+  static Pair coefficients(const Pair* pairs, const std::int32_t* at) { return pairs[*at]; }
   static Velocity<Int> velocities(const Body* bodies, const std::int32_t* at) {
     return bodies[*at].velocity;
   }

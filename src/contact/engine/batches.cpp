@@ -45,18 +45,17 @@ void Batches::set(std::int32_t lane, const Contact& contact) {
   Batch& batch = this->batch(lane);
   batch.upper[in_batch(lane)] = body(grains::as_owner(contact.upper));
   batch.other[in_batch(lane)] = body(contact.other);
-  set_numbers(lane, contact, rule_->friction_with(contact.other),
-              rule_->bodies.pair(*grains_, contact.upper, contact.other));
+  batch.pair[in_batch(lane)] = rule_->bodies.pair_number(*grains_, contact.upper, contact.other);
+  set_numbers(lane, contact, rule_->friction_with(contact.other));
 }
 
 void Batches::remove(std::int32_t lane) {
   Batch& batch = this->batch(lane);
   batch.other[in_batch(lane)] = batch.upper[in_batch(lane)];  // of no other lane of the batch
-  set_numbers(lane, {}, 0, {});
+  set_numbers(lane, {}, 0);
 }
 
-void Batches::set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction,
-                          const Pair& pair) {
+void Batches::set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction) {
   Batch& batch = this->batch(lane);
   const std::size_t i = in_batch(lane);
   batch.normal_x[i] = contact.normal.x;
@@ -65,14 +64,6 @@ void Batches::set_numbers(std::int32_t lane, const Contact& contact, std::int32_
   batch.impulse.shear[i] = contact.impulse.shear;
   batch.impulse.rolling[i] = contact.impulse.rolling;
   batch.friction[i] = friction;
-  batch.pair.mass[i] = pair.mass;
-  batch.pair.shear_mass[i] = pair.shear_mass;
-  batch.pair.upper_inverse_mass[i] = pair.upper_inverse_mass;
-  batch.pair.other_inverse_mass[i] = pair.other_inverse_mass;
-  batch.pair.upper_rolling_mass[i] = pair.upper_rolling_mass;
-  batch.pair.other_rolling_mass[i] = pair.other_rolling_mass;
-  batch.pair.upper_turning[i] = pair.upper_turning;
-  batch.pair.other_turning[i] = pair.other_turning;
 }
 
 Contact Batches::contact(std::int32_t lane) const {

@@ -54,8 +54,7 @@ class Batches {
   const Batch& batch(std::int32_t lane) const {
     return batches_[static_cast<std::size_t>(lane) / kLanes];
   }
-  void set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction,
-                   const Pair& pair);
+  void set_numbers(std::int32_t lane, const Contact& contact, std::int32_t friction);
 
   const grains::State* grains_;  // pointers: batches are swapped
   const Rule* rule_;

@@ -159,10 +159,11 @@ void Engine::accelerate_all() {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches().all();
-  batch_.apply(batches.data(), batches.size(), bodies_.data(), rule_.law.turns);
+  const Pair* pairs = rule_.bodies.pairs().data();
+  batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.turns);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
-    batch_.sweep(batches.data(), batches.size(), bodies_.data(), rule_.law, i % 2 != 0);
+    batch_.sweep(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law, i % 2 != 0);
   }
   for (const std::int32_t slot : new_slots_) {
     slots_.batches().bounce(slots_.at(slot).lane) = 0;

@@ -34,16 +34,23 @@ class Bodies {
 
   /// `other` is none for a wall.
   const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
-    return pairs_[kind * (kinds_ + 1) + (other ? *other : kinds_)];
+    return pairs_[number(kind, other)];
   }
-  /// Of a contact between a grain and another body.
-  const Pair& pair(const grains::State& grains, std::uint32_t upper, grains::Owner other) const {
+  /// Of a contact between a grain and another body: its number in pairs().
+  std::int32_t pair_number(const grains::State& grains, std::uint32_t upper,
+                           grains::Owner other) const {
     const auto kind = [&](std::size_t id) { return grains.particles[id].kind; };
-    return grains::is_particle(other) ? pair(kind(upper), kind(grains::particle_id(other)))
-                                      : pair(kind(upper), std::nullopt);
+    return static_cast<std::int32_t>(grains::is_particle(other)
+                                         ? number(kind(upper), kind(grains::particle_id(other)))
+                                         : number(kind(upper), std::nullopt));
   }
+  const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
+  std::size_t number(std::uint16_t kind, std::optional<std::uint16_t> other) const {
+    return kind * (kinds_ + 1) + (other ? *other : kinds_);
+  }
+
   std::size_t kinds_;
   // By kind and other kind; the last other kind is a wall.
   std::vector<Pair> pairs_;

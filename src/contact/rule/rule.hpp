@@ -45,7 +45,8 @@ void at_contact(const Contact& contact, const grains::State& grains, const Rule&
       .other = other,
       .normal_x = contact.normal.x,
       .normal_y = contact.normal.y,
-      .pair = rule.bodies.pair(grains, contact.upper, contact.other)};
+      .pair = rule.bodies.pairs()[static_cast<std::size_t>(
+          rule.bodies.pair_number(grains, contact.upper, contact.other))]};
   visit(touching);
   upper = touching.upper;
   other = touching.other;

@@ -23,18 +23,20 @@ struct Workload {
   std::vector<Batch> batches;
 };
 
-/// Some lanes are empty; up to `fastest` and `strongest`.
-Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest) {
-  static const std::vector<Pair> kPairs = [] {
-    std::vector<Pair> all;
-    for (const int radius : {0, 1, 3, 60}) {
-      for (const std::optional<int> other :
-           {std::optional<int>(0), std::optional<int>(2), std::optional<int>()}) {
-        all.push_back(pair_of(radius, other, Rolling::resistance));
-      }
+std::vector<Pair> many_pairs() {
+  std::vector<Pair> all;
+  for (const int radius : {0, 1, 3, 60}) {
+    for (const std::optional<int> other :
+         {std::optional<int>(0), std::optional<int>(2), std::optional<int>()}) {
+      all.push_back(pair_of(radius, other, Rolling::resistance));
     }
-    return all;
-  }();
+  }
+  return all;
+}
+
+/// Some lanes are empty; up to `fastest` and `strongest`.
+Workload any_workload(std::mt19937_64& random, const std::vector<Pair>& pairs, Number fastest,
+                      Number strongest) {
   Workload load;
   for (std::size_t id = 1; id <= kGrains; ++id) {
     load.bodies[id] = {any_velocity(random, fastest)};
@@ -50,9 +52,10 @@ Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest)
         continue;
       }
       const UnitVector normal = any_normal(random);
-      const Pair& pair = kPairs[random() % kPairs.size()];
+      const std::size_t pair = random() % pairs.size();
+      batch.pair[lane] = static_cast<Number>(pair);
       batch.upper[lane] = ids[2 * lane];
-      batch.other[lane] = pair.other_inverse_mass == 0 ? kRestingBody : ids[2 * lane + 1];
+      batch.other[lane] = pairs[pair].other_inverse_mass == 0 ? kRestingBody : ids[2 * lane + 1];
       batch.normal_x[lane] = normal.x;
       batch.normal_y[lane] = normal.y;
       batch.impulse.normal[lane] = std::abs(part(random));
@@ -60,14 +63,6 @@ Workload any_workload(std::mt19937_64& random, Number fastest, Number strongest)
       batch.impulse.rolling[lane] = part(random);
       batch.bounce[lane] = std::abs(part(random)) / 4;
       batch.friction[lane] = ratio(random() % 5 == 0 ? 1e9 : 0.5);
-      batch.pair.mass[lane] = pair.mass;
-      batch.pair.shear_mass[lane] = pair.shear_mass;
-      batch.pair.upper_inverse_mass[lane] = pair.upper_inverse_mass;
-      batch.pair.other_inverse_mass[lane] = pair.other_inverse_mass;
-      batch.pair.upper_rolling_mass[lane] = pair.upper_rolling_mass;
-      batch.pair.other_rolling_mass[lane] = pair.other_rolling_mass;
-      batch.pair.upper_turning[lane] = pair.upper_turning;
-      batch.pair.other_turning[lane] = pair.other_turning;
     }
   }
   return load;
@@ -86,10 +81,11 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
   std::mt19937_64 random(1);
   const BatchFunctions plain = plain_functions();
   const BatchFunctions fastest = fastest_functions();
+  const std::vector<Pair> pairs = many_pairs();
   for (int trial = 0; trial < 3000; ++trial) {
     const bool extreme = trial % 3 == 0;
-    Workload one =
-        any_workload(random, extreme ? kMaxVelocity : kSpacing, extreme ? kMaxImpulse : kSpacing);
+    Workload one = any_workload(random, pairs, extreme ? kMaxVelocity : kSpacing,
+                                extreme ? kMaxImpulse : kSpacing);
     Workload other = one;
     const bool turns = random() % 2 == 0;
     const LawConstants law = {.turns = turns,
@@ -97,10 +93,11 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
                               .rolling_friction = ratio(0.5)};
     for (const auto& [functions, load] :
          {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
-      functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), turns);
+      functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), pairs.data(),
+                      turns);
       for (const bool backwards : {false, true}) {
-        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), law,
-                        backwards);
+        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), pairs.data(),
+                        law, backwards);
       }
     }
     expect_same(one, other);
@@ -162,9 +159,10 @@ TEST(Batches, HaveNothingInALaneThatIsEmptied) {
   batches.remove(lane);
   std::vector<Body> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
+  const Pair* pairs = bed.rule.bodies.pairs().data();
   for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
-    functions.apply(batches.all().data(), 1, bodies.data(), true);
-    functions.sweep(batches.all().data(), 1, bodies.data(), {.turns = true}, false);
+    functions.apply(batches.all().data(), 1, bodies.data(), pairs, true);
+    functions.sweep(batches.all().data(), 1, bodies.data(), pairs, {.turns = true}, false);
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
     EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());
   }
