@@ -103,7 +103,6 @@ std::vector<QuantityGroup> made_groups() {
         {"repose_left_deg", "Slope, left flank", "degrees", kFlank, true},
         {"repose_right_deg", "Slope, right flank", "degrees", "the same on the other side", true}},
        repose},
-      {Measure::repose, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle},
       {Measure::repose,
        "with a [vessel](#vessel), not in a periodic box",
        {kReposeGravity,
@@ -141,7 +140,8 @@ std::vector<QuantityGroup> made_groups() {
         "with `model: baxter`",
         {{"axis_order", "Order of axes", "",
           "share of the pairs of neighbouring grains with the same axis; a third at random"}},
-        axis_order}});
+        axis_order},
+       {{}, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle}});
   for (const ObserverKind& kind : observer_kinds()) {
     add(kind.quantities);
   }
