@@ -115,14 +115,14 @@ std::map<int, double> recursion(double straight) {
 // A step of a lone void: up by 1 with chance s, else up by 1/2 and to a side by sqrt(3)/2. The mean
 // of x² is that of a step times the mean number of steps, also where the walk ends at its first
 // step above a height (Wald). So half of it over the height is (1 - s) 3/4 / (1 + s): Litwiniszyn
-// 1958 and Mullins 1972, diffusion with the height for time. Standard error with 200,000 paths: 0.3
-// %.
+// 1958 and Mullins 1972, diffusion with the height for time. Standard error with 50,000 paths: 0.6
+// %; four of them are allowed.
 TEST(Voids, ALoneVoidSpreadsAsTheTheorySays) {
-  constexpr int kRuns = 400;
+  constexpr int kRuns = 100;
   for (const double straight : {0.0, 1.0 / 3, 0.678}) {
     const double theory = 0.75 * (1 - straight) / (1 + straight);
     const double measured = spreading(straight, kRuns);
-    EXPECT_NEAR(measured / theory, 1, 0.01) << straight << ": " << measured;
+    EXPECT_NEAR(measured / theory, 1, 0.025) << straight << ": " << measured;
     RecordProperty("straight_" + std::to_string(straight), std::to_string(measured));
   }
 }
