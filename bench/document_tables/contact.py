@@ -120,7 +120,7 @@ TABLES = [
            Line("filling in the middle", key="filling", decimals=3)], [orifice(diameters) for diameters in (8, 10, 12, 14)]),
     Table("phenomena.md: silo, grains and time step", "silo-beverloo", [Line("outflow", key="outflow", decimals=1), Line("clogged", key="clogged")],
           [silo_of("R1 and R2", (1, 2)), silo_of("R3 and R5", (3, 5)), silo_of("R5 and R8", (5, 8)),
-           *(silo_of(f"R3 and R5, {what.split('.')[1]}", (3, 5), what) for what in ("contact.resolution=0.8", "contact.resolution=0.2", "contact.sweeps=4"))]),
+           *(silo_of(f"R3 and R5, {what.removeprefix('contact.')}", (3, 5), what) for what in ("contact.resolution=0.8", "contact.resolution=0.2", "contact.sweeps=4"))]),
     Table("phenomena.md: silo, rolling", "silo-beverloo", [Line("outflow", key="outflow", decimals=1), Line("clogged", key="clogged")],
           [Line(name, [rolling(name)]) for name in ("resistance", "none")], source=sources.outflow()),
     Table("phenomena.md: silo, height", "silo-beverloo", [Line(f"h/d = {height}", key=height) for height in (14, 25, 37, 43, 54, 62, 74, 98, 110)],
