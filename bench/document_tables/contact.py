@@ -101,7 +101,7 @@ TABLES = [
            rain("5, no restitution", "contact.restitution=0"), rain("5, 32 sweeps", "contact.sweeps=32")], source=sources.load),
     Table("contact.md: heap", "heap", [Line(f"{side} °", key=side) for side in ("left", "right", "angle")],
           [Line(f"{rate} grains a step", ["model=contact", "contact={friction: 0.4, rolling: resistance, rolling_friction: 0.5, fall_height: 56}",
-                                          f"sources.spout={{at: [240, 56], species: {{small: 1, large: 1}}, rate: {rate}, count: 240}}"])
+                                          f"sources.spout={{region: [232, 54, 248, 60], species: {{small: 1, large: 1}}, rate: {rate}, count: 240}}"])
            for rate in (0.0167, 0.0042)], "101..108", sources.heap, 1),
     Table("phenomena.md: collapse", "collapse-contact", DEPOSIT + TIMES + PROFILE,
           [collapse(f"{grains}, {name}", seeds, grains, width, name)

@@ -71,10 +71,11 @@ def outflow_unit(radii=(3, 5)):
 
 
 def outflow(radii=(3, 5)):
-    """Of a silo, and whether it clogged."""
+    """Of a silo, unless it has clogged."""
     def numbers(run):
         discharge = run.measures["discharge"]
-        return {"outflow": discharge["outflow_sites_per_time"] / outflow_unit(radii), "clogged": bool(discharge["clogged"])}
+        clogged = bool(discharge["clogged"])
+        return {"clogged": clogged, **({} if clogged else {"outflow": discharge["outflow_sites_per_time"] / outflow_unit(radii)})}
     return numbers
 
 
@@ -295,6 +296,8 @@ def rotation(run):
 
 
 def rotation_in_silo(run):
-    """From step 3,000 of the discharge on."""
+    """From step 3,000 to 5,000 of the discharge, unless it has clogged by then."""
     frames = of_stage(run, "discharge")
+    if run.stages["discharge"].steps < 5000:
+        return {}
     return of_rotation([frame for frame in frames if frame.step >= frames[0].step + 3000], 3, 0.005, 6, SPACING)
