@@ -66,9 +66,9 @@ def poured(title, *more, seeds="101..108", **source):
                         "stages=[{name: filling, sources: [pour], until: settled, max_steps: 100000}, {name: rest, until: {steps: 3000}}]", *more], seeds)
 
 
-def rain(title, *more, rate=5, bottom=902):
+def rain(title, *more, rate=5, bottom=902, seeds="101..108"):
     """Of 700 grains without rotation into a silo 20 d wide."""
-    return poured(title, f"box={{width: 164, height: {bottom + 98}}}", "contact.rolling=none", *more,
+    return poured(title, f"box={{width: 164, height: {bottom + 98}}}", "contact.rolling=none", *more, seeds=seeds,
                   region=f"[0, {bottom}, 164, {bottom + 98}]", rate=rate, count=700)
 
 
@@ -96,9 +96,14 @@ TABLES = [
           [collapse(f"{grains}, {name}, {resolution}", seeds, grains, width, name, *(() if resolution == 0.4 else (f"contact.resolution={resolution}",)))
            for grains, width, seeds in ((540, 72, "101..116"), (2000, 138.6, "101..104")) for name in ("resistance", "none") for resolution in (0.4, 0.55)],
           output=ENDS),
+    Table("contact.md: forces", "janssen",
+          [Line("floor + sides", key="carried", decimals=4), Line("not balanced", key="residual", decimals=5), Line("floor", key="floor")],
+          [Line("1,200 grains", ["box={width: 60, height: 600}", rolling("free"), "species.small.shape.hexagon=1", "species.large.shape.hexagon=2",
+                                 "stages.filling.fill={region: [0, 0, 60, 600], counts: {small: 600, large: 600}}", "stages.rest.until={steps: 1000}"])],
+          source=sources.balance),
     Table("contact.md: rain", "janssen", [Line("on the floor", key="floor")],
           [rain("5 a step"), rain("0.05", rate=0.05), rain("0.01", rate=0.01), rain("5, half as high", bottom=451),
-           rain("5, no restitution", "contact.restitution=0"), rain("5, 32 sweeps", "contact.sweeps=32")], source=sources.load),
+           rain("5, no restitution", "contact.restitution=0"), rain("5, 32 sweeps", "contact.sweeps=32", seeds="101..105")], source=sources.load),
     Table("contact.md: heap", "heap", [Line(f"{side} °", key=side) for side in ("left", "right", "angle")],
           [Line(f"{rate} grains a step", ["model=contact", "contact={friction: 0.4, rolling: resistance, rolling_friction: 0.5, fall_height: 56}",
                                           f"sources.spout={{region: [232, 54, 248, 60], species: {{small: 1, large: 1}}, rate: {rate}, count: 240}}"])

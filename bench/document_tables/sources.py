@@ -124,6 +124,13 @@ def load(run):
     return {"floor": run.measures["rest"]["load_floor"]}
 
 
+def balance(run):
+    """Of forces and weight: of the bed, and of a grain, mean."""
+    walls = {row["wall"]: row["force_y"] for row in run.table("walls-rest")}
+    carried = -sum(walls[f"box.{side}"] for side in ("floor", "left", "right"))
+    return {**load(run), "carried": carried / run.particles, "residual": run.table("loads-rest")["residual"].mean()}
+
+
 def load_in_time(run):
     """The same by thousands of steps after the bed had settled."""
     rest = run.series[run.series["stage"] == "rest"]
