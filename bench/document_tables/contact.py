@@ -25,6 +25,10 @@ def collapse(title, seeds, grains, width, rolling, *more, height=None):
         f"contact.rolling={rolling}", *more], seeds, sources.deposit(width))
 
 
+def hexagons(small, large):
+    return [f"species.small.shape.hexagon={small}", f"species.large.shape.hexagon={large}"]
+
+
 def orifice(diameters):
     """In the middle of a silo 40 d wide, d = 8.2."""
     left, right = 164 - 4.1 * diameters, 164 + 4.1 * diameters
@@ -38,7 +42,7 @@ def silo_of(title, radii, *more):
     factor = sources.mean_diameter(radii) / sources.DIAMETER
     left, right, width, top = (f"{place * factor:.2f}" for place in (123, 205, 328, 1300))
     return Line(title, [
-        *(f"species.{name}.shape.hexagon={radius}" for name, radius in zip(("small", "large"), radii)), f"box={{width: {width}, height: {top}}}", "lines={}",
+        *hexagons(*radii), f"box={{width: {width}, height: {top}}}", "lines={}",
         f"walls.floor_left.box=[0, 60, {left}, 64]", f"walls.plug.box=[{left}, 60, {right}, 64]", f"walls.floor_right.box=[{right}, 60, {width}, 64]",
         f"outlets.tray.region=[0, 0, {width}, 40]", f"stages.filling.fill.region=[0, 64, {width}, {top}]",
         f"stages.filling.until={{steps: {8000 * max(1, factor):.0f}}}", *more], source=sources.outflow(radii))
@@ -52,11 +56,10 @@ def bed(title, grains, height):
                         f"stages.filling.until={{steps: {max(8000, 121 * height)}}}"])
 
 
-def janssen(rolling, height, grains, *more, title=None, top=2400, method="rain"):
+def janssen(rolling, height, grains, *more, title=None, how=""):
     return Line(title or f"{rolling}, {2 * grains} grains", [
-        f"box.height={top}", f"contact.rolling={rolling}",
-        f"stages.filling.fill={{region: [0, 0, 328, {height}], counts: {{small: {grains}, large: {grains}}}{'' if method == 'rain' else f', method: {method}'}}}",
-        *more])
+        "box.height=2400", f"contact.rolling={rolling}",
+        f"stages.filling.fill={{region: [0, 0, 328, {height}], counts: {{small: {grains}, large: {grains}}}{how}}}", *more])
 
 
 def poured(title, *more, seeds="101..108", **source):
@@ -98,7 +101,7 @@ TABLES = [
           output=ENDS),
     Table("contact.md: forces", "janssen",
           [Line("floor + sides", key="carried", decimals=4), Line("not balanced", key="residual", decimals=5), Line("floor", key="floor")],
-          [Line("1,200 grains", ["box={width: 60, height: 600}", rolling("free"), "species.small.shape.hexagon=1", "species.large.shape.hexagon=2",
+          [Line("1,200 grains", ["box={width: 60, height: 600}", rolling("free"), *hexagons(1, 2),
                                  "stages.filling.fill={region: [0, 0, 60, 600], counts: {small: 600, large: 600}}", "stages.rest.until={steps: 1000}"])],
           source=sources.balance),
     Table("contact.md: rain", "janssen", [Line("on the floor", key="floor")],
@@ -125,7 +128,7 @@ TABLES = [
            Line("filling in the middle", key="filling", decimals=3)], [orifice(diameters) for diameters in (8, 10, 12, 14)]),
     Table("phenomena.md: silo, grains and time step", "silo-beverloo", [Line("outflow", key="outflow", decimals=1), Line("clogged", key="clogged")],
           [silo_of("R1 and R2", (1, 2)), silo_of("R3 and R5", (3, 5)), silo_of("R5 and R8", (5, 8)),
-           *(silo_of(f"R3 and R5, {what.removeprefix('contact.')}", (3, 5), what) for what in ("contact.resolution=0.8", "contact.resolution=0.2", "contact.sweeps=4"))]),
+           *(silo_of(f"R3 and R5, {what}", (3, 5), f"contact.{what}") for what in ("resolution=0.8", "resolution=0.2", "sweeps=4"))]),
     Table("phenomena.md: silo, rolling", "silo-beverloo", [Line("outflow", key="outflow", decimals=1), Line("clogged", key="clogged")],
           [Line(name, [rolling(name)]) for name in ("resistance", "none")], source=sources.outflow()),
     Table("phenomena.md: silo, height", "silo-beverloo", [Line(f"h/d = {height}", key=height) for height in (14, 25, 37, 43, 54, 62, 74, 98, 110)],
@@ -138,10 +141,10 @@ TABLES = [
            for height, grains in ((300, 395), (600, 790), (1200, 1580), (2400, 3160))], source=sources.weight),
     Table("phenomena.md: weight in a silo, history", "janssen", [Line("on the floor", key="floor")],
           [janssen("resistance", 1200, 1580), janssen("resistance", 2400, 1580, title="rain from twice as high"),
-           janssen("resistance", 1200, 1580, title="deposition", method="deposition"),
+           janssen("resistance", 1200, 1580, title="deposition", how=", method: deposition"),
            janssen("resistance", 1200, 1580, "contact.sweeps=8", title="8 sweeps"),
            janssen("resistance", 1200, 1580, "contact.resolution=0.8", "contact.restitution=0", title="resolution 0.8, no restitution"),
-           Line("R1 and R2", ["box={width: 147.1, height: 1076}", "species.small.shape.hexagon=1", "species.large.shape.hexagon=2",
+           Line("R1 and R2", ["box={width: 147.1, height: 1076}", *hexagons(1, 2),
                               "stages.filling.fill={region: [0, 0, 147.1, 538], counts: {small: 1580, large: 1580}}"])], source=sources.load),
     Table("phenomena.md: weight in a silo, later", "janssen",
           [Line("on the floor after 5,000 steps", key=5), Line("35,000", key=35), Line("growth", key="growth")],
@@ -167,7 +170,8 @@ TABLES = [
                               *(f"stages.{stage}.vessel={{tilt: {angle}}}" for stage in ("fill", "refill", "turn"))])
            for angle in (0, 10, 20, 30, 40, 50)], source=sources.standing_drum, decimals=1, output=IN_TIME),
     Table("phenomena.md: level surface of a box", "tilting-box", [Line("surface against the level", key="surface")],
-          [*(tilted_box(f"{angle}°", angle, 160) for angle in (10, 20, 30, 40, 50)), tilted_box("30°, from 0 to 240", 30, 240), tilted_box("30°, from 60 to 260", 30, 260, 60)],
+          [*(tilted_box(f"{angle}°", angle, 160) for angle in (10, 20, 30, 40, 50)), tilted_box("30°, from 0 to 240", 30, 240),
+           tilted_box("30°, from 60 to 260", 30, 260, 60)],
           "101..108", sources.standing_box, 1, IN_TIME),
     Table("phenomena.md: tilted box", "tilting-box",
           [Line("5 % have moved", key=0.05), Line("10 %", key=0.1), Line("20 %", key=0.2), Line("surface before", key="before"),
