@@ -305,6 +305,7 @@ def rotation(run):
 def rotation_in_silo(run):
     """From step 3,000 to 5,000 of the discharge, unless it has clogged by then."""
     frames = of_stage(run, "discharge")
-    if run.stages["discharge"].steps < 5000:
+    frames = [frame for frame in frames if frame.step >= frames[0].step + 3000]
+    if len(frames[-10].ids) == len(frames[-1].ids):
         return {}
-    return of_rotation([frame for frame in frames if frame.step >= frames[0].step + 3000], 3, 0.005, 6, SPACING)
+    return of_rotation(frames, 3, 0.005, 6, SPACING)
