@@ -45,13 +45,17 @@ class Table:
             print(f"| {row.title} | {' | '.join(self.cell(row, column, program, folder) for column in self.columns)} |", flush=True)
 
     def cell(self, row, column, program, folder):
-        def what(name):
-            return next((value for value in (getattr(line, name, None) for line in (row, column, self)) if value is not None), None)
+        key = self.what("key", row, column)
+        values = [numbers[key] for numbers in self.measured(row, column, program, folder) if key in numbers]
+        return stated(values, self.what("decimals", row, column), self.ranges)
 
+    def measured(self, row, column, program, folder):
+        """What the source takes from each run."""
         arguments = (f"output={self.output}", *column.arguments, *row.arguments)
-        key = what("key")
-        runs = taken(program, folder, self.scene, what("seeds"), arguments, what("source"))
-        return stated([numbers[key] for numbers in runs if key in numbers], what("decimals"), self.ranges)
+        return taken(program, folder, self.scene, self.what("seeds", row, column), arguments, self.what("source", row, column))
+
+    def what(self, name, *lines):
+        return next((value for value in (getattr(line, name, None) for line in (*lines, self)) if value is not None), None)
 
 
 def sweep(program, scene, seeds, arguments, folder: pathlib.Path):
