@@ -24,8 +24,11 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
 
 }  // namespace
 
-double step_bytes(double index_count) {
-  return SiteReservations::bytes_for(index_count);
+double step_bytes(double index_count, double particles, double awake) {
+  // At the beginning all are looked at.
+  return SiteReservations::bytes_for(index_count) +
+         grains::kListRoom *
+             (StripWorker::kListedBytes * particles + StripWorker::kAwakeBytes * awake);
 }
 
 Automaton::Automaton(grains::State state, const Rules& rules, const Options& options)

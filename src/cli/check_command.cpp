@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "clca/run/load.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
@@ -36,7 +37,7 @@ void print(const scene::Scene& scene, bool draws) {
     print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
   }
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
-            size.rows, size.particles, size.bytes / kMebibyte);
+            size.rows, size.particles, run::memory_of(scene) / kMebibyte);
 }
 
 void print(const scene::BoltzmannScene& scene, bool /*draws*/) {

@@ -14,7 +14,6 @@ namespace clca::measure {
 namespace {
 
 constexpr double kPointsPerSpacing = 4;  // so that a part has its share of each site it cuts
-constexpr double kMaxPoints = 256;       // of a part
 
 /// A sum over one block that is a mean once divided by its weight.
 struct Weighted {

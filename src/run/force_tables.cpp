@@ -195,6 +195,12 @@ class ForceTables : public Observer {
     }
   }
 
+  static double bytes(const scene::Scene& scene, double particles) {
+    const double contacts = contact::kContactsPerGrain * particles;
+    return contacts_table(scene).bytes(contacts) + loads_table(scene).bytes(particles) +
+           frame_bytes(scene, true, particles);
+  }
+
   void end_stage(const StageView& now) override;
   std::vector<RunTable*> tables() override {
     std::vector<RunTable*> all = {&contacts_, &forces_, &loads_, &walls_};

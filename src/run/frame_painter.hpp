@@ -85,6 +85,9 @@ class FramePainter {
   /// the driver cannot draw it.
   FramePainter(const scene::Scene& scene, const grains::State& state, int threads);
 
+  /// Memory for pictures of which so many are captured at a time.
+  static double bytes(const scene::Scene& scene, int captures);
+
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
   /// The colours of the particles.

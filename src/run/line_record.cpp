@@ -48,6 +48,15 @@ class LineRecord : public SavedObserver<LineRecord> {
  public:
   explicit LineRecord(const scene::Scene& scene) : table_(table_scope(scene), lines_table(scene)) {}
 
+  static double bytes(const scene::Scene& scene, double particles) {
+    double bytes = 3 * measure::Snapshot::bytes_for(particles) +
+                   particles * (sizeof(Eigen::Vector2d) + sizeof(std::optional<Eigen::Vector2d>));
+    for (const scene::Line& line : scene.lines) {
+      bytes += measure::Line::bytes_for(line.parts) + 2 * measure::LineSums::bytes_for(line.parts);
+    }
+    return bytes;
+  }
+
   void after_step(const StageView& now) override {
     if (now.model.state().step % now.scene.output.series->every == 0) {
       observe(now);

@@ -16,6 +16,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
 
@@ -68,13 +69,23 @@ double default_memory_limit() {
   return kShareOfMemory * available_bytes();
 }
 
-void check_memory(const scene::Scene& scene, double limit) {
+double memory_of(const scene::Scene& scene) {
   const scene::Size size = scene::size_of(scene);
-  if (size.bytes > limit) {
+  const auto particles = static_cast<double>(size.particles);
+  double bytes = size.bytes + checkpoint_bytes(scene, particles);
+  for (const ObserverKind& kind : observer_kinds()) {
+    bytes += kind.bytes ? kind.bytes(scene, particles) : 0;
+  }
+  return bytes;
+}
+
+void check_memory(const scene::Scene& scene, double limit) {
+  if (const double bytes = memory_of(scene); bytes > limit) {
+    const scene::Size size = scene::size_of(scene);
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
         "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
-        scene.box.location, size.bytes / kMebibyte, size.columns, size.rows, size.particles,
+        scene.box.location, bytes / kMebibyte, size.columns, size.rows, size.particles,
         limit / kMebibyte));
   }
 }

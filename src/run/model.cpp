@@ -88,6 +88,18 @@ ModelState saved_state(const scene::Scene& scene, const reflection::Columns& col
   return saved;
 }
 
+double checkpoint_bytes(const scene::Scene& scene, double particles) {
+  if (!scene.output.checkpoint) {
+    return 0;
+  }
+  constexpr double kCopies = 2;  // as columns and as a file
+  const double motion = scene.model == scene::Model::contact
+                            ? sizeof(contact::Velocity<std::int32_t>) + sizeof(contact::Vector) +
+                                  contact::kContactsPerGrain * sizeof(contact::Contact)
+                            : 0;
+  return kCopies * particles * (sizeof(grains::Particle) + sizeof(lattice::Site) + motion);
+}
+
 bool has_vessel(const scene::Scene& scene) {
   return std::any_of(scene.stages.begin(), scene.stages.end(),
                      [](const scene::Stage& stage) { return stage.vessel.has_value(); });

@@ -35,6 +35,9 @@ ModelState first_state(const scene::Scene& scene);
 ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
                        double max_bytes);
 
+/// Memory for a checkpoint of the state of so many particles, in bytes; 0 where there are none.
+double checkpoint_bytes(const scene::Scene& scene, double particles);
+
 /// Whether the vessel is tilted or moves in some stage.
 bool has_vessel(const scene::Scene& scene);
 

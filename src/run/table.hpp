@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "clca/grains/state.hpp"
 #include "clca/run/quantity.hpp"
 #include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
@@ -125,6 +126,15 @@ struct TableOf : TableInfo {
         }
       }
     }
+  }
+
+  /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
+  double bytes(double rows) const {
+    std::size_t cells = 0;
+    for (const ColumnGroup<Row>& group : groups) {
+      cells += group.is_there ? group.columns.size() : 0;
+    }
+    return grains::kListRoom * 10 * static_cast<double>(cells) * rows;
   }
 
   std::vector<ColumnGroup<Row>> groups;

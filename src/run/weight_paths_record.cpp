@@ -69,6 +69,14 @@ class WeightPathsRecord : public Observer {
   explicit WeightPathsRecord(const scene::Scene& scene)
       : table_(table_scope(scene), weight_paths_table(scene)) {}
 
+  static double bytes(const scene::Scene& /*scene*/, double particles) {
+    using measure::SupportedGrain;
+    constexpr double kRules = measure::kWeightRules.size();
+    return particles * (sizeof(SupportedGrain) +
+                        contact::kContactsPerGrain *
+                            (sizeof(SupportedGrain::Support) + kRules * sizeof(contact::Force)));
+  }
+
   void end_stage(const StageView& now) override {
     const BasePressures pressures = base_pressures(now);
     const double bin = pressures.base.width() / measure::Base::kBins;

@@ -21,6 +21,9 @@ int machine_threads();
 /// 80 % of the memory that is available without swapping, in bytes.
 double default_memory_limit();
 
+/// Upper estimate of the memory of a run, in bytes.
+double memory_of(const scene::Scene& scene);
+
 /// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
 void check_memory(const scene::Scene& scene, double limit);
 void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
