@@ -5,9 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "measure/check_occupancy.hpp"
-#include "measure/particle_sites.hpp"
-#include "measure/rounding.hpp"
+#include "measure/numbers.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

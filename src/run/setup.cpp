@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "clca/lattice/centred.hpp"
+#include "clca/lattice/shape.hpp"
 #include "clca/scene/walls.hpp"
 
 namespace clca::run {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "clca/measure/axis_order.hpp"
+#include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "clca/text/message.hpp"
-#include "clca/text/name.hpp"
 #include "clca/text/read.hpp"
 #include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
