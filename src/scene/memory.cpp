@@ -14,7 +14,6 @@
 #include "grains/internal/occupancy_table.hpp"
 #include "scene/geometry.hpp"
 #include "scene/sections.hpp"
-#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 

@@ -9,7 +9,6 @@
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
-#include "store/trajectory_index.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
 
