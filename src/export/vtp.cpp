@@ -1,5 +1,3 @@
-#include "export/vtp.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include "clca/render/body.hpp"
 #include "clca/store/file.hpp"
 #include "clca/text/names_of.hpp"
+#include "export/formats.hpp"
 #include "export/vtp_file.hpp"
 
 namespace clca::exports {

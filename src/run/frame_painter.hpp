@@ -19,7 +19,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/trajectory.hpp"
 #include "run/cycle_record.hpp"
-#include "run/overlay_scales.hpp"
+#include "run/overlay.hpp"
 
 namespace clca::run {
 

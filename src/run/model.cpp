@@ -6,7 +6,6 @@
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
-#include "run/other_run.hpp"
 
 namespace clca::run {
 

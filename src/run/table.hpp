@@ -20,7 +20,6 @@
 #include "clca/statistics/sample.hpp"
 #include "clca/store/growing_file.hpp"
 #include "clca/store/table.hpp"
-#include "run/begin.hpp"
 
 namespace clca::run {
 
@@ -148,6 +147,12 @@ struct TableScope {
 };
 TableScope table_scope(const scene::Scene& scene);
 TableScope table_scope(const scene::BoltzmannScene& scene);
+
+/// A file that a run may write.
+struct PlannedFile {
+  std::string name;
+  bool is_certain = false;  ///< it writes it whatever happens
+};
 
 /// A table of one run, in its folder.
 class RunTable {

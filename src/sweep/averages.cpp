@@ -1,4 +1,3 @@
-#include "sweep/averages.hpp"
 
 #include <fmt/format.h>
 
