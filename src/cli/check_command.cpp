@@ -8,8 +8,6 @@
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 

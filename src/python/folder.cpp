@@ -15,7 +15,6 @@
 #include "clca/store/table.hpp"
 #include "clca/store/trajectory.hpp"
 #include "python/arrays.hpp"
-#include "python/quantities.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {

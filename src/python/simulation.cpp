@@ -15,7 +15,6 @@
 #include "python/arrays.hpp"
 #include "python/interrupt.hpp"
 #include "python/picture.hpp"
-#include "python/quantities.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {

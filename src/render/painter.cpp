@@ -9,7 +9,6 @@
 #include "render/annotations.hpp"
 #include "render/canvas.hpp"
 #include "render/colors.hpp"
-#include "render/framing.hpp"
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
 #include "render/polygon_painter.hpp"

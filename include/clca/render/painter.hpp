@@ -11,7 +11,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/image.hpp"
-#include "clca/render/overlay.hpp"
+#include "clca/render/overlays.hpp"
 
 namespace clca::render {
 
