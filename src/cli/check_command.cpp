@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "clca/run/load.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"

@@ -4,7 +4,7 @@
 
 #include "clca/render/body.hpp"
 #include "clca/store/file.hpp"
-#include "clca/text/names_of.hpp"
+#include "clca/text/message.hpp"
 #include "export/formats.hpp"
 #include "export/vtp_file.hpp"
 

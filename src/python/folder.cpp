@@ -7,7 +7,6 @@
 
 #include <mutex>
 
-#include "clca/run/load.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <set>
 
-#include "clca/run/load.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"

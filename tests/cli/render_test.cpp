@@ -10,7 +10,7 @@
 
 #include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"

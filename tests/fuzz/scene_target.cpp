@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 #include "support/any_text.hpp"

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <string>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "support/program.hpp"
 #include "support/runs.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 
