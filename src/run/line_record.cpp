@@ -25,10 +25,10 @@ TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
   return {
       {.name = "lines", .kind = TableInfo::Kind::parts},
       {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
-       {{"position", "Position", "spacings",
+       {{"position", "Position on the line", "spacings",
          "of the middle of the part, from the start of the line"},
         [](auto& row) { return row.part.position; }},
-       {{"", "Place", "spacings", "of the middle of the part"},
+       {{"", "Position", "spacings", "of the middle of the part"},
         [](auto& row) { return row.part.middle; }},
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
         [](auto& row) { return mean(row.part.flux, 1); }},

@@ -30,7 +30,7 @@ inline constexpr std::string_view kContactModel = "with `model: contact`";
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
 inline constexpr Quantity kTime = {"time", "Time", "time", "of the whole run"};
 inline constexpr Quantity kStage = {"stage", "Stage", "", "its name"};
-inline constexpr Quantity kCellCentre = {"", "Place", "spacings", "of the centre of the cell"};
+inline constexpr Quantity kCellCentre = {"", "Position", "spacings", "of the centre of the cell"};
 inline constexpr Quantity kVelocity = {"v", "Velocity", "spacings/step",
                                        "of the particles, mean, weighted by sites"};
 inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations",

@@ -52,7 +52,7 @@ TableOf<BaseRow> weight_paths_table(const scene::Scene& scene) {
       {.name = "weight_paths", .kind = TableInfo::Kind::parts},
       {{{"base_position", "Position on the base", "", "-1 at its left end, 1 at its right end"},
         &BaseRow::position},
-       {{"x", "Place", "spacings", "of the middle of the bin"}, &BaseRow::x},
+       {{"x", "Position", "spacings", "of the middle of the bin"}, &BaseRow::x},
        {{"pressure_inner", "Base pressure, inner", "",
          "over its mean; force to the nearest supports on either side"},
         share<0>},
