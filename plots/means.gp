@@ -9,7 +9,7 @@ set title titled(part) noenhanced
 if (strlen(log_axes) > 0) {
   set logscale @log_axes
 }
-# Of a place, as far as there is something; from 0, unless that would leave most of the axis empty.
+# Of a position, as far as there is something; from 0, unless that would leave most of the axis empty.
 if ((x_column eq 'x' || x_column eq 'position') && x_high > x_low) {
   set xrange [x_low:x_high]
 }

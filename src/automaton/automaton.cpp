@@ -1,11 +1,13 @@
 #include "clca/automaton/automaton.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "automaton/engine/engine.hpp"
 #include "automaton/rule/step.hpp"
+#include "clca/automaton/rules.hpp"
 
 namespace clca::automaton {
 
@@ -24,8 +26,11 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
 
 }  // namespace
 
-double step_bytes(double index_count) {
-  return SiteReservations::bytes_for(index_count);
+double step_bytes(double index_count, double particles, double awake) {
+  // At the beginning all are looked at.
+  return SiteReservations::bytes_for(index_count) +
+         grains::kListRoom *
+             (StripWorker::kListedBytes * particles + StripWorker::kAwakeBytes * awake);
 }
 
 Automaton::Automaton(grains::State state, const Rules& rules, const Options& options)
@@ -33,6 +38,34 @@ Automaton::Automaton(grains::State state, const Rules& rules, const Options& opt
 
 const Rules& Automaton::rules() const {
   return static_cast<const Steps&>(mechanics()).rules();
+}
+
+using lattice::Direction;
+
+std::span<const Direction> candidate_directions(const Rules& rules) {
+  static constexpr auto kOrdered = [] {
+    std::array<std::array<Direction, lattice::kDirectionCount>, lattice::kDirectionCount> table{};
+    for (const Direction gravity : lattice::kDirections) {
+      constexpr std::array<int, lattice::kDirectionCount> kTurns = {0, 1, -1, 2, -2, 3};
+      for (std::size_t i = 0; i < kTurns.size(); ++i) {
+        table[index_of(gravity)][i] = rotated(gravity, kTurns[i]);
+      }
+    }
+    return table;
+  }();
+  const auto& ordered = kOrdered[index_of(rules.gravity)];
+  return {ordered.data(), rules.candidates == Candidates::all ? ordered.size() : 3};
+}
+
+void check_rules(const Rules& rules) {
+  if (index_of(rules.gravity) >= lattice::kDirectionCount) {
+    throw std::invalid_argument("gravity has no direction");
+  }
+  std::array<UpdateClass, 3> classes = rules.update_priority;
+  std::sort(classes.begin(), classes.end());
+  if (classes != std::array{UpdateClass::rest, UpdateClass::inertia, UpdateClass::gravity}) {
+    throw std::invalid_argument("the update priority does not name each class once");
+  }
 }
 
 }  // namespace clca::automaton

@@ -7,8 +7,6 @@
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
@@ -36,7 +34,7 @@ void print(const scene::Scene& scene, bool draws) {
     print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
   }
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
-            size.rows, size.particles, size.bytes / kMebibyte);
+            size.rows, size.particles, run::memory_of(scene) / kMebibyte);
 }
 
 void print(const scene::BoltzmannScene& scene, bool /*draws*/) {

@@ -8,7 +8,6 @@
 
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

@@ -22,7 +22,19 @@ class App;
 class Option;
 }  // namespace CLI
 
+namespace clca::tasks {
+class Ranks;
+}
+
 namespace clca::cli {
+
+enum class ExitCode : int {
+  done = 0,
+  failed = 1,  ///< something failed, or pictures differ
+  wrong_input = 2,
+  time_is_up = 124,   ///< as of timeout(1)
+  signal_base = 128,  ///< plus the number of the signal that interrupted the run
+};
 
 /// What commands leave beside what CLI11 knows.
 struct CommandState {
@@ -118,5 +130,21 @@ class CommandLine {
   std::string version_;
   CommandState state_;
 };
+
+// The commands. `ranks`: that carry one out together, if it is not one process alone.
+
+void add_run_command(CommandLine& command_line);
+void add_resume_command(CommandLine& command_line, tasks::Ranks* ranks);
+void add_boltzmann_command(CommandLine& command_line, tasks::Ranks* ranks);
+void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks);
+void add_check_command(CommandLine& command_line);
+void add_compare_command(CommandLine& command_line);
+void add_diff_command(CommandLine& command_line);
+void add_explain_command(CommandLine& command_line);
+void add_export_command(CommandLine& command_line);
+void add_plot_command(CommandLine& command_line);
+void add_render_command(CommandLine& command_line);
+void add_report_command(CommandLine& command_line);
+void add_scenes_command(CommandLine& command_line);
 
 }  // namespace clca::cli

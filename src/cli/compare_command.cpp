@@ -7,10 +7,7 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

@@ -9,8 +9,6 @@
 #include "clca/render/difference.hpp"
 #include "clca/store/file.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"

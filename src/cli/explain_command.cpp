@@ -15,8 +15,6 @@
 #include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 

@@ -12,12 +12,9 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

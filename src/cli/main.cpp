@@ -17,10 +17,7 @@
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/ranks.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace {

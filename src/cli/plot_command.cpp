@@ -9,10 +9,7 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/text/input_error.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

@@ -9,17 +9,13 @@
 
 #include "clca/run/redraw.hpp"
 #include "clca/run/run.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -97,7 +93,7 @@ void set_space_time(RenderOptions& options) {
 void check_memory_of_all(const std::vector<run::RunToDraw>& runs, double limit) {
   double bytes = 0;
   for (const run::RunToDraw& run : runs) {
-    bytes += scene::size_of(run.scene).bytes;
+    bytes += run::memory_of(run.scene);
   }
   if (bytes > limit) {
     throw run::RedrawError(fmt::format(

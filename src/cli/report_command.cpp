@@ -5,8 +5,6 @@
 #include "clca/report/report.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 

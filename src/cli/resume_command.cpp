@@ -4,8 +4,6 @@
 #include <variant>
 
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/input.hpp"
 #include "cli/run_options.hpp"
 #include "cli/terminal.hpp"

@@ -7,7 +7,6 @@
 
 #include "clca/run/run.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
 #include "cli/run_options.hpp"
 #include "cli/scene_options.hpp"
 

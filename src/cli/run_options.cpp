@@ -6,10 +6,8 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

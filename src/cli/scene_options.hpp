@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "cli/option_values.hpp"
 

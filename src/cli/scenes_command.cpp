@@ -5,8 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 

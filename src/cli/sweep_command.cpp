@@ -8,12 +8,9 @@
 
 #include "clca/sweep/sweep.hpp"
 #include "cli/command.hpp"
-#include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

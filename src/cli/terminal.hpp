@@ -1,8 +1,9 @@
 #pragma once
-// All output of the program goes through these functions.
+// The streams and signals of the program. All output goes through these functions.
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <string_view>
 #include <utility>
 
@@ -33,5 +34,15 @@ void print_error(fmt::format_string<T...> format, T&&... values) {
 /// Call last: returns `code`, or an error code if that is 0 and standard output could not be
 /// written. Reports it, unless the reader of a pipe has closed it.
 int end_output(int code) noexcept;
+
+/// The first SIGINT, SIGTERM or SIGHUP only sets the returned value to its number; the second ends
+/// the program. SIGHUP stays ignored if it was (nohup).
+const std::atomic<int>& catch_stop_signals();
+/// The signal that came since then; 0: none.
+int stop_signal();
+
+/// Call first. Writing to a closed pipe or beyond a size limit becomes an error of that write
+/// instead of ending the program, and child processes can be waited for.
+void set_up_signals();
 
 }  // namespace clca::cli

@@ -128,6 +128,10 @@ void check_valid(const State& state) {
   }
 }
 
+double step_bytes(double grains) {
+  return grains * Engine::kGrainBytes;
+}
+
 ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options)
     : Model(make_steps(std::move(state), parameters, options)) {}
 

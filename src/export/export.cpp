@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "export/gsd.hpp"
-#include "export/h5md.hpp"
-#include "export/vtp.hpp"
-#include "export/xyz.hpp"
+#include "export/formats.hpp"
 
 namespace clca::exports {
 

@@ -1,8 +1,8 @@
-#include "export/gsd.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "export/formats.hpp"
 
 namespace clca::exports {
 

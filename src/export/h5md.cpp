@@ -1,5 +1,3 @@
-#include "export/h5md.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "clca/store/file.hpp"
+#include "export/formats.hpp"
 #include "export/h5md_file.hpp"
 
 namespace clca::exports {

@@ -1,12 +1,11 @@
-#include "export/vtp.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "clca/render/body.hpp"
 #include "clca/store/file.hpp"
-#include "clca/text/names_of.hpp"
+#include "clca/text/message.hpp"
+#include "export/formats.hpp"
 #include "export/vtp_file.hpp"
 
 namespace clca::exports {

@@ -1,8 +1,8 @@
-#include "export/xyz.hpp"
-
 #include <fmt/format.h>
 
 #include <iterator>
+
+#include "export/formats.hpp"
 
 namespace clca::exports {
 

@@ -8,7 +8,6 @@
 
 #include "clca/random/draw.hpp"
 #include "grains/filling.hpp"
-#include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {

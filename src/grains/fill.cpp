@@ -6,7 +6,6 @@
 
 #include "clca/random/draw.hpp"
 #include "grains/filling.hpp"
-#include "grains/mixture.hpp"
 #include "grains/placement.hpp"
 
 namespace clca::grains {
@@ -122,6 +121,10 @@ void check_parts(const State& state, const Mixture& mixture) {
 }
 
 }  // namespace
+
+double trial_bytes(double sites, double orientations) {
+  return sites * (sizeof(lattice::Site) + sizeof(Trial) * orientations);
+}
 
 void check_counts(const State& state, std::span<const std::size_t> counts) {
   std::size_t species = 0;

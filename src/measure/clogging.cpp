@@ -1,13 +1,12 @@
-#include "clca/measure/clogging.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "clca/measure/outflow.hpp"
 #include "grains/internal/outlet.hpp"
-#include "measure/check_occupancy.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "grains/internal/separation.hpp"
-#include "measure/check_occupancy.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "measure/infinity.hpp"
-#include "measure/particle_sites.hpp"
-#include "measure/rounding.hpp"
+#include "measure/numbers.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "clca/measure/profile.hpp"
-#include "measure/check_occupancy.hpp"
-#include "measure/infinity.hpp"
-#include "measure/rounding.hpp"
+#include "measure/numbers.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "measure/rounding.hpp"
+#include "measure/numbers.hpp"
 
 namespace clca::measure {
 

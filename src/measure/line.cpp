@@ -5,16 +5,14 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "measure/check_occupancy.hpp"
-#include "measure/particle_sites.hpp"
-#include "measure/rounding.hpp"
+#include "measure/numbers.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 
 namespace {
 
 constexpr double kPointsPerSpacing = 4;  // so that a part has its share of each site it cuts
-constexpr double kMaxPoints = 256;       // of a part
 
 /// A sum over one block that is a mean once divided by its weight.
 struct Weighted {

@@ -1,9 +1,8 @@
 #include "clca/measure/probe.hpp"
 
-#include "measure/particle_sites.hpp"
+#include "measure/numbers.hpp"
 #include "measure/region_motion.hpp"
-#include "measure/rounding.hpp"
-#include "measure/wall_sites.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/infinity.hpp"
-#include "measure/particle_sites.hpp"
-#include "measure/rounding.hpp"
-#include "measure/wall_sites.hpp"
+#include "measure/numbers.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "clca/lattice/region.hpp"
-#include "measure/particle_sites.hpp"
-#include "measure/wall_sites.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "clca/random/draw.hpp"
-#include "measure/check_occupancy.hpp"
+#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -15,7 +15,9 @@
 #include "clca/contact/force.hpp"
 #include "clca/export/frame.hpp"
 #include "clca/grains/state.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/trajectory.hpp"
 
 namespace clca::python {
@@ -69,5 +71,12 @@ py::dict units(const scene::Scene& scene);
 py::dict body_names(const scene::Scene& scene);
 /// (name, positions of its sites at home) of each wall.
 py::list walls(const scene::Scene& scene, const grains::State& state);
+
+/// (name, unit, meaning); empty for what is not known.
+pybind11::tuple quantity(const std::string& key, const run::KnownQuantities& known);
+
+/// (key, value or None, quantity) of each.
+pybind11::list measures(const std::vector<store::NamedMeasure>& measures,
+                        const run::KnownQuantities& known);
 
 }  // namespace clca::python

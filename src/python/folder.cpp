@@ -7,7 +7,6 @@
 
 #include <mutex>
 
-#include "clca/run/load.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -15,7 +14,6 @@
 #include "clca/store/table.hpp"
 #include "clca/store/trajectory.hpp"
 #include "python/arrays.hpp"
-#include "python/quantities.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {

@@ -11,7 +11,7 @@
 #include "clca/boltzmann/observation.hpp"
 #include "clca/boltzmann/scheme.hpp"
 #include "clca/parallel/team.hpp"
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/boltzmann.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "clca/image/png.hpp"
-#include "clca/run/load.hpp"
 #include "clca/run/redraw.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"

@@ -6,7 +6,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"
 

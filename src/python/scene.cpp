@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 
 namespace clca::python {

@@ -15,7 +15,6 @@
 #include "python/arrays.hpp"
 #include "python/interrupt.hpp"
 #include "python/picture.hpp"
-#include "python/quantities.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {
@@ -58,7 +57,7 @@ py::list profile(const grains::State& state) {
     return py::array(static_cast<py::ssize_t>(values.size()), values.data());
   };
   py::list columns;
-  columns.append(py::make_tuple("x", array(positions), py::make_tuple("Place", "spacings", "")));
+  columns.append(py::make_tuple("x", array(positions), py::make_tuple("Position", "spacings", "")));
   columns.append(py::make_tuple("height", array(heights),
                                 py::make_tuple("Height of the surface", "spacings", "")));
   return columns;

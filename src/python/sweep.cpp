@@ -11,7 +11,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "clca/run/load.hpp"
+#include "clca/run/setup.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"
 

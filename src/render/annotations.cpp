@@ -12,7 +12,6 @@
 
 #include "clca/render/coloring.hpp"
 #include "render/colors.hpp"
-#include "render/legend_lines.hpp"
 
 namespace clca::render {
 

@@ -18,7 +18,7 @@
 #include "clca/render/painter.hpp"
 #include "clca/text/utf8.hpp"
 #include "render/colors.hpp"
-#include "render/environment.hpp"
+#include "render/context.hpp"
 
 namespace clca::render {
 

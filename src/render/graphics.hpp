@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clca/render/image.hpp"
-#include "clca/render/overlay.hpp"
+#include "clca/render/overlays.hpp"
 #include "clca/render/painter.hpp"
 
 namespace clca::render {

@@ -1,8 +1,9 @@
 #pragma once
-// Layout of view and annotations in a picture.
+// Layout of view and annotations in a picture, and the part of the plane that the view shows.
 
 #include "clca/lattice/region.hpp"
 #include "clca/render/painter.hpp"
+#include "render/projection.hpp"
 
 namespace clca::render {
 
@@ -27,5 +28,13 @@ PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
 
 /// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
 Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations);
+
+/// `style` with its view, or the whole box if it has none, and its size. Throws RenderError for an
+/// invalid style.
+Style completed(Style style, const lattice::Lattice& lattice);
+
+/// Projection from the plane to `samples` samples per pixel along each axis.
+Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,
+                         const lattice::Lattice& lattice, int picture_height);
 
 }  // namespace clca::render

@@ -1,4 +1,4 @@
-#include "render/legend_lines.hpp"
+#include "render/annotations.hpp"
 
 namespace clca::render {
 

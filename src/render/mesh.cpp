@@ -1,6 +1,6 @@
-#include "render/mesh.hpp"
-
 #include <algorithm>
+
+#include "render/polygon_painter.hpp"
 
 namespace clca::render {
 

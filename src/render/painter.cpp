@@ -9,7 +9,6 @@
 #include "render/annotations.hpp"
 #include "render/canvas.hpp"
 #include "render/colors.hpp"
-#include "render/framing.hpp"
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
 #include "render/polygon_painter.hpp"
@@ -261,6 +260,15 @@ std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& c
 
 Image Painter::legend(const Caption& caption, const Legend& legend) const {
   return impl_->legend(caption, legend);
+}
+
+double Painter::bytes_for(const Style& style, int captures) {
+  const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
+  const double pixels = static_cast<double>(size.width) * size.height;
+  // On the canvas and as it is read; in the captures and of the walls.
+  const double sample = 2 * 4 + (captures + 1.0) * sizeof(SampleCode);
+  const double pixel = 4 + 2 * sizeof(Rgb);  // in Cairo, of the view and of the picture
+  return pixels * (style.supersampling * style.supersampling * sample + pixel);
 }
 
 int Painter::width() const {

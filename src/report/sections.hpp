@@ -1,18 +1,37 @@
 #pragma once
-// Pages of runs and sweeps, and their sections as HTML; empty if there is nothing to show.
+// The pages of runs and sweeps, and their sections as HTML; empty if there is nothing to show.
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "clca/run/quantity.hpp"
 #include "clca/store/summary.hpp"
 #include "report/folder.hpp"
-#include "report/page.hpp"
 
 namespace clca::report {
+
+/// A part of the page with its own heading.
+struct Section {
+  const char* id = "";
+  const char* name = "";
+  std::string content = {};  ///< HTML; left out if empty
+};
+
+struct Page {
+  std::string title;                                            ///< of the scene
+  std::string kind;                                             ///< of run, in words
+  std::string status;                                           ///< `done` or another
+  std::string scene;                                            ///< its name
+  std::vector<std::pair<const char*, std::string>> facts = {};  ///< name and HTML
+  std::vector<Section> sections = {};
+};
+
+std::string to_html(const Page& page, const Warnings& warnings);
 
 /// Of a folder that a run has left. Throws text::InputError without a readable run.json.
 Page run_page(const std::filesystem::path& run, std::optional<std::size_t> max_frames,

@@ -4,7 +4,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
-#include "clca/text/name.hpp"
+#include "clca/text/read.hpp"
 #include "report/folder.hpp"
 #include "report/sections.hpp"
 #include "report/text.hpp"

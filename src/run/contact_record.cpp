@@ -84,6 +84,14 @@ ContactRecord::ContactRecord(const scene::Scene& scene)
                            ? scene.output.trajectory->every
                            : 0} {}
 
+double ContactRecord::bytes(const scene::Scene& scene, double particles) {
+  const ContactRecord record(scene);
+  const int recurring = (record.pictures_.every > 0 ? 1 : 0) + (record.frames_.every > 0 ? 1 : 0);
+  const int windows = recurring + (record.has_tables_ || recurring > 0 ? 1 : 0);
+  constexpr double kBlocks = 3;  // of a window, with their sum
+  return kBlocks * windows * contact::ForceSums::bytes_for(contact::kContactsPerGrain * particles);
+}
+
 void ContactRecord::prepare(const StageView& /*now*/) {
   stage_.clear();
   for (Recurring* recurring : {&pictures_, &frames_}) {
@@ -161,6 +169,12 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
 
 ObserverKind contacts_observer() {
   return observer_kind<ContactRecord>(is_contact);
+}
+
+double frame_bytes(const scene::Scene& scene, bool has_forces, double particles) {
+  const double forces =
+      has_forces ? grains::kListRoom * contact::kContactsPerGrain * sizeof(contact::Force) : 0;
+  return is_contact(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces) : 0;
 }
 
 std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const SceneModel& model,

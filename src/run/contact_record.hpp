@@ -39,6 +39,7 @@ class ForceWindow {
 class ContactRecord : public SavedObserver<ContactRecord> {
  public:
   explicit ContactRecord(const scene::Scene& scene);
+  static double bytes(const scene::Scene& scene, double particles);
 
   void after_step(const StageView& now) override;
 
@@ -90,6 +91,9 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   Recurring pictures_;
   Recurring frames_;
 };
+
+/// Bytes of a frame of the contact model, with forces or without; 0 for other models.
+double frame_bytes(const scene::Scene& scene, bool has_forces, double particles);
 
 /// What a picture shows of the contact model; none for other models.
 std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, const SceneModel& model,

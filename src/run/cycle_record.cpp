@@ -49,12 +49,27 @@ std::vector<store::MeasureValue> convection(const StageView& stage) {
                : Values(3);
 }
 
+bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
+  return scene::vessel_has_cycles(stage) ||
+         std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
+           return grains::is_cyclic(*scene.walls[wall].motion);
+         });
+}
+
 }  // namespace
 
 CycleRecord::CycleRecord(const scene::Scene& scene)
     : cell_(scene.output.fields.value_or(scene::Fields{}).cell),
       cycles_table_(table_scope(scene), cycles_table(scene)),
       convection_table_(table_scope(scene), convection_table(scene)) {}
+
+double CycleRecord::bytes(const scene::Scene& scene, double particles) {
+  const bool any = std::any_of(scene.stages.begin(), scene.stages.end(),
+                               [&](const scene::Stage& stage) { return has_cycles(scene, stage); });
+  return any ? 2 * measure::Snapshot::bytes_for(particles) +
+                   particles * sizeof(measure::Displacement)
+             : 0;
+}
 
 void CycleRecord::begin_stage(const StageView& now) {
   prepare(now);
@@ -72,11 +87,8 @@ void CycleRecord::prepare(const StageView& now) {
     at_start_.push_back(wall.travel);
   }
   convection_.reset();
-  const bool cyclic = std::any_of(
-      now.stage.move.begin(), now.stage.move.end(),
-      [&](std::size_t wall) { return grains::is_cyclic(*now.scene.walls[wall].motion); });
   vessel_has_cycles_ = scene::vessel_has_cycles(now.stage);
-  if (cyclic || vessel_has_cycles_) {
+  if (has_cycles(now.scene, now.stage)) {
     convection_.emplace(state.lattice, cell_);
   }
 }

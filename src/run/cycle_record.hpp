@@ -26,6 +26,8 @@ class CycleRecord : public SavedObserver<CycleRecord> {
  public:
   explicit CycleRecord(const scene::Scene& scene);
 
+  static double bytes(const scene::Scene& scene, double particles);
+
   void begin_stage(const StageView& now) override;
   void after_step(const StageView& now) override;
   void end_stage(const StageView& now) override;

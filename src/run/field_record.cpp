@@ -61,6 +61,10 @@ class FieldRecord : public SavedObserver<FieldRecord> {
         fields_table_(table_scope(scene), fields_table(scene)),
         fluctuation_table_(table_scope(scene), fluctuation_table(scene)) {}
 
+  static double bytes(const scene::Scene& /*scene*/, double particles) {
+    return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement);
+  }
+
   void after_step(const StageView& now) override {
     if (now.model.state().step - window_begin_ >= fields_.every) {
       end_window(now);

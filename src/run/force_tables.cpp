@@ -67,7 +67,7 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
        {{"second", "Second body", "",
          "id of a particle, or name of a wall, `box.floor`, `box.top`, `box.left`, `box.right`"},
         &ContactRow::second},
-       {{"", "Place", "spacings",
+       {{"", "Position", "spacings",
          "of the contact: on the side of the box, else on discs of the particles’ areas"},
         &ContactRow::point}},
       {{kContactModel,
@@ -118,7 +118,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
           {{{"id", "Particle", "", "its number; with `passive: overlap` of those that overlap"},
             &LoadRow::id},
            {{"species", "Species", "", "its name"}, &LoadRow::species},
-           {{"", "Place", "spacings", "of the centre of mass"}, &LoadRow::centre}},
+           {{"", "Position", "spacings", "of the centre of mass"}, &LoadRow::centre}},
           {{kContactModel,
             is_contact(scene),
             {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
@@ -193,6 +193,12 @@ class ForceTables : public Observer {
     if (is_contact(scene)) {
       stress_.emplace(table_scope(scene), stress_table(scene));
     }
+  }
+
+  static double bytes(const scene::Scene& scene, double particles) {
+    const double contacts = contact::kContactsPerGrain * particles;
+    return contacts_table(scene).bytes(contacts) + loads_table(scene).bytes(particles) +
+           frame_bytes(scene, true, particles);
   }
 
   void end_stage(const StageView& now) override;

@@ -42,17 +42,20 @@ render::Annotations annotations_of(const scene::Frames& frames) {
                                                     : render::Annotations::all;
 }
 
+render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice, int threads) {
+  return {.width = frames.width.value_or(0),
+          .height = frames.height.value_or(0),
+          .supersampling = frames.supersampling,
+          .drawing = drawing_of(frames.drawing),
+          .view = frames.view.value_or(render::whole_box(lattice)),
+          .annotations = annotations_of(frames),
+          .threads = threads};
+}
+
 render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads) {
   const scene::Frames& frames = *scene.output.frames;
-  const render::Style style = {.width = frames.width.value_or(0),
-                               .height = frames.height.value_or(0),
-                               .supersampling = frames.supersampling,
-                               .drawing = drawing_of(frames.drawing),
-                               .view = frames.view.value_or(render::whole_box(state.lattice)),
-                               .annotations = annotations_of(frames),
-                               .threads = threads};
   try {
-    return {style, state.lattice, state.kinds};
+    return {style_of(frames, state.lattice, threads), state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
     throw SceneRunError(fmt::format("{}: error: {}", frames.location, error.what()));
   }
@@ -151,6 +154,12 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
       conversion_(scene::conversion(scene)),
       scales_(overlay_scales(scene)),
       painter_(make_painter(scene, state, threads)) {}
+
+double FramePainter::bytes(const scene::Scene& scene, int captures) {
+  const auto lattice =
+      lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
+  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice, 1), captures);
+}
 
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;

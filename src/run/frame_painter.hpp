@@ -19,7 +19,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/trajectory.hpp"
 #include "run/cycle_record.hpp"
-#include "run/overlay_scales.hpp"
+#include "run/overlay.hpp"
 
 namespace clca::run {
 
@@ -84,6 +84,9 @@ class FramePainter {
   /// `scene` has frames and outlives this object. `threads`: for captures. Throws SceneRunError if
   /// the driver cannot draw it.
   FramePainter(const scene::Scene& scene, const grains::State& state, int threads);
+
+  /// Memory for pictures of which so many are captured at a time.
+  static double bytes(const scene::Scene& scene, int captures);
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);

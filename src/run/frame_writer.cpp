@@ -5,10 +5,6 @@
 
 namespace clca::run {
 
-namespace {
-constexpr std::size_t kMaxWaiting = 2;
-}
-
 FrameWriter::FrameWriter() {
   try {
     thread_ = std::thread([this] { work(); });
@@ -36,7 +32,7 @@ void FrameWriter::write(store::OutputFolder folder, std::string name,
     return;
   }
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return jobs_.size() < kMaxWaiting || failure_; });
+  changed_.wait(lock, [this] { return jobs_.size() < std::size_t{kMaxWaiting} || failure_; });
   rethrow_failure();
   jobs_.push_back(std::move(job));
   changed_.notify_all();

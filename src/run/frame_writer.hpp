@@ -19,6 +19,9 @@ namespace clca::run {
 /// caller waits too, so that memory stays bounded.
 class FrameWriter {
  public:
+  /// Pictures that wait at most.
+  static constexpr int kMaxWaiting = 2;
+
   FrameWriter();
   /// Writes the waiting pictures.
   ~FrameWriter();

@@ -25,10 +25,10 @@ TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
   return {
       {.name = "lines", .kind = TableInfo::Kind::parts},
       {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
-       {{"position", "Position", "spacings",
+       {{"position", "Position on the line", "spacings",
          "of the middle of the part, from the start of the line"},
         [](auto& row) { return row.part.position; }},
-       {{"", "Place", "spacings", "of the middle of the part"},
+       {{"", "Position", "spacings", "of the middle of the part"},
         [](auto& row) { return row.part.middle; }},
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
         [](auto& row) { return mean(row.part.flux, 1); }},
@@ -47,6 +47,15 @@ TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
 class LineRecord : public SavedObserver<LineRecord> {
  public:
   explicit LineRecord(const scene::Scene& scene) : table_(table_scope(scene), lines_table(scene)) {}
+
+  static double bytes(const scene::Scene& scene, double particles) {
+    double bytes = 3 * measure::Snapshot::bytes_for(particles) +
+                   particles * (sizeof(Eigen::Vector2d) + sizeof(std::optional<Eigen::Vector2d>));
+    for (const scene::Line& line : scene.lines) {
+      bytes += measure::Line::bytes_for(line.parts) + 2 * measure::LineSums::bytes_for(line.parts);
+    }
+    return bytes;
+  }
 
   void after_step(const StageView& now) override {
     if (now.model.state().step % now.scene.output.series->every == 0) {

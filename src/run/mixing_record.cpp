@@ -31,6 +31,10 @@ class MixingRecord : public Observer {
   explicit MixingRecord(const scene::Scene& scene)
       : table_(table_scope(scene), mixing_table(scene)) {}
 
+  static double bytes(const scene::Scene& /*scene*/, double particles) {
+    return measure::Mixing::bytes_for(particles);
+  }
+
   void begin_stage(const StageView& now) override { mixing_ = measure::Mixing(now.model.state()); }
   void after_step(const StageView& now) override { mixing_.add(now.model.state()); }
   void end_stage(const StageView& now) override {

@@ -6,7 +6,6 @@
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
-#include "run/other_run.hpp"
 
 namespace clca::run {
 
@@ -86,6 +85,18 @@ ModelState saved_state(const scene::Scene& scene, const reflection::Columns& col
   std::visit([&](auto& state) { reflection::decode(kState, columns, max_bytes, state); }, saved);
   grains::check_reachable(grains_of(saved), beginning);
   return saved;
+}
+
+double checkpoint_bytes(const scene::Scene& scene, double particles) {
+  if (!scene.output.checkpoint) {
+    return 0;
+  }
+  constexpr double kCopies = 2;  // as columns and as a file
+  const double motion = scene.model == scene::Model::contact
+                            ? sizeof(contact::Velocity<std::int32_t>) + sizeof(contact::Vector) +
+                                  contact::kContactsPerGrain * sizeof(contact::Contact)
+                            : 0;
+  return kCopies * particles * (sizeof(grains::Particle) + sizeof(lattice::Site) + motion);
 }
 
 bool has_vessel(const scene::Scene& scene) {

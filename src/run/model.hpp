@@ -35,6 +35,9 @@ ModelState first_state(const scene::Scene& scene);
 ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
                        double max_bytes);
 
+/// Memory for a checkpoint of the state of so many particles, in bytes; 0 where there are none.
+double checkpoint_bytes(const scene::Scene& scene, double particles);
+
 /// Whether the vessel is tilted or moves in some stage.
 bool has_vessel(const scene::Scene& scene);
 
@@ -80,5 +83,11 @@ class SceneModel {
   AnyRules rules_;
   AnyModel model_;
 };
+
+/// Puts the particles of the state that the scene begins with into `state`, which has none yet.
+/// They are numbered anew, in their order. Grains of the contact model keep velocities, contacts
+/// and positions within their sites if they come from the end of a run of that model, else they are
+/// at rest. Throws scene::SceneError, also if they are of other species or find no room.
+void take_particles(const scene::Scene& scene, ModelState& state);
 
 }  // namespace clca::run

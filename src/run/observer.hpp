@@ -195,9 +195,11 @@ struct ObserverKind {
   /// Of a scene.
   std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {};
   std::vector<QuantityGroup> quantities = {};
+  /// Memory that it takes at most, with its share of a checkpoint; null: nothing that counts.
+  std::function<double(const scene::Scene& scene, double particles)> bytes = {};
 };
 
-/// One that is made of the scene alone, if it is `wanted`.
+/// One that is made of the scene alone, if it is `wanted`; it may have a function `bytes`.
 template <class T>
 ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
                            std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
@@ -205,7 +207,13 @@ ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
   return {[wanted](const scene::Scene& scene, const auto&...) -> std::unique_ptr<Observer> {
             return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
           },
-          std::move(tables), std::move(quantities)};
+          std::move(tables), std::move(quantities),
+          [wanted](const scene::Scene& scene, [[maybe_unused]] double particles) -> double {
+            if constexpr (requires { T::bytes(scene, particles); }) {
+              return wanted(scene) ? T::bytes(scene, particles) : 0;
+            }
+            return 0;
+          }};
 }
 
 /// All, in the order in which they observe.

@@ -1,5 +1,3 @@
-#include "run/other_run.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "clca/store/trajectory.hpp"
 #include "contact/internal/mass_unit.hpp"
 #include "grains/internal/outlet.hpp"
+#include "run/model.hpp"
 
 namespace clca::run {
 

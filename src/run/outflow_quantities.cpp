@@ -4,7 +4,7 @@
 #include <functional>
 #include <numeric>
 
-#include "clca/measure/clogging.hpp"
+#include "clca/measure/outflow.hpp"
 #include "clca/scene/units.hpp"
 #include "run/quantities.hpp"
 

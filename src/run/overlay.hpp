@@ -1,14 +1,43 @@
 #pragma once
-// Forces, convection and velocities in pictures.
+// Forces, convection and velocities in pictures, with scales that are the same in all pictures of a
+// run.
 
 #include <vector>
 
 #include "clca/render/legend.hpp"
 #include "clca/render/overlays.hpp"
-#include "run/frame_painter.hpp"
-#include "run/overlay_scales.hpp"
+#include "clca/scene/scene.hpp"
 
 namespace clca::run {
+
+struct View;
+struct PictureHistory;
+
+struct OverlayScales {
+  /// Contact model: drawn as the widest line, in grain weights.
+  double strongest_force = 1;
+  /// Contact model: end of the colours by pressure, grain weights per lattice spacing.
+  double highest_pressure = 1;
+  /// Side of the cells of velocities, lattice spacings.
+  double velocity_cell = 1;
+  /// Drawn as the longest arrow, in `velocity_unit`.
+  double highest_velocity = 1;
+  /// Contact model: of a grain of mean diameter that rolls at the highest velocity, radians per
+  /// unit of time.
+  double highest_spin = 1;
+  /// A lattice spacing per step, in `velocity_unit`.
+  double step_velocity = 1;
+  render::UnitName velocity_unit;
+};
+
+/// From the keys of `output.frames`. Their defaults:
+/// - the strongest force is twice the weight of a column of grains as high as the fall height,
+///   rounded to 1, 2 or 5 times a power of ten; few forces exceed it;
+/// - the highest pressure is that force over the mean diameter;
+/// - a cell is 3 mean diameters of the species wide, and at least a 30th of the view;
+/// - the highest velocity is half a spacing per step, or with the contact model half of that after
+///   a fall from the fall height, rounded down in the same way.
+OverlayScales overlay_scales(const scene::Scene& scene);
 
 struct DrawnOverlay {
   render::Overlay overlay;

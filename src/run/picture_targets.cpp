@@ -7,7 +7,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "run/frame_choice.hpp"
+#include "run/run_drawing.hpp"
 
 namespace clca::run {
 

@@ -17,6 +17,8 @@ class Pictures : public Observer {
   Pictures(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
       : scene_(scene), wanted_(options.pictures), painter_(scene, state, options.threads) {}
 
+  static double bytes(const scene::Scene& scene, double particles);
+
   void begin_stage(const StageView& now) override {
     run::begin_stage(history_, scene_, now.stage, now.model.state());
     if (wanted_ == WantedPictures::all) {
@@ -60,6 +62,19 @@ class Pictures : public Observer {
   FrameWriter writer_;  // last: at the end it waits for its thread, which uses the painter
 };
 
+double Pictures::bytes(const scene::Scene& scene, double particles) {
+  constexpr int kCaptures = FrameWriter::kMaxWaiting + 2;  // with that on its way and a new one
+  const bool has_forces = scene::pictures_show_forces(scene);
+  const double strokes =
+      has_forces ? kCaptures * contact::kContactsPerGrain * sizeof(render::Stroke) : 0;
+  const double window =
+      scene::pictures_compare_positions(scene)
+          ? 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement)
+          : 0;
+  return FramePainter::bytes(scene, kCaptures) + window + particles * strokes +
+         frame_bytes(scene, has_forces, particles);
+}
+
 void Pictures::load(const SavedColumns& saved, const StageView& now) {
   saved.read(kPath, history_, now.model.state());
   if (scene::pictures_compare_positions(scene_) != history_.window.has_value() ||
@@ -96,12 +111,16 @@ void Pictures::draw(const StageView& now) {
 }  // namespace
 
 ObserverKind pictures_observer() {
-  return {[](const scene::Scene& scene, const grains::State& state,
-             const RunOptions& options) -> std::unique_ptr<Observer> {
+  ObserverKind pictures = {[](const scene::Scene& scene, const grains::State& state,
+                              const RunOptions& options) -> std::unique_ptr<Observer> {
     return scene.output.frames && options.pictures != WantedPictures::none
                ? std::make_unique<Pictures>(scene, state, options)
                : nullptr;
   }};
+  pictures.bytes = [](const scene::Scene& scene, double particles) {
+    return scene.output.frames ? Pictures::bytes(scene, particles) : 0;
+  };
+  return pictures;
 }
 
 }  // namespace clca::run

@@ -9,7 +9,6 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
-#include "run/frame_choice.hpp"
 #include "run/meter.hpp"
 #include "run/picture_targets.hpp"
 #include "run/run_drawing.hpp"

@@ -13,9 +13,9 @@
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
-#include "run/begin.hpp"
 #include "run/log.hpp"
 #include "run/meter.hpp"
+#include "run/table.hpp"
 
 namespace clca::run {
 
@@ -54,6 +54,12 @@ class CheckpointWriter {
   std::optional<IntervalTimer> timer_;
   std::future<void> writing_;
 };
+
+/// Prepares the folder of `options` for a run that starts with `start` and writes `files` besides
+/// those of every run; removes the files of an earlier run.
+/// Throws UnfinishedRunError and store::StoreError before it changes anything.
+store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
+                           const store::Checkpoint& start, const std::vector<PlannedFile>& files);
 
 class RunBase {
  public:

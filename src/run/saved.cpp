@@ -9,7 +9,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/name.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::run {
 

@@ -1,13 +1,135 @@
 #include "clca/run/setup.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <system_error>
+#include <thread>
 
-#include "clca/lattice/centred.hpp"
+#include "clca/lattice/shape.hpp"
+#include "clca/process/data_folder.hpp"
+#include "clca/run/run.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/text/message.hpp"
+#include "run/observer.hpp"
 
 namespace clca::run {
+
+namespace {
+
+constexpr double kShareOfMemory = 0.8;
+
+/// Available memory without swapping; file caches count as free.
+double available_bytes() {
+  std::ifstream meminfo("/proc/meminfo");
+  std::string key;
+  for (double kibibytes = 0; meminfo >> key >> kibibytes;) {
+    if (key == "MemAvailable:") {
+      return 1024 * kibibytes;
+    }
+    meminfo.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  const auto pages = static_cast<double>(::sysconf(_SC_AVPHYS_PAGES));
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+std::string scene_file(const std::string& name) {
+  std::error_code error;
+  if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, error)) {
+    return name;
+  }
+  const auto scenes = process::data_files("scenes", ".yaml");
+  if (const auto scene = scenes.find(name); scene != scenes.end()) {
+    return scene->second.string();
+  }
+  std::vector<std::string_view> names;
+  for (const auto& scene : scenes) {
+    names.push_back(scene.first);
+  }
+  if (text::nearest(name, names)) {
+    throw scene::SceneError(
+        fmt::format("{}:1:1: error: cannot read the file: No such file or directory{}",
+                    text::printable(name), text::suggestion(name, names)));
+  }
+  return name;
+}
+
+int machine_threads() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+double default_memory_limit() {
+  return kShareOfMemory * available_bytes();
+}
+
+double memory_of(const scene::Scene& scene) {
+  const scene::Size size = scene::size_of(scene);
+  const auto particles = static_cast<double>(size.particles);
+  double bytes = size.bytes + checkpoint_bytes(scene, particles);
+  for (const ObserverKind& kind : observer_kinds()) {
+    bytes += kind.bytes ? kind.bytes(scene, particles) : 0;
+  }
+  return bytes;
+}
+
+void check_memory(const scene::Scene& scene, double limit) {
+  if (const double bytes = memory_of(scene); bytes > limit) {
+    const scene::Size size = scene::size_of(scene);
+    throw scene::SceneError(fmt::format(
+        "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
+        "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
+        scene.box.location, bytes / kMebibyte, size.columns, size.rows, size.particles,
+        limit / kMebibyte));
+  }
+}
+
+void check_memory(const scene::BoltzmannScene& scene, double limit, int threads) {
+  const double bytes = scene::bytes_of(scene, threads);
+  if (bytes > limit) {
+    throw scene::SceneError(fmt::format(
+        "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
+        "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
+        "bins, or raise --memory-limit",
+        scene.location, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
+  }
+}
+
+void check_memory(const scene::AnyScene& scene, double limit, int threads) {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    check_memory(*grains, limit);
+  } else {
+    check_memory(std::get<scene::BoltzmannScene>(scene), limit, threads);
+  }
+}
+
+void complete(scene::AnyScene& scene, const std::string& file, double limit, int threads) {
+  if (auto* grains = std::get_if<scene::Scene>(&scene)) {
+    check_derived(*grains);
+    find_begin(*grains, limit);
+  }
+  scene::check_resolved(std::visit([](const auto& held) { return scene::to_yaml(held); }, scene),
+                        file);
+  check_memory(scene, limit, threads);
+}
+
+void check_output(const std::string& file, const std::filesystem::path& folder) {
+  std::error_code unknown;
+  if (std::filesystem::equivalent(file, folder / store::kSceneFile, unknown)) {
+    throw SceneRunError(
+        fmt::format("{}: error: the run would replace this file; run in another folder, or with "
+                    "--keep",
+                    file));
+  }
+}
 
 namespace {
 

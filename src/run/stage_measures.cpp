@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
-#include "clca/measure/axis_order.hpp"
+#include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
 #include "clca/measure/segregation.hpp"
-#include "clca/scene/derived.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/text/message.hpp"
 #include "run/cycle_record.hpp"
 #include "run/quantities.hpp"

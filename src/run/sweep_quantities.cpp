@@ -61,7 +61,7 @@ const std::vector<TableInfo>& sweep_tables() {
                      {"high", "Upper end", "", "of the same interval"}}),
         sweep_table("mean",
                     {kVaried,
-                     {"PLACE", "Place", "",
+                     {"ROW", "Row", "",
                       "what tells rows of the run apart, such as stage and step; steps and times "
                       "since the stage began"},
                      {"runs", "Runs", "", "number of values"},

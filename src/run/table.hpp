@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "clca/grains/state.hpp"
 #include "clca/run/quantity.hpp"
 #include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
@@ -19,7 +20,6 @@
 #include "clca/statistics/sample.hpp"
 #include "clca/store/growing_file.hpp"
 #include "clca/store/table.hpp"
-#include "run/begin.hpp"
 
 namespace clca::run {
 
@@ -30,7 +30,7 @@ inline constexpr std::string_view kContactModel = "with `model: contact`";
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
 inline constexpr Quantity kTime = {"time", "Time", "time", "of the whole run"};
 inline constexpr Quantity kStage = {"stage", "Stage", "", "its name"};
-inline constexpr Quantity kCellCentre = {"", "Place", "spacings", "of the centre of the cell"};
+inline constexpr Quantity kCellCentre = {"", "Position", "spacings", "of the centre of the cell"};
 inline constexpr Quantity kVelocity = {"v", "Velocity", "spacings/step",
                                        "of the particles, mean, weighted by sites"};
 inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations",
@@ -127,6 +127,15 @@ struct TableOf : TableInfo {
     }
   }
 
+  /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
+  double bytes(double rows) const {
+    std::size_t cells = 0;
+    for (const ColumnGroup<Row>& group : groups) {
+      cells += group.is_there ? group.columns.size() : 0;
+    }
+    return grains::kListRoom * 10 * static_cast<double>(cells) * rows;
+  }
+
   std::vector<ColumnGroup<Row>> groups;
 };
 
@@ -138,6 +147,12 @@ struct TableScope {
 };
 TableScope table_scope(const scene::Scene& scene);
 TableScope table_scope(const scene::BoltzmannScene& scene);
+
+/// A file that a run may write.
+struct PlannedFile {
+  std::string name;
+  bool is_certain = false;  ///< it writes it whatever happens
+};
 
 /// A table of one run, in its folder.
 class RunTable {

@@ -11,6 +11,10 @@ namespace {
 class TrajectoryOutput : public Observer {
  public:
   explicit TrajectoryOutput(const scene::Scene& scene) : scene_(scene) {}
+  static double bytes(const scene::Scene& scene, double particles) {
+    return store::TrajectoryWriter::bytes_for(scene, particles) +
+           frame_bytes(scene, scene.output.trajectory->contacts, particles);
+  }
 
   void begin_stage(const StageView& now) override { add(now, true); }
   void after_step(const StageView& now) override {

@@ -52,7 +52,7 @@ TableOf<BaseRow> weight_paths_table(const scene::Scene& scene) {
       {.name = "weight_paths", .kind = TableInfo::Kind::parts},
       {{{"base_position", "Position on the base", "", "-1 at its left end, 1 at its right end"},
         &BaseRow::position},
-       {{"x", "Place", "spacings", "of the middle of the bin"}, &BaseRow::x},
+       {{"x", "Position", "spacings", "of the middle of the bin"}, &BaseRow::x},
        {{"pressure_inner", "Base pressure, inner", "",
          "over its mean; force to the nearest supports on either side"},
         share<0>},
@@ -68,6 +68,14 @@ class WeightPathsRecord : public Observer {
  public:
   explicit WeightPathsRecord(const scene::Scene& scene)
       : table_(table_scope(scene), weight_paths_table(scene)) {}
+
+  static double bytes(const scene::Scene& /*scene*/, double particles) {
+    using measure::SupportedGrain;
+    constexpr double kRules = measure::kWeightRules.size();
+    return particles * (sizeof(SupportedGrain) +
+                        contact::kContactsPerGrain *
+                            (sizeof(SupportedGrain::Support) + kRules * sizeof(contact::Force)));
+  }
 
   void end_stage(const StageView& now) override {
     const BasePressures pressures = base_pressures(now);

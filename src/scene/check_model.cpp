@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clca/contact/contact_model.hpp"
-#include "clca/lattice/centred.hpp"
+#include "clca/lattice/shape.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/geometry.hpp"

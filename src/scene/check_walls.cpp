@@ -9,7 +9,6 @@
 #include "clca/scene/walls.hpp"
 #include "scene/geometry.hpp"
 #include "scene/sections.hpp"
-#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "clca/text/message.hpp"
-#include "scene/key_paths.hpp"
 #include "scene/names.hpp"
+#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

@@ -8,8 +8,8 @@
 
 #include "clca/text/message.hpp"
 #include "clca/text/utf8.hpp"
-#include "scene/key_paths.hpp"
 #include "scene/limits.hpp"
+#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

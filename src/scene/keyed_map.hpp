@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clca/text/names_of.hpp"
+#include "clca/text/message.hpp"
 #include "scene/names.hpp"
 #include "scene/value.hpp"
 

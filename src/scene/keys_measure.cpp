@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "clca/scene/derived.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/text/message.hpp"
-#include "scene/let.hpp"
+#include "scene/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 

@@ -225,7 +225,7 @@ Type<Output> output_type() {
                     "needs a wall that moves with `passive: overlap`: "
                     "[output.contacts](#outputcontacts)"),
                 key("trajectory", &Output::trajectory, or_none(trajectory_type()),
-                    "places of all particles and walls, frame by frame, as HDF5: "
+                    "positions of all particles and walls, frame by frame, as HDF5: "
                     "[output.trajectory](#outputtrajectory)"),
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/text/message.hpp"
-#include "scene/picture_files.hpp"
+#include "scene/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 

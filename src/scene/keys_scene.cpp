@@ -93,7 +93,7 @@ Keys<Scene> scene_keys() {
        list_key("walls", &Scene::walls, walls_type(),
                 "obstacles, standing or moving, by name: [walls](#walls)"),
        list_key("sources", &Scene::sources, sources_type(),
-                "places that emit particles, by name: [sources](#sources)"),
+                "points and regions that emit particles, by name: [sources](#sources)"),
        list_key("outlets", &Scene::outlets, outlets_type(),
                 "regions that remove and count particles, by name: [outlets](#outlets)"),
        list_key("probes", &Scene::probes, probes_type(),

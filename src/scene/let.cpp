@@ -1,5 +1,3 @@
-#include "scene/let.hpp"
-
 #include <fmt/format.h>
 #include <muParser.h>
 
@@ -8,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "clca/scene/derived.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
+#include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"

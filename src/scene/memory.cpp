@@ -8,54 +8,22 @@
 #include <optional>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/contact/force.hpp"
+#include "clca/contact/contact_model.hpp"
+#include "clca/grains/fill.hpp"
 #include "clca/scene/resolve.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "scene/geometry.hpp"
 #include "scene/sections.hpp"
-#include "scene/swept_sites.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-// With its number in the list of those awake, which doubles: at the beginning all are.
-constexpr double kParticleBytes = sizeof(grains::Particle) + sizeof(lattice::Site) + 8;
-// What a step notes of a particle that it looks at, in lists that double: where it wants to go, and
-// its number in two lists.
-constexpr double kAwakeBytes = 110;
 // Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
-// waits for it. All are looked at once, though.
+// waits for it.
 constexpr double kAwakeOfDeposited = 1.0 / 8;
-// Of the contact model: what is by grain, and for each of its two contacts, in lists that double,
-// 32 in the state and twice 96 where they are put in order.
-constexpr double kContactGrainBytes = 200 + 2 * 2 * (32 + 2 * 96);
-constexpr double kTrialBytes = sizeof(lattice::Site) + 4;  // see fill_region
-// A part of the trajectory as it is gathered (lists that double), in HDF5 and as a file, twice.
-constexpr double kTrajectoryPartBytes = 6 * 0x1p24;
-constexpr double kTrajectoryRowBytes = 6 * 45;
-// Of the contact model: a velocity with a spin, and the contacts of a grain.
-constexpr double kVelocityRowBytes = 6 * 24;
-constexpr double kContactRowBytes = 6 * 4 * 72;
-// Sums of forces over a window, of four contacts a grain: two blocks and their total, each sum with
-// its entry in a map.
-constexpr double kForceWindowBytes = 12.0 * (sizeof(contact::ForceSums::Sum) + 48);
-// Of pictures with velocities, for each particle: its centre at the last picture, as it is copied
-// and saved, and its displacement.
-constexpr double kVelocityBytes = 3 * sizeof(std::optional<Eigen::Vector2d>) + 48;
-// Of a part of a line: its points, and sums that double where a checkpoint is made of them.
-constexpr double kLinePartBytes = 256 * 8 + 2 * 16 * 56;
-// While there are lines: where each particle was at the last row, and its velocity.
-constexpr double kObservedBytes = 2 * 24 + 24 + 16;
-// Of the measure `mixing`: where each particle began and its path, and three pairs of neighbours,
-// in a list that doubles.
-constexpr double kMixingBytes = 12 + 64 + 2 * 3 * 12 + 28;
 // A site of a kind: in its shape, and from the reference site in columns of both parities.
 constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::Offset);
-// A sample of a picture: its colour on the canvas and as it is read, and what lies beneath, of the
-// picture on its way, of three that wait, and of the walls.
-constexpr double kSampleBytes = 2 * 4 + 5 * 2;
-
 /// Sites of the swept region in the rectangle, from above.
 double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
   const auto share = [](double low, double high, double first, double end) {
@@ -165,57 +133,12 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
       const double sites = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
-      const double bytes = sites * (sizeof(lattice::Site) + kTrialBytes * kinds);
+      const double bytes = grains::trial_bytes(sites, kinds);
       all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
     }
     most = std::max(most, all);
   }
   return most;
-}
-
-double picture_bytes(const Output& output) {
-  if (!output.frames) {
-    return 0;
-  }
-  const Frames& frames = *output.frames;
-  // Where the scene gives no size, about 1280 x 720; where it gives one side, the other is at most
-  // four times as long.
-  const double width = frames.width.value_or(frames.height ? 4 * *frames.height : 1280);
-  const double height = frames.height.value_or(frames.width ? 2.5 * *frames.width : 720);
-  return kSampleBytes * width * height * frames.supersampling * frames.supersampling;
-}
-
-/// A part is written once it is large enough: it has one frame too many at the most.
-double trajectory_bytes(const Scene& scene, double particles) {
-  const auto& trajectory = scene.output.trajectory;
-  if (!trajectory) {
-    return 0;
-  }
-  const double row = kTrajectoryRowBytes + (scene.model == Model::contact ? kVelocityRowBytes : 0) +
-                     (trajectory->contacts ? kContactRowBytes : 0);
-  return kTrajectoryPartBytes + row * particles;
-}
-
-double line_bytes(const Scene& scene, double particles) {
-  double parts = 0;
-  for (const Line& line : scene.lines) {
-    parts += line.parts;
-  }
-  return kLinePartBytes * parts + (scene.lines.empty() ? 0 : kObservedBytes * particles);
-}
-
-bool measures(const Scene& scene, Measure measure) {
-  return std::find(scene.measures.begin(), scene.measures.end(), measure) != scene.measures.end();
-}
-
-/// Windows of means of forces that may be there at a time: of tables, pictures and trajectory.
-double force_windows(const Scene& scene) {
-  const Output& output = scene.output;
-  const bool in_tables = measures(scene, Measure::force) || measures(scene, Measure::weight_paths);
-  const bool in_pictures = pictures_show_forces(scene);
-  const bool in_frames = output.trajectory && output.trajectory->contacts;
-  const bool at_end = in_tables || in_pictures || in_frames;
-  return (at_end ? 1 : 0) + (in_pictures ? 1 : 0) + (in_frames ? 1 : 0);
 }
 
 /// The shapes of all kinds, and where the sites of each lie in memory.
@@ -263,28 +186,16 @@ Size size_of(const Scene& scene) {
   const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
     return wall.passive == grains::Passive::overlap;
   });
-  double model_bytes = grains::OccupancyTable::bytes_for(index_count, overlaps) +
-                       automaton::step_bytes(index_count) + kParticleBytes * particles +
-                       kAwakeBytes * awake;
-  if (scene.model == Model::contact) {
-    model_bytes += kContactGrainBytes * particles;
-  }
-  double bytes = model_bytes * (changes_rules(scene) ? 2 : 1) + fill_bytes(scene, lattice) +
-                 picture_bytes(scene.output) + trajectory_bytes(scene, particles) +
-                 line_bytes(scene, particles);
-  if (scene.model == Model::contact) {
-    bytes += kForceWindowBytes * force_windows(scene) * particles;
-  }
-  if (measures(scene, Measure::mixing)) {
-    bytes += kMixingBytes * particles;
-  }
-  if (pictures_compare_positions(scene)) {
-    bytes += kVelocityBytes * particles;
-  }
+  const double model =
+      grains::OccupancyTable::bytes_for(index_count, overlaps) +
+      grains::kParticleBytes * particles +
+      (scene.model == Model::contact ? contact::step_bytes(particles)
+                                     : automaton::step_bytes(index_count, particles, awake));
+  double bytes = model * (changes_rules(scene) ? 2 : 1) + fill_bytes(scene, lattice) +
+                 kind_bytes(scene) + source_bytes(scene, lattice);
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }
-  bytes += kind_bytes(scene) + source_bytes(scene, lattice);
   return {.columns = lattice.columns(),
           .rows = lattice.rows(),
           .particles = static_cast<std::uint64_t>(std::min(particles, 1e18)),

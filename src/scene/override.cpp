@@ -1,4 +1,3 @@
-#include "scene/override.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +9,6 @@
 #include "clca/text/message.hpp"
 #include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
-#include "scene/let.hpp"
 #include "scene/yaml_text.hpp"
 
 namespace clca::scene {

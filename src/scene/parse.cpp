@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
 
+#include "clca/scene/resolve.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/name.hpp"
 #include "clca/text/read.hpp"
 #include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
-#include "scene/kind.hpp"
-#include "scene/let.hpp"
 #include "scene/limits.hpp"
-#include "scene/override.hpp"
-#include "scene/picture_files.hpp"
 #include "scene/sections.hpp"
 #include "scene/sizes.hpp"
 #include "scene/source_text.hpp"
@@ -21,6 +19,47 @@
 namespace clca::scene {
 
 namespace {
+
+bool contains(const std::vector<std::string_view>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// A misspelt `boltzmann` makes no scene of grains.
+bool stands_for_boltzmann(const Entry& entry) {
+  constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
+  return text::nearest(entry.key, kBlock).has_value();
+}
+
+/// Which of the two kinds of scenes a text is.
+enum class Kind { automaton, boltzmann };
+
+/// By the keys of the map. Throws SceneError where they belong to both kinds.
+Kind kind_of(const Value& root) {
+  const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
+  const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);
+  const Entry* automaton = nullptr;
+  const Entry* boltzmann = nullptr;
+  for (const Entry& entry : root.entries) {
+    const bool in_automaton = contains(automaton_keys, entry.key);
+    const bool in_boltzmann = contains(boltzmann_keys, entry.key);
+    if (in_automaton && !in_boltzmann && automaton == nullptr) {
+      automaton = &entry;
+    } else if (in_boltzmann && !in_automaton) {
+      boltzmann = &entry;
+    }
+    if (automaton != nullptr && boltzmann != nullptr) {
+      const Entry& other = automaton == &entry ? *boltzmann : *automaton;
+      fail(entry.location,
+           fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
+                       "{}; one of grains has {}",
+                       entry.key, other.key, fmt::join(boltzmann_keys, ", "),
+                       fmt::join(automaton_keys, ", ")));
+    }
+  }
+  const bool misspelt = automaton == nullptr &&
+                        std::any_of(root.entries.begin(), root.entries.end(), stands_for_boltzmann);
+  return boltzmann != nullptr || misspelt ? Kind::boltzmann : Kind::automaton;
+}
 
 /// What the run is called, and its files.
 std::string name_of_file(const std::string& file, const TextLocation& location) {
@@ -132,6 +171,19 @@ Scene parse(std::string_view text, const std::string& file, const std::vector<Ov
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                  const std::vector<Override>& varied) {
   return of_grains(parse_any_file(file, overrides, varied));
+}
+
+std::string to_yaml(const Scene& scene) {
+  return block_text(scene_type().text(scene, scene));
+}
+
+std::string to_yaml(const BoltzmannScene& scene) {
+  return block_text(boltzmann_type().text(scene, Scene()));
+}
+
+void check_resolved(std::string_view yaml, std::string_view file) {
+  const Origin origin = {text::printable(file) + ", with all defaults", true};
+  const SourceText checked(yaml, std::make_shared<const Origin>(origin));
 }
 
 }  // namespace clca::scene

@@ -1,5 +1,3 @@
-#include "scene/picture_files.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "clca/image/png.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/text/read.hpp"
+#include "scene/document.hpp"
 #include "scene/limits.hpp"
 #include "scene/types.hpp"
 

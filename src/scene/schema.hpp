@@ -50,4 +50,14 @@ Schema named_schema(const Schema& value, std::size_t least = 0);
 /// A map with these keys. `conditions`: further members, as JSON.
 Schema map_schema(const Descriptions& keys, const std::string& conditions);
 
+/// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
+/// of the scene stands in between.
+std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name);
+
+/// Paths of the keys below `top` that say this word about themselves, the shortest first.
+std::vector<std::string> paths_about(const Descriptions& top, std::string_view word);
+
+/// `; did you mean 'rules.inertia'?` for a key of this or a similar name below `top`, or nothing.
+std::string path_suggestion(const Descriptions& top, std::string_view name);
+
 }  // namespace clca::scene

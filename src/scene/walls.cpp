@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/lattice/region.hpp"
-#include "scene/swept_sites.hpp"
+#include "scene/geometry.hpp"
 
 namespace clca::scene {
 

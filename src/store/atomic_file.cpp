@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "clca/store/file.hpp"
-#include "store/atomic_file_state.hpp"
+#include "store/temporary_file.hpp"
 
 namespace clca::store {
 

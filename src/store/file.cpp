@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "clca/store/output_folder.hpp"
+#include "clca/text/read.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {
@@ -41,6 +42,14 @@ void look_anew(const std::filesystem::path& folder) {
   for (const std::filesystem::path& directory : {folder.parent_path(), folder}) {
     // To open a folder asks the server.
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  }
+}
+
+std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes) {
+  try {
+    return text::read_file(path, max_bytes);
+  } catch (const text::ReadError& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", path.string(), error.what()));
   }
 }
 

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "clca/store/file.hpp"
-#include "clca/text/name.hpp"
+#include "clca/text/read.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {

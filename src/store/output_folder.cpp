@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "clca/store/file.hpp"
-#include "store/atomic_file_state.hpp"
 #include "store/folder_tree.hpp"
 #include "store/manifest.hpp"
 #include "store/temporary_file.hpp"

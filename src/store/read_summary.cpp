@@ -10,7 +10,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
-#include "clca/text/name.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::store {
 

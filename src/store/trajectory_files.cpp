@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
 #include "clca/store/file.hpp"
+#include "store/internal/hdf5.hpp"
+#include "store/number_types.hpp"
 
 namespace clca::store {
 
@@ -86,6 +90,104 @@ void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {
   for (auto number = numbers.rbegin(); number != numbers.rend() && *number >= kept; ++number) {
     folder.remove(part_name(*number));
   }
+}
+
+using hdf5::check;
+using hdf5::Handle;
+
+namespace {
+
+using Dimensions = std::vector<hsize_t>;
+
+Handle space_of(const Dimensions& size) {
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
+          "extent"};
+}
+
+Handle properties(hid_t of) {
+  return {H5Pcreate(of), H5Pclose, "properties"};
+}
+
+/// Relative names, so that a run folder may be moved.
+std::string source_file(std::size_t part) {
+  return fmt::format("{}/{}", kTrajectoryFolder, part_name(part));
+}
+
+Dimensions shape_of(const Column& column, std::uint64_t rows) {
+  Dimensions shape = {rows};
+  shape.insert(shape.end(), column.row.begin(), column.row.end());
+  return shape;
+}
+
+/// As Hdf5Writer lays it out.
+Dimensions shape_in_part(const Column& column, std::uint64_t rows) {
+  return column.width() == 1 ? Dimensions{rows} : Dimensions{rows, column.width()};
+}
+
+/// Maps the rows of all parts, in order, into one dataset.
+void map_parts(const Handle& creation, const Handle& whole, const Column& column,
+               const std::vector<Extents>& parts) {
+  Dimensions start(1 + column.row.size(), 0);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::uint64_t rows = parts[part].along(column.axis);
+    if (rows == 0) {
+      continue;
+    }
+    const Dimensions block = shape_of(column, rows);
+    const Dimensions once(block.size(), 1);
+    check(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, start.data(), nullptr, once.data(),
+                              block.data()),
+          "rows of a part");
+    const Handle source = space_of(shape_in_part(column, rows));
+    check(H5Pset_virtual(creation.id(), whole.id(), source_file(part).c_str(), column.path,
+                         source.id()),
+          "virtual dataset");
+    start.front() += rows;
+  }
+}
+
+/// Fill value for unreadable parts: HDF5 does not report them, so it must not look like data.
+template <Number T>
+constexpr T no_value() {
+  using Numbers = std::numeric_limits<T>;
+  return Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
+                                : (Numbers::is_signed ? Numbers::min() : Numbers::max());
+}
+
+template <Number T>
+void add_dataset(const Handle& file, const Column& column, const std::vector<Extents>& parts) {
+  std::uint64_t rows = 0;
+  for (const Extents& part : parts) {
+    rows += part.along(column.axis);
+  }
+  const Handle whole = space_of(shape_of(column, rows));
+  const Handle creation = properties(H5P_DATASET_CREATE);
+  const T fill = no_value<T>();
+  check(H5Pset_obj_track_times(creation.id(), false), "no times");  // the same bytes again
+  check(H5Pset_fill_value(creation.id(), number_type<T>(), &fill), "fill value");
+  map_parts(creation, whole, column, parts);
+  const Handle links = properties(H5P_LINK_CREATE);
+  check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
+  const Handle dataset(H5Dcreate2(file.id(), column.path, number_type<T>(), whole.id(), links.id(),
+                                  creation.id(), H5P_DEFAULT),
+                       H5Dclose, "dataset");
+  hdf5::describe(dataset, column.meaning.unit, column.meaning.text);
+}
+
+}  // namespace
+
+void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
+                 const Layout& layout) {
+  const auto add_all = [&](const Handle& file) {
+    const TrajectoryPart none;
+    for_each_column(none, layout, [&]<class T>(const Column& column, const std::vector<T>&) {
+      add_dataset<T>(file, column, parts);
+    });
+    check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
+                             H5P_DEFAULT),
+          "link");
+  };
+  run_folder.write(kTrajectoryIndex, hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
 }
 
 }  // namespace clca::store

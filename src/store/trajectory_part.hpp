@@ -177,7 +177,7 @@ void for_each_particles_column(Rows& rows, const Layout& layout, Visit visit) {
   visit(Column{"particles/site",
                kAxis,
                {"sites",
-                "column and row of the reference site; the column, and no other place, counts on "
+                "column and row of the reference site; the column, as nothing else, counts on "
                 "across a periodic boundary"},
                {2}},
         rows.site);
@@ -217,7 +217,7 @@ void for_each_contacts_column(Rows& rows, Visit visit) {
   visit(Column{"contacts/branch",
                kAxis,
                {"spacings",
-                "x, y from the other centre, or from the place of contact with what is no "
+                "x, y from the other centre, or from the point of contact with what is no "
                 "particle, to the upper centre"},
                {2}},
         rows.branch);

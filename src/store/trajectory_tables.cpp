@@ -8,7 +8,7 @@
 
 #include "clca/scene/units.hpp"
 #include "clca/store/trajectory.hpp"
-#include "clca/text/names_of.hpp"
+#include "clca/text/message.hpp"
 #include "store/trajectory_part.hpp"
 
 namespace clca::store {

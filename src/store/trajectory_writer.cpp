@@ -9,7 +9,6 @@
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
-#include "store/trajectory_index.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
 
@@ -128,6 +127,20 @@ TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::
     : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), layout_of(scene), kept)) {
 }
 TrajectoryWriter::~TrajectoryWriter() = default;
+
+double TrajectoryWriter::bytes_for(const scene::Scene& scene, double particles) {
+  constexpr double kCopies = 3;  // as it is gathered, in HDF5, as a file
+  double frame = 0;
+  TrajectoryPart part;
+  for_each_column(
+      part, layout_of(scene), [&]<class T>(const Column& column, const std::vector<T>& /*values*/) {
+        const double rows = column.axis == Axis::frames     ? 1
+                            : column.axis == Axis::contacts ? contact::kContactsPerGrain * particles
+                                                            : particles;
+        frame += rows * static_cast<double>(column.width() * sizeof(T));
+      });
+  return kCopies * (kPartBytes + frame);  // a part is written once it is large enough
+}
 
 void TrajectoryWriter::add(const grains::State& state, std::size_t stage, bool stage_begins,
                            const ContactFrame& contact) {

@@ -1,4 +1,3 @@
-#include "sweep/averages.hpp"
 
 #include <fmt/format.h>
 
@@ -248,7 +247,7 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
   const Names& positions = what.positions.empty() ? times : what.positions;
   position.insert(position.end(), positions.begin(), positions.end());
   const Names heads =
-      run::sweep_columns("mean", {{"KEY", keys}, {"PLACE", position}, {"COLUMN", columns}});
+      run::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", columns}});
   if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }

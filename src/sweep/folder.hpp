@@ -6,7 +6,7 @@
 
 #include "clca/store/output_folder.hpp"
 #include "clca/sweep/plan.hpp"
-#include "sweep/averages.hpp"
+#include "sweep/tables.hpp"
 
 namespace clca::sweep {
 

@@ -8,7 +8,7 @@
 #include "clca/render/image.hpp"
 #include "clca/sweep/plan.hpp"
 #include "sweep/folder.hpp"
-#include "sweep/result.hpp"
+#include "sweep/tables.hpp"
 
 namespace clca::sweep {
 

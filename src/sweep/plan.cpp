@@ -7,7 +7,6 @@
 #include <charconv>
 #include <set>
 
-#include "clca/run/load.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
@@ -187,7 +186,7 @@ int fitting_jobs(const Plan& plan, int jobs, double max_bytes) {
     run::check_memory(variant.scene, max_bytes);
     scene::check_walls(variant.scene);
     scene::check_room(variant.scene);
-    largest = std::max(largest, scene::size_of(variant.scene).bytes);
+    largest = std::max(largest, run::memory_of(variant.scene));
   }
   return static_cast<int>(std::min<double>(jobs, max_bytes / largest));
 }

@@ -1,18 +1,35 @@
 #pragma once
-// One run of a sweep.
+// One run of a sweep, new or of an earlier sweep.
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/run/run.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "clca/tasks/ranks.hpp"
-#include "sweep/result.hpp"
+#include "sweep/tables.hpp"
 
 namespace clca::sweep {
+
+/// A run that was once done.
+struct EarlierRun {
+  store::RunSummary summary;
+  /// It is of exactly this scene and program version, and has the pictures that are wanted.
+  bool is_whole = false;
+};
+
+/// The run in `folder`, if one was done there.
+std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
+                                      const scene::Scene& scene, run::WantedPictures pictures);
+
+/// Whether a run of exactly this scene and program version was stopped or killed, or has failed, in
+/// `folder`.
+bool can_go_on(const std::filesystem::path& folder, const scene::Scene& scene);
 
 /// A run that has ended.
 struct FinishedRun {

@@ -15,7 +15,6 @@
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
 #include "clca/tasks/pool.hpp"
-#include "sweep/earlier.hpp"
 #include "sweep/folder.hpp"
 #include "sweep/overview.hpp"
 #include "sweep/run_task.hpp"

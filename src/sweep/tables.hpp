@@ -1,14 +1,33 @@
 #pragma once
-// The tables of a sweep. They do not depend on the order in which runs ended.
+// The results of runs, and the tables of a sweep. They do not depend on the order in which runs
+// ended.
 
+#include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "clca/reflection/reflection.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 #include "clca/sweep/plan.hpp"
-#include "sweep/result.hpp"
 
 namespace clca::sweep {
+
+enum class Status : std::uint8_t { waiting, done, failed, interrupted };
+
+struct Result {
+  Status status = Status::waiting;
+  store::RunSummary summary;  ///< of a run that is done
+  std::string error;          ///< why it failed
+
+  /// All but the summary, which has a form of its own.
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("status", &Result::status), field("error", &Result::error));
+  }
+};
 
 /// The varied values of a combination. Spreadsheets take text that begins with one of =+-@ for a
 /// formula; a quote in front keeps it text.
@@ -19,5 +38,19 @@ std::string runs_table(const Plan& plan, const std::vector<Result>& results);
 
 /// measures.csv: statistics over the completed runs for each combination, stage and measure.
 std::string measures_table(const Plan& plan, const std::vector<Result>& results);
+
+struct NamedTable {
+  std::string name;  ///< of the file
+  std::string csv;
+};
+
+/// mean-series.csv, mean-probes.csv and so on: each column with its mean and its standard error
+/// over the completed runs, `results` in the order of the plan. Tables of time begin with each
+/// stage and go as far as all runs of a combination do. `folder_of` a run of the plan. What cannot
+/// be read is left out, with a line to `warning`.
+std::vector<NamedTable> mean_tables(
+    const Plan& plan, const std::vector<Result>& results,
+    const std::function<std::filesystem::path(std::size_t run)>& folder_of,
+    const std::function<void(const std::string& line)>& warning);
 
 }  // namespace clca::sweep

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -78,6 +79,15 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double ma
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
   }
   return bytes;
+}
+
+bool is_file_name(std::string_view text) {
+  constexpr std::size_t kMaxLength = 200;
+  return !text.empty() && text.size() <= kMaxLength && text.front() != '.' &&
+         std::none_of(text.begin(), text.end(), [](char letter) {
+           const auto code = static_cast<unsigned char>(letter);
+           return letter == '/' || code < 0x20 || code == 0x7F;
+         });
 }
 
 }  // namespace clca::text

@@ -10,8 +10,8 @@
 
 #include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/summary.hpp"
 #include "support/missing.hpp"
@@ -153,7 +153,7 @@ TEST_F(RenderCommandTest, DrawsSeveralRunsSideBySide) {
                  HasSubstr("--output goes with one run"));
   expect_refused(render({"run", "none"}), 2, HasSubstr("none"));
   expect_refused(render({"run", "./run/"}), 2, HasSubstr("./run/: is given twice"));
-  const double one = scene::size_of(scene::parse(kScene, "small.yaml")).bytes;
+  const double one = run::memory_of(scene::parse(kScene, "small.yaml"));
   const std::string enough_for_one = std::to_string(static_cast<std::uint64_t>(1.5 * one));
   expect_refused(render({"run", "second", "--memory-limit", enough_for_one}), 2,
                  HasSubstr("2 runs need about "));

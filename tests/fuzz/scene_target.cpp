@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 #include "support/any_text.hpp"
@@ -26,7 +27,7 @@ void require_sizes(std::string_view text) {
     const scene::AnyScene any = scene::parse_any(text, "scene.yaml");
     const auto* gas = std::get_if<scene::BoltzmannScene>(&any);
     fuzz::require(is_amount(gas != nullptr ? scene::bytes_of(*gas, 64)
-                                           : scene::size_of(std::get<scene::Scene>(any)).bytes),
+                                           : clca::run::memory_of(std::get<scene::Scene>(any))),
                   "no amount of memory");
   } catch (const scene::SceneError&) {
     return;

@@ -12,6 +12,7 @@
 #include "clca/export/export.hpp"
 #include "clca/store/table.hpp"
 #include "property/random_motions.hpp"
+#include "run/frame_painter.hpp"
 #include "run/model.hpp"
 #include "run/overlay.hpp"
 #include "store/trajectory_part.hpp"

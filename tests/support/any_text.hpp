@@ -39,10 +39,9 @@ inline std::string trouble_with_message(std::string_view message) {
   return placed ? "" : "no place in: " + std::string(message);
 }
 
-/// Checks the walls unless that takes long. Pictures, which need most memory, play no part.
-inline void check_walls_of(scene::Scene scene) {
+/// Checks the walls unless that takes long.
+inline void check_walls_of(const scene::Scene& scene) {
   constexpr double kMaxBytes = 1e6;
-  scene.output.frames.reset();
   if (scene::size_of(scene).bytes < kMaxBytes) {
     scene::check_walls(scene);
   }

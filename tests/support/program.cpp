@@ -90,10 +90,12 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
     ::kill(child, there ? setting.signal : SIGKILL);
   }
   int status = 0;
-  ::waitpid(child, &status, 0);
+  rusage usage = {};
+  ::wait4(child, &status, 0, &usage);
   return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
           .out = text_of(out),
-          .err = text_of(err)};
+          .err = text_of(err),
+          .max_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss)};
 }
 
 }  // namespace clca::testing

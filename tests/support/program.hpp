@@ -11,6 +11,7 @@ struct ProgramResult {
   int code = 0;  ///< exit code, or minus the signal that ended the program
   std::string out;
   std::string err;
+  double max_bytes = 0;  ///< of memory that it held at once
 };
 
 struct ProgramSetting {

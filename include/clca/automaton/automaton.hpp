@@ -9,8 +9,8 @@ namespace clca::automaton {
 using grains::Options;
 
 /// Bytes that steps need besides the state and its occupancy, for a lattice with this
-/// index_count().
-double step_bytes(double index_count);
+/// index_count(). `awake`: particles that may move in a step.
+double step_bytes(double index_count, double particles, double awake);
 
 class Automaton : public grains::Model {
  public:

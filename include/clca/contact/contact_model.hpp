@@ -39,6 +39,9 @@ int needed_columns(const std::vector<grains::Kind>& kinds);
 /// needed_columns() at least.
 void check_valid(const State& state);
 
+/// Bytes that the model takes for so many grains, besides their particles.
+double step_bytes(double grains);
+
 class ContactModel : public grains::Model {
  public:
   /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy), a

@@ -39,6 +39,12 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
 
 /// Sums of the forces of several steps, by contact.
 struct ForceSums {
+  /// Bytes for so many contacts.
+  static double bytes_for(double contacts) {
+    constexpr double kNode = sizeof(decltype(numbers)::value_type) + 4 * sizeof(void*);
+    return contacts * (grains::kListRoom * sizeof(Sum) + kNode);
+  }
+
   struct Sum {
     std::uint32_t upper = 0;
     grains::Owner other = 0;

@@ -106,6 +106,9 @@ struct Contact {
   }
 };
 
+/// Contacts per grain of a packing; in lists that double there is room for the 3 of a crystal.
+inline constexpr double kContactsPerGrain = 2;
+
 struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id

@@ -25,6 +25,10 @@ struct Mixture {
   static constexpr char kFirstPart = 'A';
 };
 
+/// Bytes for the positions that a fill at random tries: of these sites, each in so many
+/// orientations.
+double trial_bytes(double sites, double orientations);
+
 /// How many particles a fill has placed.
 struct FillResult {
   std::vector<std::size_t> placed;  ///< per species

@@ -166,6 +166,10 @@ struct State {
   }
 };
 
+// For estimates of memory, in bytes.
+inline constexpr double kListRoom = 2;  ///< of a list that doubles, over what it holds, at most
+inline constexpr double kParticleBytes = kListRoom * (sizeof(Particle) + sizeof(lattice::Site));
+
 /// Centre of mass in lattice spacings; counted on across a periodic boundary, as the column is.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
 /// The same in the box. Every image of a particle gives the same bits.

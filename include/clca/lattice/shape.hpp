@@ -56,4 +56,8 @@ class Shape {
   Eigen::Vector2d centroid_ = Eigen::Vector2d::Zero();  // kept: asked for at each centre
 };
 
+/// The shape with the site nearest to its centre of mass as reference, so that the origin of the
+/// scene's coordinates does not matter.
+Shape centred(const Shape& shape);
+
 }  // namespace clca::lattice

@@ -57,6 +57,8 @@ class LineSums {
  public:
   static constexpr std::size_t kMost = 16;  ///< blocks
 
+  static double bytes_for(double parts) { return parts * kMost * sizeof(LinePartSums); }
+
   explicit LineSums(std::size_t parts = 0) : parts_(parts) {}
 
   /// The block that an observation over `steps` steps belongs to.
@@ -111,10 +113,14 @@ class Line {
   void observe(const Snapshot& before, const grains::State& now, const grains::Occupancy& occupancy,
                std::span<const std::optional<Eigen::Vector2d>> velocities, LineSums& sums) const;
 
+  static double bytes_for(double parts) { return parts * kMaxPoints * sizeof(std::size_t); }
+
   std::size_t parts() const { return points_.size(); }
   std::vector<LinePart> means(const LineSums& sums) const;
 
  private:
+  static constexpr double kMaxPoints = 256;  // of a part
+
   struct Crossing {
     double position;  // on the line, from its start
     bool to_right;

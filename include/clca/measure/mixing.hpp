@@ -51,6 +51,14 @@ class Mixing {
   static constexpr double kNear = 1.35;
   static constexpr double kStillNear = 1.49;
 
+  /// Bytes for so many particles, with what is needed for a time.
+  static double bytes_for(double particles) {
+    constexpr double kPairs = 3;  // of a particle: lines between neighbours hardly cross
+    return Snapshot::bytes_for(particles) +
+           particles * (sizeof(std::optional<Displacement>) +
+                        kPairs * grains::kListRoom * sizeof(NeighbourPair));
+  }
+
   /// Without pairs.
   Mixing() = default;
   explicit Mixing(const grains::State& state);

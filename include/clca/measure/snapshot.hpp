@@ -29,6 +29,10 @@ class Snapshot {
   Snapshot() = default;
   explicit Snapshot(const grains::State& state);
 
+  static double bytes_for(double particles) {
+    return particles * sizeof(std::optional<lattice::Site>);
+  }
+
   std::uint64_t step() const { return step_; }
   /// The path of a particle to where it is now or was removed: from its position at the snapshot
   /// or, if it has entered since, where it has entered (State::origins); none if it had been

@@ -11,7 +11,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/image.hpp"
-#include "clca/render/overlay.hpp"
+#include "clca/render/overlays.hpp"
 
 namespace clca::render {
 
@@ -69,6 +69,8 @@ class Painter {
   /// For states on `lattice` with `kinds`. Throws RenderError.
   Painter(const Style& style, const lattice::Lattice& lattice,
           const std::vector<grains::Kind>& kinds);
+  /// Bytes that one takes with so many captures at a time. The style has a view.
+  static double bytes_for(const Style& style, int captures);
   ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;

@@ -1,10 +1,44 @@
 #pragma once
-// The initial state of a scene.
+// A scene as it is asked for, by file or name, checked, within a limit of memory; its initial
+// state.
+
+#include <filesystem>
+#include <string>
 
 #include "clca/grains/state.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::run {
+
+/// In which memory is told, in bytes.
+inline constexpr double kMebibyte = 1 << 20;
+
+/// The file of an installed scene if `name` is the name of one and of no file, else `name`. Throws
+/// scene::SceneError for what may be meant as the name of one.
+std::string scene_file(const std::string& name);
+
+/// Number of threads of the machine.
+int machine_threads();
+
+/// 80 % of the memory that is available without swapping, in bytes.
+double default_memory_limit();
+
+/// Upper estimate of the memory of a run, in bytes.
+double memory_of(const scene::Scene& scene);
+
+/// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
+void check_memory(const scene::Scene& scene, double limit);
+void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
+void check_memory(const scene::AnyScene& scene, double limit, int threads);
+
+/// Finds what the scene begins with and checks that it fits into `limit` bytes of memory, that of a
+/// Boltzmann run on `threads` threads. `file`: of the scene, for messages. Throws
+/// scene::SceneError.
+void complete(scene::AnyScene& scene, const std::string& file, double limit, int threads);
+
+/// Throws SceneRunError if a run in `folder` would replace the scene `file`.
+void check_output(const std::string& file, const std::filesystem::path& folder);
 
 /// The box with walls, closed sources and outlets, without particles. Equal orientations become one
 /// kind.

@@ -2,9 +2,12 @@
 // Requested measures and output. Lengths in lattice spacings, time in steps.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "clca/lattice/region.hpp"
 #include "clca/statistics/range.hpp"
@@ -155,5 +158,14 @@ struct Output {
 
   bool operator==(const Output&) const = default;
 };
+
+/// The names of measures in an expression, as they come: all names but functions and constants.
+std::vector<std::string> names_in(std::string_view expression);
+
+/// The value of an expression of measures, `values` of which are known; none if one of them has no
+/// value, or the result is not a finite number.
+std::optional<double> value_of(
+    std::string_view expression,
+    const std::function<std::optional<double>(std::string_view name)>& values);
 
 }  // namespace clca::scene

@@ -16,12 +16,12 @@ std::string to_yaml(const BoltzmannScene& scene);
 /// scene may be; `file` is that of the scene.
 void check_resolved(std::string_view yaml, std::string_view file);
 
-/// Resources that a scene needs.
+/// What the model of a scene needs.
 struct Size {
   int columns = 0;
   int rows = 0;
   std::uint64_t particles = 0;  ///< filled and emitted at the most
-  double bytes = 0;             ///< of memory, estimated from above
+  double bytes = 0;             ///< estimated from above; run::memory_of() is that of a run
 };
 
 Size size_of(const Scene& scene);

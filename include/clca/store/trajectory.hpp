@@ -51,6 +51,8 @@ class TrajectoryWriter {
   /// so that a run resumes at its checkpoint. Throws StoreError.
   TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                    const grains::State& state, const Written& kept);
+  /// Bytes that it takes at most for so many particles.
+  static double bytes_for(const scene::Scene& scene, double particles);
   ~TrajectoryWriter();
   TrajectoryWriter(const TrajectoryWriter&) = delete;
   TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace clca::text {
 
@@ -36,5 +37,15 @@ std::optional<std::string_view> nearest(std::string_view text,
 
 /// `; did you mean 'X'?` or nothing.
 std::string suggestion(std::string_view text, std::span<const std::string_view> names);
+
+/// The names of things that have one. `Text` is std::string_view (into the things) or std::string.
+template <class Text = std::string_view, class Things>
+std::vector<Text> names_of(const Things& things) {
+  std::vector<Text> names;
+  for (const auto& thing : things) {
+    names.emplace_back(thing.name);
+  }
+  return names;
+}
 
 }  // namespace clca::text

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace clca::text {
@@ -18,5 +19,9 @@ class ReadError : public std::runtime_error {
 /// Throws ReadError for anything but a regular file and for more than `max_bytes`, even if the
 /// file grows while it is read.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes);
+
+/// Whether `text` is safe as a file name, or its beginning: a single path component, no leading
+/// dot, no control characters, at most 200 bytes.
+bool is_file_name(std::string_view text);
 
 }  // namespace clca::text

@@ -92,6 +92,10 @@ struct alignas(kCacheLine) Proposals {
 /// The work of one thread: the moves of the particles in its strip, and the particles that wake
 /// through them. Particles are examined by whichever thread is free.
 struct alignas(kCacheLine) StripWorker {
+  // Of a particle in the lists: of those to look at, now and next, and of one that may move.
+  static constexpr double kListedBytes = 2 * sizeof(std::uint32_t);
+  static constexpr double kAwakeBytes = sizeof(MoveProposal) + sizeof(WakeWindow);
+
   std::size_t strip = 0;
   Interval inner;         ///< of the strip: no other thread changes anything there in this step
   Interval inner_before;  ///< the same in the last step

@@ -17,6 +17,12 @@ namespace clca::contact {
 /// grains that have moved.
 class ContactFinder {
  public:
+  static constexpr double kGrainBytes =
+      ContactSlots::kGrainBytes + 2 * sizeof(std::uint8_t) +
+      grains::kListRoom *
+          (2 * sizeof(std::uint32_t) + sizeof(std::pair<std::int64_t, std::uint32_t>) +
+           kContactsPerGrain * sizeof(std::pair<Touch::Key, Touch>));
+
   /// Both outlive the finder.
   ContactFinder(const grains::Box& box, const Rule& rule);
 

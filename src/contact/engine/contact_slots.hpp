@@ -22,6 +22,11 @@ struct Slot {
 /// Slots in order, linked by grain. Their numbers are in batches.
 class ContactSlots {
  public:
+  /// With its contacts.
+  static constexpr double kGrainBytes =
+      2 * sizeof(std::int32_t) +
+      kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / kLanes);
+
   /// Both outlive the slots.
   ContactSlots(const grains::State& grains, const Rule& rule) : batches_(grains, rule) {}
 

@@ -14,6 +14,11 @@ namespace clca::contact {
 /// in between it is not looked at. It may wait in several directions, in each for one other body.
 class Mover {
  public:
+  static constexpr double kGrainBytes =
+      sizeof(std::uint8_t) + (2 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
+      grains::kListRoom *
+          (3 * sizeof(std::uint32_t) + sizeof(std::pair<std::uint32_t, grains::Owner>));
+
   /// Both outlive the mover.
   Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
 

@@ -92,7 +92,7 @@ class Run:
 
     @property
     def walls(self) -> dict[str, NDArray[numpy.float64]]:
-        """Of each wall sites x 2: their places at home, in lattice spacings."""
+        """Of each wall sites x 2: their positions at home, in lattice spacings."""
         return self.frames._look.walls
 
     def contacts(self, step: int) -> NDArray[numpy.void]:

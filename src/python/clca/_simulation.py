@@ -45,7 +45,7 @@ class Simulation(_clca.Simulation):
 
     @property
     def walls(self) -> dict[str, NDArray[numpy.float64]]:
-        """Of each wall sites x 2: their places at home, in lattice spacings."""
+        """Of each wall sites x 2: their positions at home, in lattice spacings."""
         return self._look.walls
 
     @property

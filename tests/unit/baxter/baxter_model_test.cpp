@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "clca/measure/axis_order.hpp"
+#include "clca/measure/coordination.hpp"
 #include "support/states.hpp"
 
 namespace clca::baxter::baxter_model_test {

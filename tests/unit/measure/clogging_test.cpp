@@ -1,11 +1,10 @@
 // Which outlets particles at rest have clogged.
 
-#include "clca/measure/clogging.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "clca/measure/outflow.hpp"
 #include "support/states.hpp"
 
 namespace clca::measure::clogging_test {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "clca/measure/clogging.hpp"
 #include "clca/measure/convection.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/field_grid.hpp"

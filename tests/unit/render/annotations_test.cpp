@@ -7,7 +7,6 @@
 
 #include "clca/render/coloring.hpp"
 #include "packed_state.hpp"
-#include "render/legend_lines.hpp"
 #include "support/missing.hpp"
 
 namespace clca::render::annotations_test {

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "render/mesh.hpp"
+#include "render/polygon_painter.hpp"
 
 namespace clca::render::body_test {
 namespace {

@@ -1,11 +1,10 @@
-#include "render/environment.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
 #include "packed_state.hpp"
+#include "render/context.hpp"
 
 namespace clca::render::environment_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "clca/render/painter.hpp"
 #include "packed_state.hpp"
-#include "render/framing.hpp"
+#include "render/layout.hpp"
 #include "render/wall_appearance.hpp"
 
 namespace clca::render::site_lookup_test {

@@ -1,7 +1,5 @@
 // Runs that begin with the particles of another run.
 
-#include "run/other_run.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
+#include "run/model.hpp"
 #include "support/runs.hpp"
 
 namespace clca::run::other_run_test {

@@ -14,7 +14,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "render/graphics.hpp"
-#include "run/frame_choice.hpp"
+#include "run/run_drawing.hpp"
 #include "support/missing.hpp"
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"

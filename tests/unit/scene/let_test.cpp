@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bad_scenes.hpp"
-#include "clca/scene/derived.hpp"
+#include "clca/scene/output.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 

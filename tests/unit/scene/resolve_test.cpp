@@ -161,25 +161,13 @@ TEST(SizeOf, BoundsParticlesThatCannotLeaveByTheSitesOfTheBox) {
   EXPECT_EQ(size.particles, 116U * 50U);
 }
 
-TEST(SizeOf, GrowsWithBoxParticlesFillAndPictures) {
+TEST(SizeOf, GrowsWithBoxParticlesAndFill) {
   const double least = size_of(scene_with("output: {}")).bytes;
-  EXPECT_GT(size_of(scene_with("output: {trajectory: {}}")).bytes, least + 0x1p24);
-  EXPECT_GT(size_of(scene_with("lines: {row: {from: [0, 5], to: [99, 5], parts: 1000}}")).bytes,
-            size_of(scene_with("")).bytes + 1000 * 16 * 56);
   EXPECT_GT(size_of(scene_with("output: {}\nbox: {width: 200, height: 50}")).bytes, least + 2e4);
   EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
                                "1009}}"))
                 .bytes,
             least + 1000.0 * 130);
-  EXPECT_GE(
-      size_of(scene_with("output: {frames: {width: 1000, height: 500, supersampling: 3}}")).bytes,
-      least + 500'000.0 * 9 * 8);
-}
-
-TEST(SizeOf, CountsThePlacesThatPicturesOfVelocitiesRemember) {
-  const Size plain = size_of(scene_with("output: {frames: {}}"));
-  const Size velocities = size_of(scene_with("output: {frames: {overlay: velocity}}"));
-  EXPECT_GE(velocities.bytes, plain.bytes + 96.0 * static_cast<double>(plain.particles));
 }
 
 TEST(SizeOf, CountsShapesAndRegionsOfSources) {

@@ -11,7 +11,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
-#include "scene/swept_sites.hpp"
+#include "scene/geometry.hpp"
 
 namespace clca::scene::walls_test {
 

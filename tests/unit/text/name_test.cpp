@@ -1,8 +1,8 @@
-#include "clca/text/name.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "clca/text/read.hpp"
 
 namespace clca::text::name_test {
 namespace {

@@ -1,10 +1,13 @@
 #pragma once
-// Positions on an edge: of cells, columns, lines. Where an edge lies on a site, rounding must not
-// decide.
+// Numbers of several measures. Positions on an edge: of cells, columns, lines. Where an edge lies
+// on a site, rounding must not decide.
 
 #include <cmath>
+#include <limits>
 
 namespace clca::measure {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// More than the rounding of any position, far less than the distance of a centre of mass from an
 /// edge on which it does not lie: both are whole multiples of small fractions of a spacing.

@@ -1,8 +1,11 @@
 #pragma once
-// The sites of all particles.
+// The sites of particles and walls.
 
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
 
+#include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 
 namespace clca::measure {
@@ -30,6 +33,27 @@ inline double reach(const lattice::Shape& shape) {
     result = std::max(result, (lattice::position(site) - shape.centroid()).norm());
   }
   return result;
+}
+
+/// Throws std::invalid_argument if the occupancy is that of another box.
+inline void check_occupancy(const grains::State& state, const grains::Occupancy& occupancy) {
+  if (occupancy.index_count() != state.lattice.index_count()) {
+    throw std::invalid_argument("the occupancy is that of another box");
+  }
+}
+
+/// Sites of the present walls, sorted, without duplicates.
+inline std::vector<lattice::Site> wall_sites(const grains::State& state) {
+  std::vector<lattice::Site> sites;
+  for (const grains::Wall& wall : state.walls) {
+    if (wall.present) {
+      const std::vector<lattice::Site> covered = grains::sites_now(state.lattice, wall);
+      sites.insert(sites.end(), covered.begin(), covered.end());
+    }
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites;
 }
 
 }  // namespace clca::measure
