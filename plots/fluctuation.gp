@@ -15,5 +15,5 @@ set ylabel 'probability density of X'
 set logscale y
 set format y '10^{%T}'
 plot for [i = 1:3] files[1] using (column('lower')):(density(i) > 0 ? density(i) : NaN) \
-         with steps linewidth 2 dashtype (i < 3 ? 1 : 2) \
+         with steps linewidth 2 dashtype 1 + (i == 3) \
          linecolor rgb (i < 3 ? color(i, 2) : 0x404040) title names[i]

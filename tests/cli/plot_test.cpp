@@ -9,6 +9,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "clca/image/png.hpp"
 #include "clca/store/file.hpp"
@@ -129,6 +130,62 @@ output:
   const image::Image profile = image::decode_png(bytes("run/plots/profile.png")).image;
   EXPECT_EQ(profile.width, 960);
   EXPECT_LT(profile.height, 600) << "as high as the bed takes at equal scales";
+}
+
+TEST_F(PlotCommandTest, DrawsEachTemplate) {
+  const std::vector<std::vector<std::string>> runs = {
+      {"run", "brazil-nut", "stages.packing.fill.counts={small: 200}",
+       "stages.shaking.until={cycles: 3}"},
+      {"run", "plate-penetration", "stages.packing.fill.counts={small: 250, large: 250}",
+       "walls.plate.box=[66.5, 80, 73.5, 240]", "walls.plate.motion.distance=60"},
+      {"run", "mixing", "stages.flow.until={discharged: 0.1}",
+       "outlets.more={region: [0, 0, 10, 10]}", "probes={hole: [20, 6, 50, 60]}",
+       "lines={hole: {from: [20, 9], to: [50, 9]}}", "sources={top: {at: [30, 300], rate: 0.01}}",
+       "stages.flow.sources=[top]"},
+      {"run", "collapse-contact", "output.fields={every: 50}", "box.width=200",
+       "measure=[force, weight_paths]"},
+      {"boltzmann", "boltzmann-shear", "boltzmann.particles=2000", "boltzmann.until=2",
+       "output.histograms=[0, 2]"}};
+  std::vector<std::string> drawn;
+  for (const std::vector<std::string>& run : runs) {
+    const std::string& scene = run[1];
+    std::vector<std::string> command = {run[0], CLCA_SOURCE_DIR "/scenes/" + scene + ".yaml", "-o",
+                                        scene};
+    const auto set = [&command](const std::string& value) {
+      command.insert(command.end(), {"--set", value});
+    };
+    std::for_each(run.begin() + 2, run.end(), set);
+    if (run[0] == "run") {
+      set("output.frames=none");
+    }
+    const auto ran = testing::run_program(command, {.folder = folder_.path().string()});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto result = plot({scene, "--format", "svg"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+      drawn.push_back(fs::path(line).filename().string());
+    }
+  }
+  // Other commands draw these: chosen columns, sweeps, compare.
+  const std::set<std::string> others = {"style", "columns", "means", "sweep", "comparison"};
+  std::vector<std::string> templates;
+  for (const auto& entry : fs::directory_iterator(CLCA_SOURCE_DIR "/plots")) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".gp" && !others.contains(name)) {
+      templates.push_back(name);
+    }
+  }
+  // Longest first: `outflow-apart` is no figure of `outflow`.
+  std::sort(templates.begin(), templates.end(),
+            [](const auto& one, const auto& other) { return one.size() > other.size(); });
+  for (const std::string& name : templates) {
+    const auto is_of = [&name](const std::string& file) {
+      return file.starts_with(name) && (file[name.size()] == '.' || file[name.size()] == '-');
+    };
+    EXPECT_GT(std::erase_if(drawn, is_of), 0U) << name;
+  }
+  EXPECT_THAT(drawn, ::testing::IsEmpty());
 }
 
 TEST_F(PlotCommandTest, DrawsVectorsOfTheSameSize) {
