@@ -24,6 +24,7 @@ namespace {
 constexpr double kAwakeOfDeposited = 1.0 / 8;
 // A site of a kind: in its shape, and from the reference site in columns of both parities.
 constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::Offset);
+
 /// Sites of the swept region in the rectangle, from above.
 double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
   const auto share = [](double low, double high, double first, double end) {
