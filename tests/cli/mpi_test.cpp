@@ -55,6 +55,12 @@ output:
   bins: q10
 )";
 
+/// mpirun may print lines of its own before those of the program or behind.
+bool has_once(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  return at != std::string::npos && text.find(part, at + 1) == std::string::npos;
+}
+
 /// Open MPI does not start programs of root unless it is told to. What it keeps to the end lies in
 /// modules that are unloaded before, so that leaks cannot be told from it.
 const std::map<std::string, std::string> kEnvironment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
@@ -130,8 +136,7 @@ TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
 TEST_F(MpiTest, AMistakeIsToldOnce) {
   const auto result = together({"-n", "3"}, {"sweep", "small.yaml", "--seeds", "4..1"});
   EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, StartsWith("--seeds 4..1: error: "));
-  EXPECT_EQ(result.err.find("--seeds", 1), std::string::npos) << result.err;
+  EXPECT_TRUE(has_once(result.err, "--seeds 4..1: error: ")) << result.err;
   EXPECT_EQ(together({"-n", "2"}, {"sweep", "missing.yaml"}).code, 2);
 }
 
@@ -141,10 +146,10 @@ TEST_F(MpiTest, WhyARankCannotBeginIsToldOnceAndNothingIsWritten) {
   };
   const auto result = each({sweep("small.yaml", "1..6"), sweep("missing.yaml", "1..6")});
   EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, StartsWith("rank 1: missing.yaml:1:1: error: "));
+  EXPECT_TRUE(has_once(result.err, "rank 1: missing.yaml:1:1: error: ")) << result.err;
   const auto other = each({sweep("small.yaml", "1..6"), sweep("small.yaml", "1..7")});
   EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.err, StartsWith("rank 1: error: it was started with another scene"));
+  EXPECT_TRUE(has_once(other.err, "rank 1: error: it was started with another scene")) << other.err;
   EXPECT_FALSE(fs::exists(folder_.path() / "out/runs/seed=1"));
 }
 
@@ -154,7 +159,7 @@ TEST_F(MpiTest, WhatCannotBeWrittenEndsAllRanksWithOneLine) {
   const auto result =
       together({"-n", "3"}, {"sweep", "small.yaml", "--seeds", "1..9", "-o", "out", "--quiet"});
   EXPECT_EQ(result.code, 1);
-  EXPECT_THAT(result.err, StartsWith("clca: error: cannot write to out/runs/seed=4"));
+  EXPECT_TRUE(has_once(result.err, "clca: error: cannot write to out/runs/seed=4")) << result.err;
 }
 
 TEST_F(MpiTest, GasesOfSeveralRanksHaveTheBitsOfOneProcess) {
