@@ -6,7 +6,7 @@
 
 #include "clca/measure/outflow.hpp"
 #include "grains/internal/outlet.hpp"
-#include "measure/sites.hpp"
+#include "measure/internal/sites.hpp"
 
 namespace clca::measure {
 

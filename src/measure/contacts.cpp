@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "grains/internal/separation.hpp"
-#include "measure/sites.hpp"
+#include "measure/internal/sites.hpp"
 
 namespace clca::measure {
 

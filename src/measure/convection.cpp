@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -4,7 +4,7 @@
 
 #include "clca/baxter/baxter_model.hpp"
 #include "clca/grains/occupancy.hpp"
-#include "measure/sites.hpp"
+#include "measure/internal/sites.hpp"
 
 namespace clca::measure {
 

@@ -1,7 +1,7 @@
 #include "clca/measure/field_grid.hpp"
 
+#include "measure/internal/sites.hpp"
 #include "measure/region_motion.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

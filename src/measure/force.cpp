@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "clca/measure/profile.hpp"
+#include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

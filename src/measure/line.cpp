@@ -5,8 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -1,8 +1,8 @@
 #include "clca/measure/probe.hpp"
 
+#include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
 #include "measure/region_motion.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -8,8 +8,8 @@
 
 #include "clca/measure/grid.hpp"
 #include "clca/measure/profile.hpp"
+#include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
-#include "measure/sites.hpp"
 
 namespace clca::measure {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/lattice/region.hpp"
-#include "measure/sites.hpp"
+#include "measure/internal/sites.hpp"
 
 namespace clca::measure {
 

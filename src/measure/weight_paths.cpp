@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "clca/random/draw.hpp"
-#include "measure/sites.hpp"
+#include "measure/internal/sites.hpp"
 
 namespace clca::measure {
 

@@ -45,6 +45,24 @@ const std::vector<TableInfo>& all_tables() {
   return kAll;
 }
 
+constexpr const char* kTrajectory = "trajectory";
+
+using NamedTable = std::pair<std::string, const TableInfo*>;
+
+/// By the names that columns_table() takes; the trajectory is none of them.
+std::vector<NamedTable> named_tables() {
+  std::vector<NamedTable> named;
+  const auto add = [&named](const std::string& prefix, const std::vector<TableInfo>& tables) {
+    for (const TableInfo& table : tables) {
+      named.emplace_back(prefix + std::string(table.name), &table);
+    }
+  };
+  add("", all_tables());
+  add("gas.", gas_tables());
+  add("sweep.", sweep_tables());
+  return named;
+}
+
 /// x or y of a column of a vector; empty for others.
 std::string_view part_of_vector(const Quantity& quantity, std::string_view column) {
   const std::string_view end = column.substr(std::min(quantity.key.size(), column.size()));
@@ -202,36 +220,38 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
   return text;
 }
 
+std::vector<std::string> table_names() {
+  std::vector<std::string> names = {kTrajectory};
+  for (const NamedTable& table : named_tables()) {
+    names.push_back(table.first);
+  }
+  return names;
+}
+
 std::string columns_table(std::string_view table) {
-  if (table == "trajectory") {
+  if (table == kTrajectory) {
     return store::datasets_table();
   }
-  const std::string_view prefix = table.substr(0, table.find('.') + 1);  // npos + 1 is 0
-  const std::string_view name = table.substr(prefix.size());
+  const std::vector<NamedTable> tables = named_tables();
+  const auto found = std::ranges::find(tables, table, &NamedTable::first);
+  if (found == tables.end()) {
+    throw text::InputError(
+        fmt::format("no table '{}'; there are {}", table, fmt::join(table_names(), ", ")));
+  }
   std::string text = "| column | unit | what |\n|---|---|---|\n";
   const auto add = [&text](const std::string& names, const Quantity& what, std::string_view where) {
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
                         where.empty() ? "" : "; ", where);
   };
-  std::vector<std::string_view> known = {"trajectory"};
-  for (const TableInfo& info : prefix == "gas."     ? gas_tables()
-                               : prefix == "sweep." ? sweep_tables()
-                                                    : all_tables()) {
-    known.push_back(info.name);
-    if (info.name != name) {
-      continue;
-    }
-    for (const ColumnInfo& column : info.columns) {
-      add(column.endings.back() == "_se" ? fmt::format("`{}` (`_se`)", column.quantity.key)
-                                         : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
-          column.quantity, column.where);
-    }
-    for (const auto& [what, of] : info.of_each) {
-      add(fmt::format("`{}.{}`", what.key, of), what, "");
-    }
-    return text;
+  for (const ColumnInfo& column : found->second->columns) {
+    add(column.endings.back() == "_se" ? fmt::format("`{}` (`_se`)", column.quantity.key)
+                                       : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
+        column.quantity, column.where);
   }
-  throw text::InputError(fmt::format("no table '{}'; there are {}", table, fmt::join(known, ", ")));
+  for (const auto& [what, of] : found->second->of_each) {
+    add(fmt::format("`{}.{}`", what.key, of), what, "");
+  }
+  return text;
 }
 
 std::string quantities_table() {

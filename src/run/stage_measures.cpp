@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
@@ -156,6 +157,11 @@ void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::M
       continue;
     }
     const Values values = group.values(stage);
+    if (!values.empty() && values.size() != group.quantities.size()) {
+      throw std::logic_error(fmt::format("the group of {} has {} values for {} quantities",
+                                         group.quantities.front().key, values.size(),
+                                         group.quantities.size()));
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
       results.emplace_back(group.quantities[i].key, values[i]);
     }

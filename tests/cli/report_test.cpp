@@ -213,15 +213,16 @@ TEST_F(ReportInABrowser, TheScriptShowsTheLastPictureAndTheFiguresAreThere) {
   EXPECT_THAT(page, HasSubstr("stage flow ("));
   EXPECT_THAT(page, Not(HasSubstr("id=\"player\" hidden")));
   EXPECT_THAT(page, HasSubstr("<img id=\"frame\" alt=\"Picture of the particles. Step "));
-  EXPECT_EQ(count_of(page, "<figure class=\"chart\""), 3U);  // surface, share that moves, height
+  EXPECT_GE(count_of(page, "<figure class=\"chart\""), 3U);  // surface, share that moves, height
 }
 
 // gnuplot's script replaces what calls it in the figure where it has found its axes.
 TEST_F(ReportInABrowser, EachFigureAnswersThePointer) {
   const std::string before = text("run/report.html");
   const std::string page = browse({"--dump-dom"}, "").out;
-  EXPECT_EQ(count_of(before, "id=\"gnuplot_canvas\" onclick"), 3U);
-  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\""), 3U);
+  const std::size_t figures = count_of(before, "id=\"gnuplot_canvas\" onclick");
+  EXPECT_GE(figures, 3U);
+  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\""), figures);
   EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\" onclick"), 0U);
 }
 

@@ -85,6 +85,8 @@ std::string quantities_table();
 /// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
 /// that there is not.
 std::string columns_table(std::string_view table);
+/// All that columns_table() takes.
+std::vector<std::string> table_names();
 /// The names of the columns of `runs`, `measures` or `mean`, a table of a sweep, with `names` in
 /// place of those that are declared in capitals.
 std::vector<std::string> sweep_columns(

@@ -54,8 +54,9 @@ TEST(Simulation, GivesOneMeasureAlone) {
   run::Simulation simulation(scene_of("automaton"));
   simulation.step();
   const auto packing = simulation.measures(scene::Measure::packing);
-  ASSERT_EQ(packing.size(), 2);
+  ASSERT_FALSE(packing.empty());
   EXPECT_EQ(packing.front().first, "packing_fraction");
+  EXPECT_LT(packing.size(), simulation.measures().size());
 }
 
 TEST(Simulation, AHeldStateStaysAsItsStageLeftIt) {
