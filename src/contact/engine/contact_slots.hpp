@@ -25,7 +25,7 @@ class ContactSlots {
   /// With its contacts.
   static constexpr double kGrainBytes =
       2 * sizeof(std::int32_t) +
-      kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / kLanes);
+      kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / double{kLanes});
 
   /// Both outlive the slots.
   ContactSlots(const grains::State& grains, const Rule& rule) : batches_(grains, rule) {}
