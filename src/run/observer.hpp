@@ -204,16 +204,17 @@ template <class T>
 ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
                            std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
                            std::vector<QuantityGroup> quantities = {}) {
-  return {[wanted](const scene::Scene& scene, const auto&...) -> std::unique_ptr<Observer> {
-            return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
-          },
-          std::move(tables), std::move(quantities),
-          [wanted](const scene::Scene& scene, [[maybe_unused]] double particles) -> double {
-            if constexpr (requires { T::bytes(scene, particles); }) {
-              return wanted(scene) ? T::bytes(scene, particles) : 0;
-            }
-            return 0;
-          }};
+  ObserverKind kind = {
+      [wanted](const scene::Scene& scene, const auto&...) -> std::unique_ptr<Observer> {
+        return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
+      },
+      std::move(tables), std::move(quantities)};
+  if constexpr (requires(const scene::Scene& scene) { T::bytes(scene, 0.0); }) {
+    kind.bytes = [wanted](const scene::Scene& scene, double particles) {
+      return wanted(scene) ? T::bytes(scene, particles) : 0;
+    };
+  }
+  return kind;
 }
 
 /// All, in the order in which they observe.
