@@ -85,7 +85,8 @@ Ints limited(Longs longs, int bits, std::int32_t most) {
   return shifted({kept(all.even), kept(all.odd)}, bits);
 }
 
-/// The four numbers of a row of each lane: first those of all lanes, second those, and so on.
+/// Takes a row of four numbers for each lane and returns the first numbers of all lanes, then the
+/// second, third and fourth ones.
 template <class Row>
 [[gnu::always_inline]] inline std::array<Ints, 4> columns(Row row) {
   const auto rows = [&](std::size_t lane) { return _mm256_set_m128i(row(lane + 4), row(lane)); };
