@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,18 @@ inline void for_seeds(int seeds, const std::string& name,
     const ScratchFolder folder;
     look(run::run(bare_scene(name, all), {.folder = folder.path()}), folder.path());
   }
+}
+
+/// By discrete elements: the mean of a quantity in a case of bench/peers/references.
+inline double discrete_elements(const std::string& name, const std::string& quantity) {
+  const std::string begin = name + ',' + quantity + ',';
+  std::ifstream file(CLCA_SOURCE_DIR "/bench/results/references.csv");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind(begin, 0) == 0) {
+      return std::stod(line.substr(begin.size()));
+    }
+  }
+  throw std::invalid_argument("no reference " + begin);
 }
 
 /// Of a CSV file that has a line at least.
