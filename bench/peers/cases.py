@@ -125,7 +125,7 @@ def of_vessel(run, stage, degrees_per_time, most=math.inf):
 
 def failure(run):
     values = sources.tilted(of_vessel(run, "tilt", run.variables["rate"], run.variables["tilt"]))
-    return {f"{key:.0%}".replace("%", "_percent") if isinstance(key, float) else key: value for key, value in values.items()}
+    return {{0.05: "5_percent", 0.1: "10_percent", 0.2: "20_percent"}.get(key, key): value for key, value in values.items()}
 
 
 def tilted(name, rolling, seeds):

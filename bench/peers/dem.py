@@ -64,12 +64,14 @@ class Grains:
     stages: np.ndarray
     right: float  # face of the right side of the box
 
-    def mass(self, types=None):
-        """Mean of these types, or of all grains."""
-        return np.mean([math.pi * self.radii[kind] ** 2 for kind in (self.types if types is None else types)])
+    @property
+    def mass(self):
+        """Mean of all grains."""
+        return np.mean([math.pi * self.radii[kind] ** 2 for kind in self.types])
 
     @property
     def diameter(self):
+        """Mean of both types."""
         return 2 * np.mean(list(self.radii.values()))
 
 
@@ -83,7 +85,7 @@ class Run:
     variables: dict
 
     def frames(self, name):
-        """Time, ids, types, places and radii of each frame of a dump."""
+        """Of a dump."""
         for part in (self.folder / name).read_text().split("ITEM: TIMESTEP\n")[1:]:
             head, _, rows = part.partition("ITEM: ATOMS")
             table = np.array([row.split() for row in rows.splitlines()[1:]], dtype=float).reshape(-1, 5)
@@ -119,7 +121,7 @@ def grains_of(clca, case, seed, folder):
     with h5py.File(folder / "trajectory.h5") as file:
         columns = int(file["scene/lattice"][0])
         sizes, centres = file["scene/kinds/size"][:], file["scene/kinds/centre"][:]
-        frames = {name: file[f"frames/{name}"][:] for name in ("step", "stage", "first_origin", "origins")}
+        frames = {name: file[f"frames/{name}"][:] for name in ("step", "stage", "origins")}
         ids, sites = file["origins/id"][:], file["origins/site"][:]
         kinds = dict(zip(file["particles/id"][:], file["particles/kind"][:]))
     frame = np.repeat(np.arange(len(frames["step"])), frames["origins"])
@@ -192,7 +194,7 @@ def variables(case, grains, seed):
         "rolling_damping": ratio(RESTITUTION) * math.sqrt(mass / 2 * ROLLING * stiffness),
         "floor": FLOOR, "left": LEFT, "right": grains.right, "count": len(grains.types),
         "dt": dt, "check": max(1, round(REST_INTERVAL * math.sqrt(grains.diameter) / dt)), "frame": round(case.frame / dt),
-        "rest_energy": REST * grains.mass() * grains.diameter, "rest_checks": REST_CHECKS, "most": case.most, **case.variables,
+        "rest_energy": REST * grains.mass * grains.diameter, "rest_checks": REST_CHECKS, "most": case.most, **case.variables,
         **(source_of(case, grains) if case.source else {}),
         "seed": seed, "short": max(1, round(0.05 * math.sqrt(grains.diameter) / dt))}
 
@@ -235,7 +237,8 @@ def run(clca, case, seed, folder):
         command += ["-var", "grains" if number == 0 else "refill", path]
     for name, value in values.items():
         command += ["-var", name, value if isinstance(value, (str, pathlib.Path)) else repr(float(value)) if isinstance(value, float) else str(value)]
-    subprocess.run(command, check=True, env=ONE_THREAD, stdout=subprocess.DEVNULL)
+    if subprocess.run(command, env=ONE_THREAD, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0:
+        raise SystemExit(f"{case.name} {seed}: " + "; ".join((folder / "log").read_text().splitlines()[-2:]))
     return case.numbers(Run(case, grains, folder, values)), values
 
 
