@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -111,7 +112,7 @@ int show_run(const std::string& folder, const RunCommonOptions& options, int thr
   if (summary.status == "interrupted" && !options.quiet) {
     line.print(fmt::format("continue with: clca resume {}", text::shell_word(used.string())));
   }
-  return exit_code_of(summary, stop);
+  return exit_code_of(summary, stop_signal_of(options.ranks));
 }
 
 }  // namespace clca::cli
