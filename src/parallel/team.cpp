@@ -69,12 +69,12 @@ std::mutex& one_at_a_time() {
 /// A child process by fork has one thread, and OpenMP would wait there for the others for ever: its
 /// regions have one thread, too.
 void prepare_forks() {
-  static const int kFailed = ::pthread_atfork([] { one_at_a_time().lock(); },
-                                              [] { one_at_a_time().unlock(); },
-                                              [] {
-                                                one_at_a_time().unlock();
-                                                ::omp_set_max_active_levels(0);
-                                              });
+  static const int kFailed =
+      ::pthread_atfork([] { one_at_a_time().lock(); }, [] { one_at_a_time().unlock(); },
+                       [] {
+                         one_at_a_time().unlock();
+                         ::omp_set_max_active_levels(0);
+                       });
   if (kFailed != 0) {
     throw std::bad_alloc();
   }

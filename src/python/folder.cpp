@@ -85,8 +85,8 @@ py::list table(const fs::path& folder, const std::string& name, const std::set<s
   }
   py::list columns;
   for (const std::string& key : table.names) {
-    columns.append(
-        py::make_tuple(texts(table, key), cells_of(table, key, text.contains(key)), quantity(key, all)));
+    columns.append(py::make_tuple(texts(table, key), cells_of(table, key, text.contains(key)),
+                                  quantity(key, all)));
   }
   return columns;
 }

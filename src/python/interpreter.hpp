@@ -5,9 +5,9 @@
 
 namespace clca::python {
 
-/// Without the interpreter, as pybind11::gil_scoped_release. CPython ends a thread that wants it back
-/// after Python has come to its end, and C++ cannot be unwound so everywhere: such a thread waits for
-/// the end of the process.
+/// Without the interpreter, as pybind11::gil_scoped_release. CPython ends a thread that wants it
+/// back after Python has come to its end, and C++ cannot be unwound so everywhere: such a thread
+/// waits for the end of the process.
 class Released {
  public:
   Released() : state_(PyEval_SaveThread()) {}

@@ -16,8 +16,8 @@ namespace py = pybind11;
 
 /// A scene with all checks of the command line done.
 struct LoadedScene {
-  /// `source`: a file or a name; with a `given` text, the file that it is from or what messages call
-  /// it.
+  /// `source`: a file or a name; with a `given` text, the file that it is from or what messages
+  /// call it.
   LoadedScene(const std::string& source, const std::optional<std::string>& given,
               const std::vector<scene::Override>& overrides);
 

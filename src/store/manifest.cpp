@@ -306,8 +306,7 @@ bool ManifestFile::replace_file(const std::string& name, const GiveName& give) c
   return add_file(name, give);
 }
 
-void ManifestFile::remove_file(const std::string& name,
-                               const std::function<void()>& remove) const {
+void ManifestFile::remove_file(const std::string& name, const std::function<void()>& remove) const {
   Locked locked(*this);
   remove();
   locked.append(line_of("removed", name), Sync::yes);
@@ -332,10 +331,9 @@ void ManifestFile::replace(const Manifest& seen, Manifest left,
   const Manifest now = read();
   std::string text(kHeader);
   const auto add = [&](std::string_view kind, std::set<std::string> Manifest::*names) {
-    std::copy_if((now.*names).begin(), (now.*names).end(),
-                 std::inserter(left.*names, (left.*names).end()), [&](const std::string& name) {
-                   return !(seen.*names).contains(name) || is_there(name);
-                 });
+    std::copy_if(
+        (now.*names).begin(), (now.*names).end(), std::inserter(left.*names, (left.*names).end()),
+        [&](const std::string& name) { return !(seen.*names).contains(name) || is_there(name); });
     for (const std::string& name : left.*names) {
       text += line_of(kind, name);
     }

@@ -86,8 +86,8 @@ class Model {
 
   /// Removes a wall; no effect if it is already removed.
   void remove_wall(std::size_t wall);
-  /// Inserts a wall; no effect if it is there. Returns false and changes nothing if a particle is in
-  /// its way, or another wall while one of the two is a moving wall.
+  /// Inserts a wall; no effect if it is there. Returns false and changes nothing if a particle is
+  /// in its way, or another wall while one of the two is a moving wall.
   bool insert_wall(std::size_t wall);
   /// Starts or stops the motion of a wall. Throws std::invalid_argument if it has none.
   void set_motion(std::size_t wall, bool active);

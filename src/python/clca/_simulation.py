@@ -21,8 +21,8 @@ from ._table import Table, Value
 class Simulation(_clca.Simulation):
     """A scene of grains, of which you take the steps: with the bits of a run, without its files.
 
-    `scene`, `seed` and `set` are as for `Scene`. Throws Error. After `step` or `next_stage` has, all but `repr` throws it
-    again.
+    `scene`, `seed` and `set` are as for `Scene`. Throws Error. After `step` or `next_stage` has failed, later calls throw
+    the same.
     """
 
     def __init__(

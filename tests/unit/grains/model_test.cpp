@@ -1,4 +1,5 @@
-// Changes between steps: those without an effect, those that are refused, and after one that failed.
+// Changes between steps: those without an effect, those that are refused, and after one that
+// failed.
 
 #include "clca/grains/model.hpp"
 
@@ -30,9 +31,7 @@ State box() {
     state.particles.push_back(particle_at(column, 0));
     state.origins.push_back({column, 0});
   }
-  state.walls = {{.sites = {{5, 5}}, .present = false},
-                 {.sites = {{10, 10}}},
-                 {.present = false}};
+  state.walls = {{.sites = {{5, 5}}, .present = false}, {.sites = {{10, 10}}}, {.present = false}};
   for (int column = 0; column < 20; ++column) {
     state.walls[blocked].sites.push_back({column, 0});
   }
