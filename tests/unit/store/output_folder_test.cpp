@@ -272,9 +272,9 @@ TEST_F(OutputFolderTest, AFileThatAnotherProcessRemovedMeanwhileIsListedAgainWhe
 
 TEST_F(OutputFolderTest, AFileThatAnotherProcessMadeAgainWhileTheFolderIsClearedStaysListed) {
   folder().write("figure.png", "one");
-  folder().write("first", "");
-  // Between the removal of the files and that of their names.
   const OutputFolder run = folder();
+  run.write("first", "");
+  // Between the removal of the files and that of their names.
   const int held = ::open(path("out/.clca.manifest").c_str(), O_RDONLY);
   ASSERT_EQ(::flock(held, LOCK_EX), 0);
   std::thread clearing([&] { run.clear("first", ""); });
